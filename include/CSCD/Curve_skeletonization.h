@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pipeline, step by step.
+
+#ifndef CSCD_CURVE_SKELETONIZATION_H
+#define CSCD_CURVE_SKELETONIZATION_H
+
+#include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Separator_packing.h>
+#include <CSCD/Selection/Separator_search.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Skeleton/Branch_refinement.h>
+#include <CSCD/Skeleton/Inside_repair.h>
+#include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Site_assignment.h>
+#include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/center_junctions.h>
+#include <CSCD/Skeleton/make_simple.h>
+#include <CSCD/Skeleton/merge_junctions.h>
+#include <CSCD/Skeleton/smooth_branches.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/connected_components.hpp>
+#include <boost/graph/graph_traits.hpp>
+
+#include <chrono>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Computes the curve skeleton of a surface, one stage after the other.
+///
+/// \code
+/// CSCD::Triangle_mesh_traits traits(mesh);
+/// CSCD::Curve_skeletonization skeletonization(traits);
+/// skeletonization.find_separators();
+/// skeletonization.pack_separators();
+/// skeletonization.convert_to_skeleton(skeleton);
+/// \endcode
+///
+/// \tparam Traits a model of `SkeletonizationTraits` with what `Policies` ask beyond that
+/// \tparam Policies the algorithms of the stages, see `Local_policies`
+/// \tparam Visitor a model of `SkeletonizationVisitor`, or a reference to one
+template <class Traits, class Policies = Local_policies<Traits>, class Visitor = Default_skeletonization_visitor>
+class Curve_skeletonization
+{
+public:
+  /// \name Types
+  /// @{
+  using Point = typename Traits::Point;
+  using Site_descriptor = typename Traits::Site_descriptor;
+  /// The skeleton type that holds everything the pipeline computes.
+  using Skeleton = Skeleton_graph<Point, Site_descriptor>;
+  /// @}
+
+  /// Prepares to skeletonize the surface of `traits`, which is referred to and must outlive this object.
+  explicit Curve_skeletonization(const Traits& traits, Policies policies = Policies(), Visitor visitor = Visitor())
+      : m_traits(traits), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
+  {
+    check_skeletonization_traits<Traits>();
+    m_report.number_of_sites = traits.number_of_input_sites();
+    m_report.number_of_isolated_vertices = traits.number_of_isolated_vertices();
+    m_report.number_of_surface_components = traits.number_of_components();
+    m_report.number_of_bridged_borders = traits.number_of_bridged_borders();
+    m_report.number_of_inserted_vertices = traits.number_of_inserted_vertices();
+    m_report.number_of_degenerate_faces = traits.number_of_degenerate_faces();
+    m_report.number_of_levels = traits.levels().size();
+    m_report.genus = traits.genus();
+  }
+  explicit Curve_skeletonization(Traits&&) = delete;
+
+  /// \name Parameters
+  /// Each setter returns the object, so that calls chain.
+  /// @{
+  unsigned random_seed() const { return m_random_seed; }
+  /// Sets the seed of the order in which sources are tried. Default 0.
+  Curve_skeletonization& set_random_seed(unsigned seed)
+  {
+    m_random_seed = seed;
+    return *this;
+  }
+  std::size_t maximum_number_of_sources() const { return m_maximum_number_of_sources; }
+  /// Bounds the number of sources. By default there is no bound: the shape decides.
+  Curve_skeletonization& set_maximum_number_of_sources(std::size_t number)
+  {
+    m_maximum_number_of_sources = number;
+    return *this;
+  }
+  unsigned number_of_threads() const { return m_number_of_threads; }
+  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for one a core.
+  Curve_skeletonization& set_number_of_threads(unsigned number)
+  {
+    m_number_of_threads = number;
+    return *this;
+  }
+  /// @}
+
+  /// \name Stages
+  /// @{
+  /// Finds separators all over the surface. The answer does not depend on `ConcurrencyTag` nor on the number of threads.
+  /// \return their number
+  /// \throw Cancelled_error if the visitor wants to stop
+  template <class ConcurrencyTag = CGAL::Sequential_tag>
+  std::size_t find_separators()
+  {
+    run_stage(Skeletonization_stage::find_separators, [this] {
+      using Finder = typename Policies::Separator_finder;
+      internal::Separator_search<ConcurrencyTag, Finder> search(
+          m_traits.levels(), m_random_seed, m_number_of_threads,
+          [this] { return m_policies.make_separator_finder(m_traits); });
+      m_separators.clear();
+      search(m_maximum_number_of_sources, m_separators, m_report, [this](double fraction) { progress(fraction); });
+    });
+    return m_separators.size();
+  }
+
+  /// Weighs, packs and prunes the separators, and cuts the surface along those that remain.
+  /// \return the number of packed separators
+  /// \throw Cancelled_error if the visitor wants to stop
+  std::size_t pack_separators()
+  {
+    run_stage(Skeletonization_stage::pack_separators, [this] {
+      std::vector<double> weights;
+      weights.reserve(m_separators.size());
+      for (const Separator& separator : m_separators) {
+        weights.push_back(m_policies.separator_weight(separator));
+      }
+      m_packing.emplace(m_traits.levels().finest().surface, m_separators, weights);
+      m_report.number_of_packed_separators = m_packing->packed().size();
+    });
+    return m_report.number_of_packed_separators;
+  }
+
+  /// Builds the skeleton and writes it to `skeleton`, which is cleared first.
+  /// \tparam OutputSkeleton a model of `CurveSkeletonGraph`
+  /// \pre `pack_separators()` has been called
+  /// \throw Cancelled_error if the visitor wants to stop; `skeleton` is then as it was
+  template <class OutputSkeleton>
+  void convert_to_skeleton(OutputSkeleton& skeleton)
+  {
+    CGAL_precondition(m_packing.has_value());
+    check_curve_skeleton_graph<OutputSkeleton>();
+    run_stage(Skeletonization_stage::build_skeleton, [this, &skeleton] {
+      internal::Skeleton_draft draft = build_draft();
+      OutputSkeleton result = make_graph<OutputSkeleton>(draft);
+      std::swap(skeleton, result);
+    });
+  }
+
+  /// All stages.
+  template <class ConcurrencyTag = CGAL::Sequential_tag, class OutputSkeleton>
+  const Skeletonization_report& operator()(OutputSkeleton& skeleton)
+  {
+    find_separators<ConcurrencyTag>();
+    pack_separators();
+    convert_to_skeleton(skeleton);
+    return m_report;
+  }
+  /// @}
+
+  /// \name Inspection
+  /// @{
+  const Skeletonization_report& report() const { return m_report; }
+  /// All separators that were found.
+  const std::vector<Separator>& separators() const { return m_separators; }
+  /// The packed separators, as positions in `separators()`.
+  /// \pre `pack_separators()` has been called
+  const std::vector<internal::Index>& packed_separators() const
+  {
+    CGAL_precondition(m_packing.has_value());
+    return m_packing->packed();
+  }
+  /// The closed curve of `separator` in the coordinates of the input; the first point does not stand again at the end.
+  std::vector<Point> polyline(const Separator& separator) const
+  {
+    std::vector<Point> result;
+    result.reserve(separator.crossings.size());
+    for (const internal::Edge_crossing& crossing : separator.crossings) {
+      result.push_back(m_traits.to_input_point(internal::crossing_point(m_traits.levels().finest().surface, crossing)));
+    }
+    return result;
+  }
+  /// @}
+
+private:
+  using Index = internal::Index;
+
+  template <class Stage>
+  void run_stage(Skeletonization_stage stage, const Stage& run)
+  {
+    m_visitor.on_stage_begin(stage);
+    progress(0);
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
+    progress(1);
+    m_visitor.on_stage_end(stage);
+  }
+
+  void progress(double fraction)
+  {
+    m_visitor.progress(fraction);
+    if (!m_visitor.go_further()) {
+      throw Cancelled_error();
+    }
+  }
+
+  internal::Skeleton_draft build_draft()
+  {
+    internal::Node_placement<Traits> placement(m_traits, m_separators, m_packing->packed(), m_packing->cut_graph());
+    internal::Skeleton_draft draft = placement();
+    internal::make_simple(draft);
+    internal::merge_junctions(draft);
+    internal::center_junctions(m_traits, draft);
+    internal::Branch_refinement<Traits>(m_traits, draft)();
+    internal::smooth_branches(draft);
+    internal::Inside_repair<Traits> repair(m_traits, draft);
+    repair();
+    draft.compact();
+    m_report.number_of_nodes_outside = repair.number_of_nodes_outside();
+    m_report.number_of_edges_outside = repair.number_of_edges_outside();
+    return draft;
+  }
+
+  template <class OutputSkeleton>
+  OutputSkeleton make_graph(const internal::Skeleton_draft& draft)
+  {
+    const internal::Site_assignment<Traits> assignment(m_traits, m_packing->cut_graph(), draft);
+    OutputSkeleton result(draft.size());
+    for (Index node = 0; node < draft.size(); ++node) {
+      auto& vertex = result[boost::vertex(node, result)];
+      vertex.point = m_traits.to_input_point(draft[node].position);
+      if constexpr (has_radius_v<OutputSkeleton>) {
+        vertex.radius = m_traits.to_input_length(assignment.radius(node));
+      }
+    }
+    for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
+      if (m_traits.is_input_site(site)) {
+        result[boost::vertex(assignment.node(site), result)].vertices.push_back(m_traits.descriptor(site));
+      }
+    }
+    draft.for_each_edge([&](Index a, Index b) { add_edge(boost::vertex(a, result), boost::vertex(b, result), result); });
+    count(draft, result);
+    return result;
+  }
+
+  template <class OutputSkeleton>
+  void count(const internal::Skeleton_draft& draft, const OutputSkeleton& skeleton)
+  {
+    std::vector<int> component(num_vertices(skeleton));
+    m_report.number_of_nodes = num_vertices(skeleton);
+    m_report.number_of_edges = num_edges(skeleton);
+    m_report.number_of_skeleton_components = std::size_t(boost::connected_components(
+        skeleton, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, skeleton))));
+    m_report.betti_number =
+        m_report.number_of_edges + m_report.number_of_skeleton_components - m_report.number_of_nodes;
+    m_report.number_of_tips = 0;
+    m_report.number_of_junctions = 0;
+    for (Index node = 0; node < draft.size(); ++node) {
+      m_report.number_of_tips += draft.degree(node) == 1 ? 1 : 0;
+      m_report.number_of_junctions += draft.is_junction(node) ? 1 : 0;
+    }
+  }
+
+  const Traits& m_traits;
+  Policies m_policies;
+  Visitor m_visitor;
+  unsigned m_random_seed = 0;
+  unsigned m_number_of_threads = 0;
+  std::size_t m_maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
+  std::vector<Separator> m_separators;
+  std::optional<internal::Separator_packing> m_packing;
+  Skeletonization_report m_report;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_CURVE_SKELETONIZATION_H

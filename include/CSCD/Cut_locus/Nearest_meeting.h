@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the cut point nearest to the source while the front still grows.
+
+#ifndef CSCD_CUT_LOCUS_NEAREST_MEETING_H
+#define CSCD_CUT_LOCUS_NEAREST_MEETING_H
+
+#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace CSCD::internal {
+
+/// Observes a front and keeps the meeting that is nearest in space to the source (the target of section 3.1.3), among
+/// those seen across the body: the chord from the source must enter the surface at the source and leave it at the
+/// meeting. Tells the front to stop soon after the first such meeting.
+class Nearest_meeting
+{
+public:
+  Nearest_meeting(const Triangulated_surface& surface, const Polar_front& front, Index source)
+      : m_surface(surface), m_front(front), m_source_point(surface.point(source)),
+        m_source_normal(surface.vertex_normal(source))
+  {
+  }
+
+  void on_meeting(Index vertex, Index neighbor)
+  {
+    const float distance = m_front.distance(vertex);
+    if (m_stop_distance == std::numeric_limits<float>::max()) {
+      m_stop_distance = reach_without_target * std::max(distance, least_rings * m_front.ring_radius());
+    }
+    const Vector_3 chord = (m_surface.point(vertex) + m_surface.point(neighbor)) / 2 - m_source_point;
+    const double length = chord.norm();
+    if (length >= m_chord_length || !is_across_body(chord, length, vertex)) {
+      return;
+    }
+    const float stop_distance = reach_beyond_target * distance;
+    m_stop_distance = has_found() ? std::min(m_stop_distance, stop_distance) : stop_distance;
+    m_chord_length = length;
+    m_first = vertex;
+    m_second = neighbor;
+  }
+
+  float stop_distance() const { return m_stop_distance; }
+  bool has_found() const { return m_first != no_index; }
+
+  /// The two neighbors between which the target lies.
+  Index first() const { return m_first; }
+  Index second() const { return m_second; }
+
+private:
+  /// The front goes on to this multiple of the distance of the best meeting so far, in case a nearer one follows.
+  static constexpr float reach_beyond_target = 1.05f;
+  /// While all meetings are refused, it goes on to this multiple of the distance of the first one ...
+  static constexpr float reach_without_target = 2;
+  /// ... but at least to this many of the longest edge at the source: on a rough surface, false meetings near the source
+  /// would otherwise end the search.
+  static constexpr float least_rings = 6;
+  /// Cosine of the largest angle between the chord and the inward normal at the source, and the outward normal at the
+  /// meeting. Any value from 0 keeps out tunnels; this one also drops meetings on the flank of a bump early.
+  static constexpr double least_chord_cosine = 0.5;
+
+  bool is_across_body(const Vector_3& chord, double length, Index vertex) const
+  {
+    return -chord.dot(m_source_normal) > least_chord_cosine * length &&
+           chord.dot(m_surface.vertex_normal(vertex)) > least_chord_cosine * length;
+  }
+
+  const Triangulated_surface& m_surface;
+  const Polar_front& m_front;
+  Vector_3 m_source_point;
+  Vector_3 m_source_normal;
+  Index m_first = no_index;
+  Index m_second = no_index;
+  double m_chord_length = std::numeric_limits<double>::max();
+  float m_stop_distance = std::numeric_limits<float>::max();
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_CUT_LOCUS_NEAREST_MEETING_H

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Polygons as they stand in a file.
+
+#ifndef CSCD_IO_INTERNAL_POLYGON_SOUP_H
+#define CSCD_IO_INTERNAL_POLYGON_SOUP_H
+
+#include <CSCD/internal/Vector_3.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Points and polygons in flat arrays.
+struct Polygon_soup
+{
+  std::vector<Vector_3> points;
+  /// The corners of all polygons, one polygon after the other, as indices into `points`.
+  std::vector<Index> corners;
+  /// Where each polygon's corners begin in `corners`, and at last their number.
+  std::vector<std::size_t> first_corner{0};
+
+  std::size_t number_of_polygons() const { return first_corner.size() - 1; }
+  std::size_t size_of_polygon(std::size_t polygon) const { return first_corner[polygon + 1] - first_corner[polygon]; }
+  std::size_t number_of_polygons_larger_than_triangles() const
+  {
+    std::size_t number = 0;
+    for (std::size_t polygon = 0; polygon < number_of_polygons(); ++polygon) {
+      number += size_of_polygon(polygon) > 3 ? 1 : 0;
+    }
+    return number;
+  }
+  /// Ends the polygon whose corners were appended last.
+  void end_polygon() { first_corner.push_back(corners.size()); }
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_POLYGON_SOUP_H

@@ -1,0 +1,867 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The fixed texts of the viewer page: markup, style, shaders and script.
+// They stand in the order in which the page carries them; between them `write_html_page()` puts title, data and
+// three.js.
+
+#ifndef CSCD_IO_INTERNAL_HTML_PAGE_TEMPLATE_H
+#define CSCD_IO_INTERNAL_HTML_PAGE_TEMPLATE_H
+
+namespace CSCD::internal {
+
+/// Up to the title. The content security policy makes the browser refuse every access to the network.
+inline constexpr char html_page_head[] = R"html(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="generator" content="CSCD">
+<meta http-equiv="Content-Security-Policy"
+      content="default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'">
+<script>
+window.cscd = {ready: false, errors: []};
+window.addEventListener('error', event => window.cscd.errors.push(String(event.message)));
+document.addEventListener('securitypolicyviolation', event =>
+  window.cscd.errors.push('refused by the content security policy: ' + event.blockedURI));
+for (const level of ['error', 'warn']) {
+  const print = console[level];
+  console[level] = function () {
+    window.cscd.errors.push(Array.from(arguments).join(' '));
+    print.apply(console, arguments);
+  };
+}
+</script>
+<title>)html";
+
+/// From behind the title to the end of the head.
+inline constexpr char html_page_style[] = R"html(</title>
+<style>
+:root {
+  --ink: #16202e; --quiet: #5b6879; --line: rgba(22, 32, 46, .10); --accent: #2563eb;
+  font: 14px/1.4 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
+  color: var(--ink);
+}
+* { box-sizing: border-box; }
+html, body { margin: 0; height: 100%; overflow: hidden; }
+body { background: radial-gradient(ellipse at 50% 40%, #ffffff 0%, #f5f7fa 55%, #e4e9f0 100%); }
+#view { position: fixed; inset: 0; touch-action: none; cursor: grab; }
+#view:active { cursor: grabbing; }
+#view canvas { display: block; outline: none; }
+#panel {
+  position: fixed; top: 16px; left: 16px; width: 268px; max-height: calc(100% - 32px); overflow: auto;
+  padding: 14px 16px 12px; border-radius: 14px; border: 1px solid var(--line);
+  background: rgba(255, 255, 255, .82); backdrop-filter: blur(10px);
+  box-shadow: 0 1px 2px rgba(22, 32, 46, .05), 0 10px 30px rgba(22, 32, 46, .09);
+}
+#panel h1 { margin: 0; font-size: 16px; font-weight: 650; letter-spacing: -.01em; overflow-wrap: anywhere; }
+#figures { display: grid; grid-template-columns: repeat(3, 1fr); gap: 7px 8px; margin: 11px 0 12px; }
+#figures div { font-size: 11px; color: var(--quiet); }
+#figures b { display: block; font-size: 15px; font-weight: 600; color: var(--ink); font-variant-numeric: tabular-nums; }
+#figures i { display: inline-block; width: 8px; height: 8px; border-radius: 50%; margin-right: 4px; }
+.group { border-top: 1px solid var(--line); padding: 7px 0; }
+.switch { display: flex; align-items: center; gap: 9px; padding: 3.5px 0; cursor: pointer; user-select: none; }
+.switch input { position: absolute; opacity: 0; width: 0; height: 0; }
+.switch span { flex: none; width: 30px; height: 18px; border-radius: 9px; background: #cbd3dd; position: relative;
+               transition: background .15s; }
+.switch span::after { content: ""; position: absolute; top: 2px; left: 2px; width: 14px; height: 14px;
+                      border-radius: 50%; background: #fff; box-shadow: 0 1px 2px rgba(22, 32, 46, .3);
+                      transition: transform .15s; }
+.switch input:checked + span { background: var(--accent); }
+.switch input:checked + span::after { transform: translateX(12px); }
+.switch input:focus-visible + span { outline: 2px solid var(--accent); outline-offset: 2px; }
+.switch.absent { opacity: .4; cursor: default; }
+kbd { margin-left: auto; min-width: 18px; padding: 0 4px; text-align: center; border: 1px solid var(--line);
+      border-radius: 5px; font: 11px/16px inherit; font-family: inherit; color: var(--quiet); }
+.row { display: flex; align-items: center; gap: 9px; padding: 4px 0; }
+.row input[type=range] { flex: 1; min-width: 0; accent-color: var(--accent); margin: 0; }
+.row output { width: 36px; text-align: right; color: var(--quiet); font-variant-numeric: tabular-nums; }
+.row button { flex: 1; padding: 3px 0; border: 1px solid var(--line); border-radius: 7px; background: #fff;
+              font: inherit; font-size: 12px; color: var(--ink); cursor: pointer; }
+.row button:hover { border-color: var(--accent); }
+.row button.chosen { background: var(--accent); border-color: var(--accent); color: #fff; }
+.hint { border-top: 1px solid var(--line); padding-top: 8px; font-size: 11px; color: var(--quiet); }
+#tip { position: fixed; pointer-events: none; display: none; padding: 5px 9px; border-radius: 8px; font-size: 12px;
+       background: rgba(22, 32, 46, .9); color: #fff; white-space: pre; font-variant-numeric: tabular-nums; }
+#message { position: fixed; inset: 0; display: none; align-items: center; justify-content: center; padding: 40px;
+           text-align: center; color: var(--quiet); }
+#selftest { position: fixed; right: 0; bottom: 0; margin: 0; padding: 12px; font-size: 11px; background: #fff; }
+@media (max-width: 560px) { #panel { width: 200px; top: 8px; left: 8px; padding: 10px 12px; } .hint { display: none; } }
+</style>
+</head>
+)html";
+
+/// The visible parts other than the picture.
+inline constexpr char html_page_body[] = R"html(<body>
+<div id="view"></div>
+<div id="message"></div>
+<div id="tip"></div>
+<div id="panel">
+  <h1></h1>
+  <div id="figures"></div>
+  <div class="group">
+    <label class="switch"><input type="checkbox" data-switch="surface" checked><span></span>Surface<kbd>S</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="skeleton" checked><span></span>Skeleton<kbd>K</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="nodes" checked><span></span>Nodes<kbd>N</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="balls"><span></span>Balls (radius)<kbd>B</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="separators"><span></span>Separators<kbd>P</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="colour"><span></span>Colour surface by branch<kbd>C</kbd></label>
+  </div>
+  <div class="group">
+    <div class="row"><label for="opacity">Opacity</label>
+      <input id="opacity" type="range" min="0" max="100" value="22"><output></output></div>
+    <div class="row">Up <button data-up="x">X</button><button data-up="y">Y</button><button data-up="z">Z</button>
+      <button id="reset">Reset</button></div>
+  </div>
+  <div class="hint">Drag to turn, wheel to zoom, right drag to pan.<br>R resets the view, H hides this panel.</div>
+</div>
+)html";
+
+/// Reading of the data and what follows from it without drawing: colours and normals.
+inline constexpr char html_page_model_script[] = R"js(
+'use strict';
+
+const NONE = 0xffffffff;
+
+function read_model(text) {
+  const page = JSON.parse(text);
+  const model = {counts: page.counts};
+  const types = {f: Float32Array, u: Uint32Array, d: Float64Array};
+  for (const [name, [type, base64]] of Object.entries(page.arrays)) {
+    const characters = atob(base64);
+    const bytes = new Uint8Array(characters.length);
+    for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+    model[name] = new types[type](bytes.buffer);
+  }
+  return model;
+}
+
+function degrees_of_nodes(model) {
+  const degree = new Uint32Array(model.counts.nodes);
+  for (const node of model.edges) ++degree[node];
+  return degree;
+}
+
+// Branches that meet get different colours; among those allowed the one used least so far is taken.
+function colours_of_branches(model) {
+  const palette = ['#2563eb', '#e11d48', '#059669', '#d97706', '#7c3aed', '#0891b2', '#db2777', '#4d9411',
+                   '#ea580c', '#4338ca', '#0d9488', '#a21caf', '#b45309', '#0284c7', '#be123c', '#15803d'];
+  const branches_at = new Map();
+  model.branch_of_edge.forEach((branch, edge) => {
+    for (const node of [model.edges[2 * edge], model.edges[2 * edge + 1]]) {
+      if (model.branch_of_node[node] !== NONE) continue;
+      if (!branches_at.has(node)) branches_at.set(node, new Set());
+      branches_at.get(node).add(branch);
+    }
+  });
+  const neighbours = Array.from({length: model.counts.branches}, () => new Set());
+  for (const branches of branches_at.values())
+    for (const a of branches) for (const b of branches) if (a !== b) neighbours[a].add(b);
+  const chosen = [], uses = palette.map(() => 0);
+  for (let branch = 0; branch < neighbours.length; ++branch) {
+    const taken = new Set([...neighbours[branch]].map(other => chosen[other]));
+    let best = -1;
+    for (let c = 0; c < palette.length; ++c)
+      if (!taken.has(c) && (best < 0 || uses[c] < uses[best])) best = c;
+    if (best < 0) best = branch % palette.length;
+    ++uses[best];
+    chosen.push(best);
+  }
+  return chosen.map(c => new THREE.Color(palette[c]));
+}
+
+// Area weighted normals of the faces.
+function normals_of_faces(positions, triangles) {
+  const normals = new Float32Array(triangles.length);
+  for (let t = 0; t < triangles.length; t += 3) {
+    const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
+    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1], uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
+    normals[t] = uy * vz - uz * vy;
+    normals[t + 1] = uz * vx - ux * vz;
+    normals[t + 2] = ux * vy - uy * vx;
+  }
+  return normals;
+}
+
+function corners_of_vertices(triangles, number_of_vertices) {
+  const first = new Uint32Array(number_of_vertices + 1), corners = new Uint32Array(triangles.length);
+  for (const v of triangles) ++first[v + 1];
+  for (let v = 0; v < number_of_vertices; ++v) first[v + 1] += first[v];
+  const next = first.slice(0, number_of_vertices);
+  triangles.forEach((v, corner) => { corners[next[v]++] = corner; });
+  return {first, corners};
+}
+
+// Smooth normals, but sharp edges stay sharp: at a vertex where faces differ by much, each corner becomes a vertex of
+// its own, whose normal is the mean over the faces that lie within the crease angle of the corner's.
+function smooth_unless_sharp(positions, triangles) {
+  const cos_crease = Math.cos(Math.PI / 4), cos_half_crease = Math.cos(Math.PI / 8);
+  const face_normals = normals_of_faces(positions, triangles);
+  const number_of_vertices = positions.length / 3;
+  const {first, corners} = corners_of_vertices(triangles, number_of_vertices);
+  const normals = Array(positions.length).fill(0), source = Array.from({length: number_of_vertices}, (_, v) => v);
+  const index = triangles.slice();
+  const sum = new THREE.Vector3(), face = new THREE.Vector3(), other = new THREE.Vector3();
+  const normal_of_corner = (target, corner) => target.fromArray(face_normals, corner - corner % 3);
+  for (let v = 0; v < number_of_vertices; ++v) {
+    sum.set(0, 0, 0);
+    for (let k = first[v]; k < first[v + 1]; ++k) sum.add(normal_of_corner(face, corners[k]));
+    sum.normalize();
+    let smooth = true;
+    for (let k = first[v]; k < first[v + 1] && smooth; ++k) {
+      normal_of_corner(face, corners[k]);
+      smooth = face.dot(sum) >= cos_half_crease * face.length();
+    }
+    sum.toArray(normals, 3 * v);
+    if (smooth) continue;
+    for (let k = first[v]; k < first[v + 1]; ++k) {
+      normal_of_corner(face, corners[k]);
+      const length = face.length();
+      sum.set(0, 0, 0);
+      for (let l = first[v]; l < first[v + 1]; ++l) {
+        normal_of_corner(other, corners[l]);
+        if (other.dot(face) >= cos_crease * length * other.length()) sum.add(other);
+      }
+      sum.normalize();
+      index[corners[k]] = source.length;
+      source.push(v);
+      normals.push(sum.x, sum.y, sum.z);
+    }
+  }
+  return {index, source, normals: new Float32Array(normals)};
+}
+)js";
+
+/// Materials and the objects of the scene.
+inline constexpr char html_page_scene_script[] = R"js(
+const shading = `
+  varying vec3 v_normal, v_to_eye, v_colour;
+  vec3 lit(vec3 colour, vec3 n) {
+    float key = .5 + .5 * dot(n, normalize(vec3(-.45, .75, .55)));
+    float sky = .5 + .5 * n.y;
+    return colour * (.60 + .40 * key * key + .14 * sky);
+  }
+  vec3 normal_to_eye() {
+    vec3 n = normalize(v_normal);
+    return dot(n, v_to_eye) < 0. ? -n : n;
+  }`;
+
+const translucent_fragment = shading + `
+  uniform float opacity;
+  void main() {
+    vec3 n = normal_to_eye(), e = normalize(v_to_eye);
+    float rim = pow(1. - clamp(dot(n, e), 0., 1.), 2.2);
+    float glint = pow(clamp(dot(n, normalize(e + normalize(vec3(-.45, .75, .55)))), 0., 1.), 60.);
+    vec3 colour = mix(lit(v_colour, n), v_colour * .52, .65 * rim * (1. - .6 * opacity)) + .10 * glint;
+    gl_FragColor = vec4(colour, mix(opacity, 1., .62 * rim * smoothstep(0., .15, opacity)));
+  }`;
+
+const solid_fragment = shading + `
+  uniform float paleness;
+  void main() {
+    vec3 n = normal_to_eye();
+    float glint = pow(clamp(dot(n, normalize(vec3(-.3, .5, 1.))), 0., 1.), 40.);
+    gl_FragColor = vec4(mix(lit(v_colour, n) + .15 * glint, vec3(.93, .945, .965), paleness), 1.);
+  }`;
+
+const surface_vertex = `
+  attribute vec3 branch_colour;
+  uniform float coloured;
+  varying vec3 v_normal, v_to_eye, v_colour;
+  void main() {
+    vec4 p = modelViewMatrix * vec4(position, 1.);
+    v_normal = normalMatrix * normal;
+    v_to_eye = -p.xyz;
+    v_colour = mix(vec3(.56, .64, .74), branch_colour, coloured);
+    gl_Position = projectionMatrix * p;
+  }`;
+
+const sphere_vertex = `
+  attribute vec3 centre, colour;
+  attribute float radius;
+  varying vec3 v_normal, v_to_eye, v_colour;
+  void main() {
+    vec4 p = modelViewMatrix * vec4(centre + radius * position, 1.);
+    v_normal = normalMatrix * position;
+    v_to_eye = -p.xyz;
+    v_colour = colour;
+    gl_Position = projectionMatrix * p;
+  }`;
+
+const tube_vertex = `
+  attribute vec3 start, end, colour;
+  uniform float radius;
+  varying vec3 v_normal, v_to_eye, v_colour;
+  vec3 unit(vec3 v) { return v / max(length(v), 1e-12); }
+  void main() {
+    vec3 axis = end - start;
+    vec3 helper = abs(axis.y) < .9 * length(axis) ? vec3(0., 1., 0.) : vec3(1., 0., 0.);
+    vec3 u = unit(cross(axis, helper)), w = unit(cross(axis, u));
+    vec3 outward = u * position.x + w * position.z;
+    vec4 p = modelViewMatrix * vec4(mix(start, end, position.y + .5) + radius * outward, 1.);
+    v_normal = normalMatrix * outward;
+    v_to_eye = -p.xyz;
+    v_colour = colour;
+    gl_Position = projectionMatrix * p;
+  }`;
+
+// Releases of three.js before 125 have classes of the plain names that are something else.
+function primitive(name) { return THREE[name + 'BufferGeometry'] || THREE[name + 'Geometry']; }
+
+function instanced(base, attributes) {
+  const geometry = new THREE.InstancedBufferGeometry();
+  geometry.index = base.index;
+  geometry.setAttribute('position', base.attributes.position);
+  for (const [name, [values, size]] of Object.entries(attributes))
+    geometry.setAttribute(name, new THREE.InstancedBufferAttribute(new Float32Array(values), size));
+  return geometry;
+}
+
+function solid(geometry, vertexShader, uniforms) {
+  const material = new THREE.ShaderMaterial({
+    vertexShader, fragmentShader: solid_fragment, side: THREE.DoubleSide,
+    uniforms: Object.assign({paleness: {value: 0}}, uniforms)});
+  const mesh = new THREE.Mesh(geometry, material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+// Only the layer nearest to the eye is blended: a first pass writes depth alone. Everything solid is drawn before, and
+// so shines through. Sorting of triangles is not needed, and bodies behind one another do not add up to a fog.
+function translucent(geometry, vertexShader, uniforms, order) {
+  const group = new THREE.Group();
+  for (const pass of ['depth', 'colour']) {
+    const material = new THREE.ShaderMaterial({
+      vertexShader, fragmentShader: translucent_fragment, uniforms, side: THREE.DoubleSide, transparent: true,
+      depthWrite: pass === 'depth', colorWrite: pass === 'colour'});
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.renderOrder = pass === 'depth' ? order : order + 1;
+    mesh.frustumCulled = false;
+    group.add(mesh);
+  }
+  return group;
+}
+
+function make_surface(model, branch_colours, uniforms) {
+  const {index, source, normals} = smooth_unless_sharp(model.positions, model.triangles);
+  const neutral = new THREE.Color('#c3cad4');
+  const positions = new Float32Array(3 * source.length), colours = new Float32Array(3 * source.length);
+  source.forEach((v, i) => {
+    positions.set(model.positions.subarray(3 * v, 3 * v + 3), 3 * i);
+    const node = model.node_of_vertex[v];
+    const branch = node === NONE ? NONE : model.branch_of_node[node];
+    (branch === NONE ? neutral : branch_colours[branch]).toArray(colours, 3 * i);
+  });
+  const geometry = new THREE.BufferGeometry();
+  geometry.setIndex(new THREE.BufferAttribute(index, 1));
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
+  geometry.setAttribute('branch_colour', new THREE.BufferAttribute(colours, 3));
+  return translucent(geometry, surface_vertex, uniforms, 20);
+}
+
+// Thin enough for the thin limbs, thick enough to be seen; the scene is two units wide.
+function tube_radius(model) {
+  const thinnest = .0045, thickest = .0085;
+  if (!model.node_radii) return thickest;
+  const sorted = model.node_radii.slice().sort();
+  const median = sorted[sorted.length >> 1] || 0;
+  return Math.min(thickest, Math.max(thinnest, .12 * median));
+}
+
+function make_tubes(starts, ends, colours, sides) {
+  const base = new (primitive('Cylinder'))(1, 1, 1, sides, 1, true);
+  return instanced(base, {start: [starts, 3], end: [ends, 3], colour: [colours, 3]});
+}
+
+function make_spheres(centres, radii, colours, detail) {
+  const base = new (primitive('Sphere'))(1, 2 * detail, detail);
+  return instanced(base, {centre: [centres, 3], radius: [radii, 1], colour: [colours, 3]});
+}
+
+function make_skeleton(model, branch_colours, radius) {
+  const starts = [], ends = [], colours = [], joint_centres = [], joint_colours = [];
+  for (let e = 0; e < model.counts.edges; ++e) {
+    const a = 3 * model.edges[2 * e], b = 3 * model.edges[2 * e + 1];
+    const colour = branch_colours[model.branch_of_edge[e]].toArray();
+    for (const [target, node] of [[starts, a], [ends, b]]) {
+      const point = model.node_positions.subarray(node, node + 3);
+      target.push(...point);
+      joint_centres.push(...point);
+      joint_colours.push(...colour);
+    }
+    colours.push(...colour);
+  }
+  const group = new THREE.Group();
+  group.add(solid(make_tubes(starts, ends, colours, 12), tube_vertex, {radius: {value: radius}}));
+  group.add(solid(make_spheres(joint_centres, Array(joint_centres.length / 3).fill(radius), joint_colours, 8), sphere_vertex));
+  return group;
+}
+
+const special_colours = {tip: new THREE.Color('#f59e0b'), junction: new THREE.Color('#111827')};
+
+function colour_of_node(node, model, degree, branch_colours) {
+  if (degree[node] > 2) return special_colours.junction;
+  if (degree[node] === 1) return special_colours.tip;
+  const branch = model.branch_of_node[node];
+  return branch === NONE ? special_colours.junction : branch_colours[branch];
+}
+
+function make_nodes(model, degree, branch_colours, radius) {
+  const radii = [], colours = [];
+  for (let n = 0; n < model.counts.nodes; ++n) {
+    radii.push(radius * (degree[n] === 2 ? 1.4 : degree[n] === 1 ? 1.9 : 2.2));
+    const colour = colour_of_node(n, model, degree, branch_colours).clone();
+    if (degree[n] === 2) colour.multiplyScalar(.8);
+    colours.push(...colour.toArray());
+  }
+  return solid(make_spheres(model.node_positions, radii, colours, 12), sphere_vertex);
+}
+
+function make_balls(model, degree, branch_colours) {
+  const colours = [];
+  for (let n = 0; n < model.counts.nodes; ++n)
+    colours.push(...colour_of_node(n, model, degree, branch_colours).toArray());
+  return translucent(make_spheres(model.node_positions, model.node_radii, colours, 20), sphere_vertex,
+                     {opacity: {value: .38}}, 10);
+}
+
+function nearest_node(model, x, y, z) {
+  let best = NONE, least = Infinity;
+  const p = model.node_positions;
+  for (let n = 0; n < model.counts.nodes; ++n) {
+    const d = (p[3 * n] - x) ** 2 + (p[3 * n + 1] - y) ** 2 + (p[3 * n + 2] - z) ** 2;
+    if (d < least) { least = d; best = n; }
+  }
+  return best;
+}
+
+// A separator takes the colour of the branch that it cuts: that of the node nearest to its middle.
+function colour_of_separator(model, first, last, branch_colours) {
+  const middle = [0, 0, 0];
+  for (let i = first; i < last; ++i)
+    for (let k = 0; k < 3; ++k) middle[k] += model.separator_points[3 * i + k] / (last - first);
+  const node = nearest_node(model, ...middle);
+  const branch = node === NONE ? NONE : model.branch_of_node[node];
+  return branch === NONE ? special_colours.junction : branch_colours[branch];
+}
+
+// Once pale, and again in full colour after the depth of the surface is known: what lies on the far side stays pale.
+function twice_drawn(tubes, radius) {
+  const far = solid(tubes, tube_vertex, {radius: {value: radius}, paleness: {value: .72}});
+  const near = solid(tubes, tube_vertex, {radius: {value: radius}});
+  near.material.transparent = true; // drawn in the order of the translucent objects
+  near.renderOrder = 30;
+  const group = new THREE.Group();
+  group.add(far, near);
+  return group;
+}
+
+function make_separators(model, branch_colours, radius) {
+  const starts = [], ends = [], colours = [];
+  const point = i => model.separator_points.subarray(3 * i, 3 * i + 3);
+  for (let s = 0; s + 1 < model.separator_offsets.length; ++s) {
+    const first = model.separator_offsets[s], last = model.separator_offsets[s + 1];
+    if (first === last) continue;
+    const colour = colour_of_separator(model, first, last, branch_colours).toArray();
+    for (let i = first; i < last; ++i) {
+      starts.push(...point(i));
+      ends.push(...point(i + 1 < last ? i + 1 : first));
+      colours.push(...colour);
+    }
+  }
+  return twice_drawn(make_tubes(starts, ends, colours, 6), radius);
+}
+)js";
+
+/// The picture: renderer, camera, controls.
+inline constexpr char html_page_view_script[] = R"js(
+// Most meshes have y up; one that is a long way along z stands upright.
+function guess_up(size) {
+  return size.z > 1.6 * Math.max(size.x, size.y) ? 'z' : 'y';
+}
+
+function box_of(points) {
+  const box = new THREE.Box3(), p = new THREE.Vector3();
+  for (let i = 0; i < points.length; i += 3) box.expandByPoint(p.fromArray(points, i));
+  if (box.isEmpty()) box.expandByPoint(p.set(0, 0, 0));
+  return box;
+}
+
+// Looks along the narrower of the two level directions, somewhat from the side and from above.
+function direction_of_view(up, size) {
+  const level = ['x', 'y', 'z'].filter(axis => axis !== up);
+  const narrow = size[level[0]] < .8 * size[level[1]] ? level[0] : level[1];
+  const wide = level.find(axis => axis !== narrow);
+  const direction = new THREE.Vector3();
+  direction[narrow] = up === 'z' ? -1 : 1;
+  direction[wide] = .42;
+  direction[up] = .24;
+  return direction.normalize();
+}
+
+class View {
+  constructor(element, model) {
+    this.element = element;
+    this.renderer = new THREE.WebGLRenderer({antialias: true, alpha: true});
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.renderer.setClearColor(0xffffff, 0);
+    element.appendChild(this.renderer.domElement);
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(26, 1, .01, 100);
+    this.points = model.positions.length > 0 ? model.positions : model.node_positions;
+    this.box = box_of(this.points);
+    this.turn = 0;
+    this.margin_left = 0;
+    this.stale = true;
+    this.look_from(guess_up(this.box.getSize(new THREE.Vector3())));
+    window.addEventListener('resize', () => this.resize());
+    this.resize();
+    this.reset();
+  }
+
+  // OrbitControls reads the up direction when it is made, hence a new one for each.
+  look_from(up) {
+    if (this.controls) this.controls.dispose();
+    this.up = up;
+    this.camera.up.set(+(up === 'x'), +(up === 'y'), +(up === 'z'));
+    this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    Object.assign(this.controls, {enableDamping: true, dampingFactor: .12, rotateSpeed: .8, screenSpacePanning: true,
+                                  minDistance: .05, maxDistance: 30});
+    this.controls.addEventListener('change', () => { this.stale = true; });
+  }
+
+  reset() {
+    const size = this.box.getSize(new THREE.Vector3());
+    const direction = direction_of_view(this.up, size).applyAxisAngle(this.camera.up, this.turn * Math.PI / 180);
+    this.box.getCenter(this.controls.target);
+    this.camera.position.copy(this.controls.target).add(direction);
+    this.camera.lookAt(this.controls.target);
+    this.camera.position.copy(this.controls.target).addScaledVector(direction, this.distance_to_fit());
+    this.settle();
+  }
+
+  // The least distance from which all points are in the picture, with a margin.
+  distance_to_fit() {
+    const margin = 1.12, p = new THREE.Vector3(), turn = this.camera.quaternion.clone().conjugate();
+    const tan_y = Math.tan(this.camera.fov / 2 * Math.PI / 180);
+    const tan_x = tan_y * (this.width - this.margin_left) / this.height;
+    let distance = .1;
+    for (let i = 0; i < this.points.length; i += 3) {
+      p.fromArray(this.points, i).sub(this.controls.target).applyQuaternion(turn);
+      distance = Math.max(distance, p.z + margin * Math.max(Math.abs(p.x) / tan_x, Math.abs(p.y) / tan_y));
+    }
+    return distance;
+  }
+
+  // Ends what is left of a movement that is dying down.
+  settle() {
+    this.controls.enableDamping = false;
+    this.controls.update();
+    this.controls.enableDamping = true;
+    this.stale = true;
+  }
+
+  // The shape is centred in what the panel leaves free.
+  resize() {
+    this.width = Math.max(1, this.element.clientWidth);
+    this.height = Math.max(1, this.element.clientHeight);
+    this.camera.aspect = this.width / this.height;
+    this.camera.setViewOffset(this.width, this.height, -this.margin_left / 2, 0, this.width, this.height);
+    this.camera.updateProjectionMatrix();
+    this.renderer.setSize(this.width, this.height);
+    this.stale = true;
+  }
+
+  draw() {
+    this.camera.near = Math.max(.002, this.camera.position.distanceTo(this.controls.target) / 50);
+    this.camera.far = this.camera.near * 50 + 10;
+    this.camera.updateProjectionMatrix();
+    this.renderer.render(this.scene, this.camera);
+    this.stale = false;
+  }
+
+  run() {
+    requestAnimationFrame(() => this.run());
+    this.controls.update();
+    if (this.stale) this.draw();
+  }
+}
+
+function make_objects(model, uniforms) {
+  const branch_colours = colours_of_branches(model), degree = degrees_of_nodes(model);
+  const radius = tube_radius(model);
+  const objects = {
+    surface: make_surface(model, branch_colours, uniforms),
+    skeleton: make_skeleton(model, branch_colours, radius),
+    nodes: make_nodes(model, degree, branch_colours, radius)
+  };
+  if (model.node_radii) objects.balls = make_balls(model, degree, branch_colours);
+  if (model.separator_offsets.length > 1) objects.separators = make_separators(model, branch_colours, .55 * radius);
+  return objects;
+}
+)js";
+
+/// The panel, the keyboard, the tip at the pointer, and the self test.
+inline constexpr char html_page_panel_script[] = R"js(
+class Panel {
+  constructor(view, model, objects, uniforms) {
+    Object.assign(this, {view, model, objects, uniforms, state: {}});
+    this.element = document.getElementById('panel');
+    this.element.querySelector('h1').textContent = document.title;
+    this.show_figures();
+    for (const box of this.element.querySelectorAll('[data-switch]')) this.connect_switch(box);
+    const slider = document.getElementById('opacity');
+    slider.addEventListener('input', () => this.set_opacity(slider.value));
+    this.set_opacity(slider.value);
+    for (const button of this.element.querySelectorAll('[data-up]'))
+      button.addEventListener('click', () => this.choose_up(button.dataset.up));
+    document.getElementById('reset').addEventListener('click', () => view.reset());
+    window.addEventListener('keydown', event => this.key(event));
+    window.addEventListener('resize', () => this.make_room());
+    this.make_room();
+    view.reset();
+    this.mark_up();
+  }
+
+  show_figures() {
+    const names = ['nodes', 'edges', 'branches', 'tips', 'junctions', 'cycles'];
+    const figures = document.getElementById('figures');
+    for (const name of names) {
+      const cell = figures.appendChild(document.createElement('div'));
+      cell.appendChild(document.createElement('b')).textContent = this.model.counts[name].toLocaleString('en');
+      const special = {tips: special_colours.tip, junctions: special_colours.junction}[name];
+      if (special) cell.appendChild(document.createElement('i')).style.background = special.getStyle();
+      cell.appendChild(document.createTextNode(name));
+    }
+  }
+
+  connect_switch(box) {
+    const name = box.dataset.switch;
+    if (name !== 'colour' && !this.objects[name]) {
+      box.disabled = true;
+      box.closest('.switch').classList.add('absent');
+      return;
+    }
+    box.addEventListener('change', () => this.set_visible(name, box.checked));
+    this.set_visible(name, box.checked);
+  }
+
+  set_visible(name, on) {
+    const box = this.element.querySelector('[data-switch="' + name + '"]');
+    if (!box || box.disabled) return;
+    box.checked = this.state[name] = on;
+    if (name === 'colour') this.uniforms.coloured.value = on ? 1 : 0;
+    else this.objects[name].visible = on;
+    this.view.stale = true;
+  }
+
+  set_opacity(percent) {
+    const slider = document.getElementById('opacity');
+    slider.value = percent;
+    slider.nextElementSibling.textContent = slider.value + ' %';
+    this.uniforms.opacity.value = slider.value / 100;
+    this.view.stale = true;
+  }
+
+  choose_up(axis) {
+    this.view.look_from(axis);
+    this.view.reset();
+    this.mark_up();
+  }
+
+  mark_up() {
+    for (const button of this.element.querySelectorAll('[data-up]'))
+      button.classList.toggle('chosen', button.dataset.up === this.view.up);
+  }
+
+  show_panel(on) {
+    this.element.style.display = on ? '' : 'none';
+    this.make_room();
+  }
+
+  make_room() {
+    const box = this.element.getBoundingClientRect();
+    this.view.margin_left = box.right < .4 * window.innerWidth ? box.right : 0;
+    this.view.resize();
+  }
+
+  key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const names = {s: 'surface', k: 'skeleton', n: 'nodes', b: 'balls', p: 'separators', c: 'colour'};
+    const key = event.key.toLowerCase();
+    if (names[key]) this.set_visible(names[key], !this.state[names[key]]);
+    else if (key === 'r') this.view.reset();
+    else if (key === 'h') this.show_panel(this.element.style.display === 'none');
+  }
+
+  // The part of the address behind # can set switches (separators=1), opacity=60, up=z, turn=180 (degrees around
+  // up, from where the view would start), panel=0.
+  apply_address() {
+    for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
+      if (name === 'opacity') this.set_opacity(value);
+      else if (name === 'up' && /^[xyz]$/.test(value)) this.choose_up(value);
+      else if (name === 'turn') { this.view.turn = Number(value) || 0; this.view.reset(); }
+      else if (name === 'panel') { this.show_panel(value !== '0'); this.view.reset(); }
+      else this.set_visible(name, value !== '0');
+    }
+  }
+}
+
+// Tells about the node under the pointer.
+function connect_tip(view, model, panel) {
+  const tip = document.getElementById('tip'), reach = 9, p = new THREE.Vector3();
+  const degree = degrees_of_nodes(model), frame = model.frame;
+  const figure = value => Number(value.toPrecision(5)).toString();
+  view.element.addEventListener('mousemove', event => {
+    let best = -1, nearest = reach;
+    if (event.buttons === 0 && (panel.state.nodes || panel.state.skeleton))
+      for (let n = 0; n < model.counts.nodes; ++n) {
+        p.fromArray(model.node_positions, 3 * n).project(view.camera);
+        const distance = Math.hypot((p.x + 1) / 2 * view.width - event.clientX, (1 - p.y) / 2 * view.height - event.clientY);
+        if (p.z < 1 && distance < nearest) { nearest = distance; best = n; }
+      }
+    tip.style.display = best < 0 ? 'none' : 'block';
+    if (best < 0) return;
+    const place = [0, 1, 2].map(k => figure(frame[k] + frame[3] * model.node_positions[3 * best + k]));
+    const radius = model.node_radii ? '\nradius ' + figure(frame[3] * model.node_radii[best]) : '';
+    tip.textContent = 'node ' + best + ', degree ' + degree[best] + '\nat ' + place.join('  ') + radius;
+    tip.style.left = event.clientX + 14 + 'px';
+    tip.style.top = event.clientY + 14 + 'px';
+  });
+}
+
+// Works every switch as a user does, and looks at the pixels. One line a check; "ok" or "failed" at its begin.
+class Self_test {
+  constructor(view, panel) { Object.assign(this, {view, panel, lines: []}); }
+
+  check(passed, text) { this.lines.push((passed ? 'ok ' : 'failed ') + text); }
+
+  picture() {
+    this.view.draw();
+    const gl = this.view.renderer.getContext();
+    const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
+    gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    return pixels;
+  }
+
+  difference(a, b) {
+    let count = 0;
+    for (let i = 0; i < a.length; i += 4)
+      if (a[i] !== b[i] || a[i + 1] !== b[i + 1] || a[i + 2] !== b[i + 2] || a[i + 3] !== b[i + 3]) ++count;
+    return count;
+  }
+
+  check_change(name, change, undo) {
+    const least = 50, before = this.picture();
+    change();
+    const changed = this.difference(before, this.picture());
+    this.check(changed >= least, name + ': ' + changed + ' pixels changed');
+    undo();
+    const left = this.difference(before, this.picture());
+    this.check(left === 0, name + ' undone: ' + left + ' pixels differ');
+  }
+
+  check_switches() {
+    const empty = new Uint8Array(this.picture().length);
+    const drawn = this.difference(empty, this.picture()) / (empty.length / 4);
+    this.check(drawn > .01, 'drawn: ' + (100 * drawn).toFixed(1) + ' % of the picture');
+    for (const box of document.querySelectorAll('[data-switch]')) {
+      const name = box.dataset.switch;
+      if (box.disabled) this.lines.push('absent ' + name);
+      else this.check_change('switch ' + name, () => box.click(), () => box.click());
+    }
+    const boxes = [...document.querySelectorAll('[data-switch]')].filter(box => box.checked);
+    boxes.forEach(box => box.click());
+    const left = this.difference(empty, this.picture());
+    this.check(left === 0, 'all switched off: ' + left + ' pixels left');
+    boxes.forEach(box => box.click());
+    const slider = document.getElementById('opacity'), opacity = slider.value;
+    const slide = value => { slider.value = value; slider.dispatchEvent(new Event('input')); };
+    this.check_change('slider opacity', () => slide(90), () => slide(opacity));
+  }
+
+  check_movements() {
+    const canvas = this.view.renderer.domElement, view = this.view;
+    const mouse = (type, x, button) => (type === 'mousedown' ? canvas : document).dispatchEvent(
+      new MouseEvent(type, {clientX: x, clientY: 200, button, bubbles: true, cancelable: true}));
+    const drag = button => { mouse('mousedown', 300, button); mouse('mousemove', 380, button); mouse('mouseup', 380, button); view.settle(); };
+    const wheel = () => { canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, cancelable: true})); view.settle(); };
+    const reset = () => document.getElementById('reset').click();
+    const up = this.view.up, other = up === 'z' ? 'y' : 'z';
+    const choose = axis => document.querySelector('[data-up=' + axis + ']').click();
+    this.check_change('turn', () => drag(0), reset);
+    this.check_change('pan', () => drag(2), reset);
+    this.check_change('zoom', wheel, reset);
+    this.check_change('up', () => choose(other), () => choose(up));
+    const key = name => window.dispatchEvent(new KeyboardEvent('keydown', {key: name}));
+    this.check_change('key s', () => key('s'), () => key('S'));
+  }
+
+  check_resize() {
+    const element = this.view.element, width = element.clientWidth;
+    element.style.width = width / 2 + 'px';
+    element.style.right = 'auto';
+    window.dispatchEvent(new Event('resize'));
+    const ratio = this.view.renderer.domElement.clientWidth / width;
+    this.check(Math.abs(ratio - .5) < .01, 'resize: canvas follows its element, ' + ratio.toFixed(2) + ' of the width');
+    element.style.width = element.style.right = '';
+    window.dispatchEvent(new Event('resize'));
+  }
+
+  run() {
+    this.check_switches();
+    this.check_movements();
+    this.check_resize();
+    const code = this.view.renderer.getContext().getError();
+    this.check(code === 0, 'WebGL error code ' + code);
+    for (const error of window.cscd.errors) this.check(false, 'error: ' + error);
+    const failures = this.lines.filter(line => line.startsWith('failed')).length;
+    this.lines.push(failures === 0 ? 'selftest passed' : 'selftest failed: ' + failures);
+  }
+}
+
+function write_self_test(lines) {
+  const result = document.body.appendChild(document.createElement('pre'));
+  result.id = 'selftest';
+  result.textContent = lines.join('\n');
+}
+
+function start() {
+  if (typeof THREE === 'undefined' || !THREE.OrbitControls)
+    throw new Error('This page was written without three.js and its OrbitControls.');
+  const model = read_model(document.getElementById('cscd-data').textContent);
+  const uniforms = {opacity: {value: .25}, coloured: {value: 0}};
+  const view = new View(document.getElementById('view'), model);
+  const objects = make_objects(model, uniforms);
+  for (const object of Object.values(objects)) view.scene.add(object);
+  const panel = new Panel(view, model, objects, uniforms);
+  connect_tip(view, model, panel);
+  Object.assign(window.cscd, {counts: model.counts, setVisible: (name, on) => panel.set_visible(name, on)});
+  if (location.hash === '#selftest') {
+    const test = new Self_test(view, panel);
+    test.run();
+    write_self_test(test.lines);
+  } else {
+    panel.apply_address();
+  }
+  view.draw();
+  view.run();
+  window.cscd.ready = true;
+}
+
+try {
+  start();
+} catch (error) {
+  const message = document.getElementById('message');
+  message.style.display = 'flex';
+  message.textContent = 'The picture cannot be shown. ' + error.message;
+  window.cscd.errors.push(error.message);
+  if (location.hash === '#selftest') write_self_test(['failed error: ' + error.stack, 'selftest failed: 1']);
+}
+)js";
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_HTML_PAGE_TEMPLATE_H

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reading the PLY format.
+
+#ifndef CSCD_IO_INTERNAL_PARSE_PLY_H
+#define CSCD_IO_INTERNAL_PARSE_PLY_H
+
+#include <CSCD/IO/internal/Byte_scanner.h>
+#include <CSCD/IO/internal/Ply_header.h>
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Text_scanner.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace CSCD::internal {
+
+/// The numbers of an ASCII PLY file.
+class Ply_text_source
+{
+public:
+  explicit Ply_text_source(const Text_scanner& scanner) : m_scanner(scanner) {}
+
+  std::size_t remaining() const { return m_scanner.remaining(); }
+
+  double number(Ply_type /* type */)
+  {
+    if (!m_scanner.skip_blanks()) {
+      m_scanner.fail_at_end("all that its header promises");
+    }
+    return m_scanner.number();
+  }
+
+private:
+  Text_scanner m_scanner;
+};
+
+/// The numbers of a binary PLY file.
+class Ply_binary_source
+{
+public:
+  explicit Ply_binary_source(const Byte_scanner& scanner) : m_scanner(scanner) {}
+
+  std::size_t remaining() const { return m_scanner.remaining(); }
+
+  double number(Ply_type type)
+  {
+    switch (type) {
+    case Ply_type::int8:
+      return m_scanner.number<std::int8_t>();
+    case Ply_type::uint8:
+      return m_scanner.number<std::uint8_t>();
+    case Ply_type::int16:
+      return m_scanner.number<std::int16_t>();
+    case Ply_type::uint16:
+      return m_scanner.number<std::uint16_t>();
+    case Ply_type::int32:
+      return m_scanner.number<std::int32_t>();
+    case Ply_type::uint32:
+      return m_scanner.number<std::uint32_t>();
+    case Ply_type::float32:
+      return double(m_scanner.number<float>());
+    case Ply_type::float64:
+      break;
+    }
+    return m_scanner.number<double>();
+  }
+
+private:
+  Byte_scanner m_scanner;
+};
+
+/// Reads the vertices and faces of PLY; all other elements and properties are passed over.
+template <class Source>
+class Ply_parser
+{
+public:
+  Ply_parser(const Source& source, std::string filename) : m_source(source), m_filename(std::move(filename)) {}
+
+  Polygon_soup parse(const Ply_header& header)
+  {
+    for (const Ply_element& element : header.elements) {
+      if (element.name == "vertex" || element.name == "vertices") {
+        read_points(element);
+      } else if (element.name == "face" || element.name == "faces") {
+        read_polygons(element);
+      } else {
+        read_items(element, [](const Ply_property&, std::size_t, double) {});
+      }
+    }
+    check_corners();
+    return std::move(m_soup);
+  }
+
+private:
+  /// Reads all numbers of an item and calls `use(property, position in the list, number)` for each.
+  template <class Use>
+  void read_item(const Ply_element& element, Use use)
+  {
+    for (const Ply_property& property : element.properties) {
+      const std::size_t size = property.is_list ? next_size(property) : 1;
+      for (std::size_t i = 0; i < size; ++i) {
+        use(property, i, m_source.number(property.type));
+      }
+    }
+  }
+
+  template <class Use>
+  void read_items(const Ply_element& element, Use use)
+  {
+    if (element.properties.empty()) {
+      return; // such items take no room in the file, so that their number proves nothing
+    }
+    for (std::size_t item = 0; item < element.number_of_items; ++item) {
+      read_item(element, use);
+    }
+  }
+
+  std::size_t next_size(const Ply_property& property)
+  {
+    const double size = m_source.number(property.size_type);
+    if (!(size >= 0 && size <= double(m_source.remaining()))) {
+      fail("the list " + property.name + " is longer than the file");
+    }
+    return static_cast<std::size_t>(size);
+  }
+
+  void read_points(const Ply_element& element)
+  {
+    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    for (std::string_view name : names) {
+      const bool found = std::any_of(element.properties.begin(), element.properties.end(),
+                                     [&](const Ply_property& p) { return p.name == name && !p.is_list; });
+      if (!found) {
+        fail("its vertices have no property " + std::string(name));
+      }
+    }
+    m_soup.points.reserve(std::min(element.number_of_items, m_source.remaining() / names.size() + 1));
+    for (std::size_t i = 0; i < element.number_of_items; ++i) {
+      Vector_3 point = Vector_3::Zero();
+      read_item(element, [&](const Ply_property& property, std::size_t, double number) {
+        const auto name = std::find(names.begin(), names.end(), property.name);
+        if (name != names.end() && !property.is_list) {
+          point[name - names.begin()] = number;
+        }
+      });
+      if (!point.allFinite()) {
+        fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
+      }
+      m_soup.points.push_back(point);
+    }
+    check_number_of_points(m_soup.points.size(), m_filename);
+  }
+
+  void read_polygons(const Ply_element& element)
+  {
+    std::size_t face = 0;
+    const std::size_t expected = std::min(element.number_of_items, m_source.remaining() / 3 + 1);
+    m_soup.corners.reserve(3 * expected);
+    m_soup.first_corner.reserve(expected + 1);
+    for (; face < element.number_of_items && !element.properties.empty(); ++face) {
+      const std::size_t first = m_soup.corners.size();
+      read_item(element, [&](const Ply_property& property, std::size_t, double number) {
+        if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) {
+          m_soup.corners.push_back(corner(number, face));
+        }
+      });
+      if (m_soup.corners.size() - first < 3) {
+        fail("face " + std::to_string(face) + " has fewer than three vertices in its list vertex_indices");
+      }
+      m_soup.end_polygon();
+    }
+  }
+
+  Index corner(double number, std::size_t face) const
+  {
+    if (!(number >= 0 && number < double(no_index) && std::floor(number) == number)) {
+      fail("face " + std::to_string(face) + " has a vertex index that is negative or no integer");
+    }
+    return static_cast<Index>(number);
+  }
+
+  /// Faces may stand before their vertices, so that this is known only at the end.
+  void check_corners() const
+  {
+    for (Index corner : m_soup.corners) {
+      if (corner >= m_soup.points.size()) {
+        fail("a face names vertex " + std::to_string(corner) + ", but there are only " +
+             std::to_string(m_soup.points.size()) + " (counted from 0)");
+      }
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& fault) const
+  {
+    throw File_error(m_filename + ": " + fault + "; write the file again");
+  }
+
+  Source m_source;
+  std::string m_filename;
+  Polygon_soup m_soup;
+};
+
+/// Reads `content`, that of a PLY file, ASCII or binary.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_ply(std::string_view content, const std::string& filename)
+{
+  Text_scanner scanner(content, filename);
+  const Ply_header header = read_ply_header(scanner);
+  if (header.encoding == Ply_header::Encoding::ascii) {
+    return Ply_parser<Ply_text_source>(Ply_text_source(scanner), filename).parse(header);
+  }
+  const Byte_scanner bytes(content.substr(content.size() - scanner.remaining()),
+                           header.encoding == Ply_header::Encoding::binary_little_endian ? boost::endian::order::little
+                                                                                         : boost::endian::order::big,
+                           filename);
+  return Ply_parser<Ply_binary_source>(Ply_binary_source(bytes), filename).parse(header);
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_PARSE_PLY_H

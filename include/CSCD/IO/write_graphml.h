@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Skeletons as GraphML.
+
+#ifndef CSCD_IO_WRITE_GRAPHML_H
+#define CSCD_IO_WRITE_GRAPHML_H
+
+#include <CSCD/IO/internal/Exact_format.h>
+#include <CSCD/IO/internal/Exact_node_property.h>
+
+#include <boost/graph/graphml.hpp>
+#include <boost/property_map/dynamic_property_map.hpp>
+
+#include <ostream>
+
+namespace CSCD {
+
+/// writes `skeleton` as GraphML by Boost.Graph: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they
+/// have one, `radius`. Linear.
+/// \throw File_error if `out` fails
+template <class Skeleton>
+void write_graphml(std::ostream& out, const Skeleton& skeleton)
+{
+  internal::Exact_format format(out);
+  const boost::dynamic_properties properties = internal::node_properties(skeleton);
+  constexpr bool has_ordered_vertices = true;
+  boost::write_graphml(out, skeleton, properties, has_ordered_vertices);
+  format.finish();
+}
+
+} // namespace CSCD
+
+#endif // CSCD_IO_WRITE_GRAPHML_H

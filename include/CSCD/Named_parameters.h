@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Named parameters: CGAL's and the library's own, chained in any order, as in
+// `CSCD::parameters::random_seed(7).number_of_threads(2).vertex_point_map(map)`.
+
+#ifndef CSCD_NAMED_PARAMETERS_H
+#define CSCD_NAMED_PARAMETERS_H
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <type_traits>
+
+// Later versions of CGAL have further kinds of entries in their list; to us they are parameters like all others.
+#define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+#define CGAL_add_extra_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
+
+namespace CSCD {
+
+/// The tags of the library's own named parameters; those of CGAL's are in `CGAL::internal_np`.
+namespace internal_np {
+
+#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
+  enum X                                                                                                               \
+  {                                                                                                                    \
+    Y                                                                                                                  \
+  };
+#include <CSCD/internal/parameters_interface.h>
+#undef CSCD_add_named_parameter
+
+} // namespace internal_np
+
+/// A chain of named parameters: the parameter `Tag` with a value of type `T`, in front of the chain `Base`.
+/// It is a `CGAL::Named_function_parameters`, which every function of CGAL takes, and can be prolonged by the
+/// parameters of CGAL and by our own. Values are held as CGAL holds them: copied if they can be, else by reference.
+template <class T, class Tag, class Base = CGAL::internal_np::No_property>
+struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
+{
+  using self = Named_parameters;
+
+  using CGAL::Named_function_parameters<T, Tag, Base>::Named_function_parameters;
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <class K>                                                                                                   \
+  Named_parameters<K, CGAL::internal_np::X, self> Z(const K& value) const                                              \
+  {                                                                                                                    \
+    return {value, *this};                                                                                             \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+
+#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
+  template <class K>                                                                                                   \
+  Named_parameters<K, internal_np::X, self> Z(const K& value) const                                                    \
+  {                                                                                                                    \
+    return {value, *this};                                                                                             \
+  }
+#include <CSCD/internal/parameters_interface.h>
+#undef CSCD_add_named_parameter
+};
+
+namespace internal {
+
+/// Whether the chain with the implementation `Node` holds the parameter `Tag`.
+template <class Node, class Tag>
+struct Has_named_parameter;
+
+template <class T, class NodeTag, class Base, class Tag>
+struct Has_named_parameter<CGAL::internal_np::Named_params_impl<T, NodeTag, Base>, Tag>
+    : std::bool_constant<std::is_same_v<NodeTag, Tag> || Has_named_parameter<typename Base::base, Tag>::value>
+{
+};
+
+template <class T, class NodeTag, class Tag>
+struct Has_named_parameter<CGAL::internal_np::Named_params_impl<T, NodeTag, CGAL::internal_np::No_property>, Tag>
+    : std::is_same<NodeTag, Tag>
+{
+};
+
+/// Puts the parameters of the chain `front` in front of `chain`.
+template <class T, class Tag, class Base, class Chain>
+auto prepend_named_parameters(const CGAL::internal_np::Named_params_impl<T, Tag, Base>& front, const Chain& chain)
+{
+  static_assert(std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
+                    !Has_named_parameter<typename Chain::base, Tag>::value,
+                "CSCD: the same named parameter is given by two of the combined chains");
+  const T& value = front.v;
+  if constexpr (std::is_same_v<Base, CGAL::internal_np::No_property>) {
+    return Named_parameters<T, Tag, Chain>(value, chain);
+  } else {
+    const typename Base::base& rest = front;
+    using Prolonged = decltype(prepend_named_parameters(rest, chain));
+    return Named_parameters<T, Tag, Prolonged>(value, prepend_named_parameters(rest, chain));
+  }
+}
+
+/// Refuses the parameter `Tag` at compile time unless a function uses it; the compiler names the parameter as `Tag`.
+template <class Tag, bool is_used>
+struct Assert_named_parameter_is_used
+{
+  static_assert(is_used, "CSCD: this named parameter is not used by this function");
+};
+
+/// Refuses those parameters of the chain with the implementation `Node` that are not among `UsedTags`.
+template <class Node, class... UsedTags>
+struct Assert_named_parameters_are_used;
+
+template <class T, class Tag, class Base, class... UsedTags>
+struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, Base>, UsedTags...>
+    : Assert_named_parameter_is_used<Tag, std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
+                                              (std::is_same_v<Tag, UsedTags> || ...)>,
+      Assert_named_parameters_are_used<typename Base::base, UsedTags...>
+{
+};
+
+template <class T, class Tag, class... UsedTags>
+struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, CGAL::internal_np::No_property>,
+                                        UsedTags...>
+    : Assert_named_parameter_is_used<Tag, std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
+                                              (std::is_same_v<Tag, UsedTags> || ...)>
+{
+};
+
+/// Refuses at compile time the parameters of `NamedParameters` whose tags are not among `UsedTags`: the first line of
+/// a function that takes named parameters.
+template <class NamedParameters, class... UsedTags>
+constexpr void check_named_parameters()
+{
+  static_assert(sizeof(Assert_named_parameters_are_used<typename NamedParameters::base, UsedTags...>) > 0);
+}
+
+} // namespace internal
+
+/// Functions that begin a chain of named parameters: all of CGAL's and our own; and what reads them.
+namespace parameters {
+
+using CGAL::parameters::choose_parameter;
+using CGAL::parameters::get_parameter;
+using CGAL::parameters::get_parameter_reference;
+using CGAL::parameters::is_default_parameter;
+
+/// The chain of no parameter.
+using Default_named_parameters = Named_parameters<bool, CGAL::internal_np::all_default_t>;
+
+/// returns the chain of no parameter.
+inline Default_named_parameters default_values()
+{
+  return {};
+}
+
+#define CGAL_add_named_parameter(X, Y, Z)                                                                              \
+  template <class K>                                                                                                   \
+  Named_parameters<K, CGAL::internal_np::X> Z(const K& value)                                                          \
+  {                                                                                                                    \
+    return {value};                                                                                                    \
+  }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
+#undef CGAL_add_named_parameter
+
+#define CSCD_add_named_parameter(X, Y, Z)                                                                              \
+  template <class K>                                                                                                   \
+  Named_parameters<K, internal_np::X> Z(const K& value)                                                                \
+  {                                                                                                                    \
+    return {value};                                                                                                    \
+  }
+#include <CSCD/internal/parameters_interface.h>
+#undef CSCD_add_named_parameter
+
+/// joins chains of named parameters, those begun by `CGAL::parameters` included. The result can be prolonged.
+/// A parameter may stand in one of the chains only: this is checked at compile time.
+template <class NamedParameters>
+auto combine(const NamedParameters& np)
+{
+  return internal::prepend_named_parameters(static_cast<const typename NamedParameters::base&>(np), default_values());
+}
+
+template <class NamedParameters, class... MoreNamedParameters>
+auto combine(const NamedParameters& np, const MoreNamedParameters&... more)
+{
+  return internal::prepend_named_parameters(static_cast<const typename NamedParameters::base&>(np), combine(more...));
+}
+
+} // namespace parameters
+} // namespace CSCD
+
+#undef CGAL_add_named_parameter_with_compatibility
+#undef CGAL_add_named_parameter_with_compatibility_cref_only
+#undef CGAL_add_named_parameter_with_compatibility_ref_only
+#undef CGAL_add_extra_named_parameter_with_compatibility
+
+#endif // CSCD_NAMED_PARAMETERS_H

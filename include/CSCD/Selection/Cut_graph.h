@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pieces into which packed separators cut a surface.
+
+#ifndef CSCD_SELECTION_CUT_GRAPH_H
+#define CSCD_SELECTION_CUT_GRAPH_H
+
+#include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/pending/disjoint_sets.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The surface cut along disjoint separators: a graph whose vertices are the pieces and whose edges are the separators.
+/// Its first Betti number is at most the genus of the surface, and equal to it if no piece has a handle.
+class Cut_graph
+{
+public:
+  /// A piece of the surface.
+  struct Piece
+  {
+    std::vector<Index> separators; ///< positions of the separators around it; one that it has on both sides stands twice
+    double area = 0;
+    int euler = 0; ///< Euler number of the piece with its boundary
+
+    /// Handles that no separator cuts.
+    int genus() const { return (2 - euler - int(separators.size())) / 2; }
+  };
+
+  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does not
+  /// disconnect anything.
+  struct Sides
+  {
+    Index first;
+    Index second;
+    Index other(Index piece) const { return first == piece ? second : first; }
+  };
+
+  /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
+  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators)
+      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
+        m_first_interval(surface.number_of_halfedges(), no_index)
+  {
+    for (const Separator& separator : separators) {
+      for (const Edge_crossing& crossing : separator.crossings) {
+        m_crossed_edge[surface.edge(crossing.halfedge)] = 1;
+      }
+    }
+    join_uncrossed();
+  }
+
+  /// Cuts along the separators in `arrangement`; their positions are those in the order of insertion.
+  /// Linear in the size of the surface, with a small constant.
+  void cut(const Separator_arrangement& arrangement)
+  {
+    m_parent = m_base_parent;
+    m_rank = m_base_rank;
+    split_edges(arrangement);
+    join_remaining_edges();
+    join_through_faces(arrangement);
+    label_pieces();
+    measure_pieces(arrangement);
+    find_sides(arrangement);
+  }
+
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+  /// The pieces beside the packed separator at position `i`.
+  const Sides& sides(Index i) const { return m_sides[i]; }
+  Index piece_of_vertex(Index vertex) const { return m_label[vertex]; }
+
+private:
+  using Disjoint_sets = boost::disjoint_sets<std::uint8_t*, Index*>;
+
+  /// A part of a face between chords, while the boundary of the face is walked.
+  struct Open_chord
+  {
+    Index chord;
+    Index interval;           ///< the set of the boundary just before the chord begins
+    double taken_outside = 0; ///< part of the face that chords before this one have cut off from the same region
+    double begin_place = 0;   ///< where the chord begins, on the way around the face
+  };
+
+  void join_uncrossed()
+  {
+    const Index n = m_surface.number_of_vertices();
+    m_base_parent.resize(n);
+    std::iota(m_base_parent.begin(), m_base_parent.end(), Index(0));
+    m_base_rank.assign(n, 0);
+    Disjoint_sets sets(m_base_rank.data(), m_base_parent.data());
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      if (m_surface.edge(h) != h) {
+        continue;
+      }
+      if (m_crossed_edge[h] != 0) {
+        m_crossable_edges.push_back(h);
+      } else {
+        sets.union_set(m_surface.origin(h), m_surface.target(h));
+      }
+    }
+  }
+
+  /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
+  void split_edges(const Separator_arrangement& arrangement)
+  {
+    for (Index edge : m_crossable_edges) {
+      m_first_interval[edge] = no_index;
+    }
+    const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
+    m_sorted_points.resize(points.size());
+    std::iota(m_sorted_points.begin(), m_sorted_points.end(), Index(0));
+    std::sort(m_sorted_points.begin(), m_sorted_points.end(), [&](Index a, Index b) {
+      return points[a].edge != points[b].edge ? points[a].edge < points[b].edge
+                                              : Separator_arrangement::is_before_on_edge(points[a], points[b]);
+    });
+    m_intervals.clear();
+    m_interval_before.resize(points.size());
+    for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
+      const Index edge = points[m_sorted_points[i]].edge;
+      if (m_first_interval[edge] == no_index) {
+        m_first_interval[edge] = Index(m_intervals.size());
+        m_intervals.push_back(m_surface.origin(edge));
+      }
+      m_interval_before[m_sorted_points[i]] = Index(m_intervals.size() - 1);
+      const bool is_last = i + 1 == m_sorted_points.size() || points[m_sorted_points[i + 1]].edge != edge;
+      if (is_last) {
+        m_intervals.push_back(m_surface.target(edge));
+      } else {
+        m_intervals.push_back(Index(m_parent.size()));
+        m_parent.push_back(Index(m_parent.size()));
+        m_rank.push_back(0);
+      }
+    }
+  }
+
+  void join_remaining_edges()
+  {
+    Disjoint_sets sets(m_rank.data(), m_parent.data());
+    for (Index edge : m_crossable_edges) {
+      if (m_first_interval[edge] == no_index) {
+        sets.union_set(m_surface.origin(edge), m_surface.target(edge));
+      }
+    }
+  }
+
+  /// The set of the part of the edge before (`is_after` false) or after point `point`, going around `face`.
+  Index interval_beside(const Separator_arrangement& arrangement, Index point, Index face, bool is_after) const
+  {
+    const bool is_reversed = Triangulated_surface::face(arrangement.points()[point].edge) != face;
+    return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
+  }
+
+  /// Collects the ends of the chords of `face` in their order around it.
+  void collect_ends(const Separator_arrangement& arrangement, Index face)
+  {
+    m_ends.clear();
+    for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
+      m_ends.push_back({arrangement.chords()[chord].begin, chord});
+      m_ends.push_back({arrangement.chords()[chord].end, chord});
+    }
+    std::sort(m_ends.begin(), m_ends.end(), [&](const Chord_end& a, const Chord_end& b) {
+      return arrangement.is_before(a.point, b.point, face);
+    });
+  }
+
+  /// Joins what a face connects: the boundary just before a chord begins and just after it ends.
+  void join_through_faces(const Separator_arrangement& arrangement)
+  {
+    Disjoint_sets sets(m_rank.data(), m_parent.data());
+    for_each_cut_face(arrangement, [&](Index face) {
+      collect_ends(arrangement, face);
+      m_open.clear();
+      for (const Chord_end& end : m_ends) {
+        if (m_open.empty() || m_open.back().chord != end.chord) {
+          m_open.push_back({end.chord, interval_beside(arrangement, end.point, face, false)});
+        } else {
+          sets.union_set(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
+          m_open.pop_back();
+        }
+      }
+    });
+  }
+
+  template <class Function>
+  void for_each_cut_face(const Separator_arrangement& arrangement, const Function& function)
+  {
+    const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
+    for (Index chord = 0; chord < chords.size(); ++chord) {
+      // Each face once: at the chord that its list begins with.
+      if (arrangement.first_chord(chords[chord].face) == chord) {
+        function(chords[chord].face);
+      }
+    }
+  }
+
+  /// Numbers the pieces by their least vertex, and labels all sets.
+  void label_pieces()
+  {
+    Disjoint_sets sets(m_rank.data(), m_parent.data());
+    m_label.assign(m_parent.size(), no_index);
+    Index number_of_pieces = 0;
+    for (Index element = 0; element < m_parent.size(); ++element) {
+      const Index root = sets.find_set(element);
+      if (m_label[root] == no_index) {
+        m_label[root] = number_of_pieces++;
+      }
+      m_label[element] = m_label[root];
+    }
+    m_pieces.assign(number_of_pieces, Piece());
+  }
+
+  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in the
+  /// Euler number; what counts is vertices, parts of edges and parts of faces.
+  void measure_pieces(const Separator_arrangement& arrangement)
+  {
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      ++m_pieces[m_label[vertex]].euler;
+    }
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      if (m_surface.edge(h) == h && m_first_interval[h] == no_index) {
+        --m_pieces[m_label[m_surface.origin(h)]].euler;
+      }
+    }
+    for (Index interval : m_intervals) {
+      --m_pieces[m_label[interval]].euler;
+    }
+    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
+      if (arrangement.first_chord(face) == no_index) {
+        Piece& piece = m_pieces[m_label[m_surface.origin(3 * face)]];
+        ++piece.euler;
+        piece.area += double(m_surface.face_area(face));
+      }
+    }
+    for_each_cut_face(arrangement, [&](Index face) { measure_cut_face(arrangement, face); });
+  }
+
+  /// The place of an edge point on the way around `face`, in [0, 3): side plus position along it.
+  double boundary_place(const Separator_arrangement& arrangement, Index point, Index face) const
+  {
+    const Separator_arrangement::Edge_point& edge_point = arrangement.points()[point];
+    const bool is_reversed = Triangulated_surface::face(edge_point.edge) != face;
+    return arrangement.side(edge_point.edge, face) + (is_reversed ? 1 - edge_point.position : edge_point.position);
+  }
+
+  /// The part of a face's area that a chord between places `low` < `high` cuts off on the side of the way from `low` to
+  /// `high`: the polygon of the two points and the corners between them, in barycentric coordinates.
+  static double cut_off_part(double low, double high)
+  {
+    const auto barycentric = [](double place) {
+      const int side = std::min(int(place), 2);
+      const double along = place - side;
+      std::array<double, 3> result{};
+      result[std::size_t(side)] = 1 - along;
+      result[std::size_t((side + 1) % 3)] = along;
+      return result;
+    };
+    double doubled = 0;
+    std::array<double, 3> last = barycentric(low);
+    const auto go_to = [&](double place) {
+      const std::array<double, 3> next = barycentric(place);
+      doubled += last[1] * next[2] - last[2] * next[1];
+      last = next;
+    };
+    for (int corner = int(low) + 1; corner <= int(high); ++corner) {
+      go_to(corner);
+    }
+    go_to(high);
+    go_to(low);
+    return std::abs(doubled);
+  }
+
+  void measure_cut_face(const Separator_arrangement& arrangement, Index face)
+  {
+    collect_ends(arrangement, face);
+    const double area = double(m_surface.face_area(face));
+    m_open.clear();
+    double taken = 0;
+    for (const Chord_end& end : m_ends) {
+      const double place = boundary_place(arrangement, end.point, face);
+      if (m_open.empty() || m_open.back().chord != end.chord) {
+        m_open.push_back({end.chord, no_index, taken, place});
+        taken = 0;
+        continue;
+      }
+      const double part = cut_off_part(m_open.back().begin_place, place);
+      Piece& inside = m_pieces[m_label[interval_beside(arrangement, end.point, face, false)]];
+      ++inside.euler;
+      inside.area += (part - taken) * area;
+      taken = m_open.back().taken_outside + part;
+      m_open.pop_back();
+    }
+    Piece& outside = m_pieces[m_label[interval_beside(arrangement, m_ends.front().point, face, false)]];
+    ++outside.euler;
+    outside.area += (1 - taken) * area;
+  }
+
+  void find_sides(const Separator_arrangement& arrangement)
+  {
+    m_sides.clear();
+    for (Index point = 0; point < arrangement.points().size(); ++point) {
+      if (arrangement.points()[point].rank == 0) {
+        m_sides.push_back({m_label[m_intervals[m_interval_before[point]]],
+                           m_label[m_intervals[m_interval_before[point] + 1]]});
+      }
+    }
+    for (Index i = 0; i < m_sides.size(); ++i) {
+      m_pieces[m_sides[i].first].separators.push_back(i);
+      m_pieces[m_sides[i].second].separators.push_back(i);
+    }
+  }
+
+  struct Chord_end
+  {
+    Index point;
+    Index chord;
+  };
+
+  const Triangulated_surface& m_surface;
+  std::vector<std::uint8_t> m_crossed_edge;
+  std::vector<Index> m_crossable_edges;
+  std::vector<Index> m_first_interval;
+  std::vector<Index> m_base_parent;
+  std::vector<std::uint8_t> m_base_rank;
+  std::vector<Index> m_parent;
+  std::vector<std::uint8_t> m_rank;
+  std::vector<Index> m_label;
+  std::vector<Index> m_sorted_points;
+  std::vector<Index> m_intervals;
+  std::vector<Index> m_interval_before;
+  std::vector<Chord_end> m_ends;
+  std::vector<Open_chord> m_open;
+  std::vector<Piece> m_pieces;
+  std::vector<Sides> m_sides;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SELECTION_CUT_GRAPH_H

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the local separator of a source, touching only the surface around it.
+
+#ifndef CSCD_SEPARATOR_LOCAL_SEPARATOR_FINDER_H
+#define CSCD_SEPARATOR_LOCAL_SEPARATOR_FINDER_H
+
+#include <CSCD/Cut_locus/Nearest_meeting.h>
+#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Separator/Bump_test.h>
+#include <CSCD/Separator/Loop_projection.h>
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Straightening.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CSCD {
+
+/// How the search for the separator of one source ended.
+enum class Search_outcome
+{
+  found,      ///< a separator was found
+  no_cut,     ///< no acceptable cut point was met
+  bump,       ///< the loop only encircles a bump
+  degenerate  ///< the loop is no simple curve of enough edges
+};
+
+/// The result of the search for the separator of one source.
+struct Search_result
+{
+  Search_outcome outcome = Search_outcome::no_cut;
+  Separator separator;              ///< where one was found
+  bool is_section = false;          ///< whether it was shortened by the section plane, else by straightening
+  internal::Index level = 0;        ///< the level of detail that decided
+  double loop_length = 0;           ///< length of the loop before shortening, 0 where there was none
+};
+
+/// The default policy for finding separators: polar front, stopped early, on the level of detail that suits the limb;
+/// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
+///
+/// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
+/// source; the work for a source is a few hundred visited vertices, whatever the size of the surface.
+/// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
+template <class Traits>
+class Local_separator_finder
+{
+  using Index = internal::Index;
+  using Vector_3 = internal::Vector_3;
+
+public:
+  explicit Local_separator_finder(const Traits& traits)
+      : m_levels(traits.levels()), m_workspaces(m_levels.size()), m_projection(m_levels),
+        m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
+  {
+  }
+
+  /// Seeks the separator of `source`, a vertex of the finest level, and starts on the level `level_hint`.
+  void operator()(Index source, Index level_hint, Search_result& result)
+  {
+    result.separator.crossings.clear();
+    result.is_section = false;
+    result.loop_length = 0;
+    result.outcome = trace_on_best_level(source, level_hint, result.level);
+    if (result.outcome != Search_outcome::found) {
+      return;
+    }
+    measure_vertex_loop(result);
+    Workspace& workspace = workspace_of(result.level);
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < least_area_ratio) {
+      result.outcome = Search_outcome::bump;
+      return;
+    }
+    shorten(source, result);
+  }
+
+private:
+  /// A loop of fewer edges than this is too coarse to decide on: the next finer level is tried.
+  static constexpr std::size_t least_loop_size = 16;
+  /// A loop of fewer edges encloses nothing.
+  static constexpr std::size_t least_simple_loop_size = 3;
+  /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `least_loop_size` edges
+  /// is about its square; found by experiment on 27 meshes.
+  static constexpr std::size_t most_visits = std::size_t(1.6 * least_loop_size * least_loop_size);
+  /// Least area on the smaller side of a loop over its squared length: between a flat disc (0.080) and a hemisphere
+  /// (0.159). A higher value loses good loops at tips and keeps tilted ones.
+  static constexpr double least_area_ratio = 0.11;
+  /// Where the measurement of that ratio may stop.
+  static constexpr double bump_limit = 1.01 * least_area_ratio;
+  /// A section is accepted if its length is within these bounds, relative to the loop's ...
+  static constexpr double least_section_length = 0.5;
+  static constexpr double most_section_length = 1.35;
+  /// ... and if its center has moved by less than this, relative to the loop's length.
+  static constexpr double most_center_shift = 0.12;
+  /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
+  static constexpr int number_of_axis_steps = 2;
+  /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
+  static constexpr int number_of_straightening_passes = 15;
+
+  struct Workspace
+  {
+    explicit Workspace(const internal::Surface_level& level)
+        : front(level.corners, level.surface.number_of_vertices()), bump_test(level.surface)
+    {
+    }
+    internal::Polar_front front;
+    internal::Bump_test bump_test;
+  };
+
+  Workspace& workspace_of(Index level)
+  {
+    if (!m_workspaces[level]) {
+      m_workspaces[level] = std::make_unique<Workspace>(m_levels[level]);
+    }
+    return *m_workspaces[level];
+  }
+
+  /// Grows fronts on neighboring levels until one finds a loop of a suitable number of edges; leaves the loop in
+  /// `m_loop` and its level in `level`.
+  Search_outcome trace_on_best_level(Index source, Index level_hint, Index& level)
+  {
+    enum class Direction
+    {
+      none,
+      finer,
+      coarser
+    };
+    Direction direction = Direction::none;
+    for (level = std::min(level_hint, m_levels.top());;) {
+      const bool is_capped = direction != Direction::finer && level < m_levels.top();
+      const internal::Front_end end =
+          trace(source, level, is_capped ? most_visits : std::numeric_limits<std::size_t>::max());
+      if (end == internal::Front_end::capped) {
+        ++level;
+        direction = Direction::coarser;
+        continue;
+      }
+      const bool is_last = level == 0 || direction == Direction::coarser;
+      if (!m_loop.empty()) {
+        if (is_last || m_loop.size() >= least_loop_size) {
+          return m_loop.size() >= least_simple_loop_size ? Search_outcome::found : Search_outcome::degenerate;
+        }
+      } else if (is_last || workspace_of(level).front.number_of_visits() > 2 * most_visits) {
+        return Search_outcome::no_cut;
+      }
+      --level;
+      direction = Direction::finer;
+    }
+  }
+
+  /// Grows a front on `level` and traces the loop of the nearest meeting, if there is one.
+  internal::Front_end trace(Index source, Index level, std::size_t visits)
+  {
+    const internal::Surface_level& surface_level = m_levels[level];
+    internal::Polar_front& front = workspace_of(level).front;
+    const Index level_source = surface_level.from_finest(source);
+    internal::Nearest_meeting meeting(surface_level.surface, front, level_source);
+    const internal::Front_end end = front.grow(level_source, visits, meeting);
+    m_loop.clear();
+    if (meeting.has_found()) {
+      internal::trace_loop(front, meeting.first(), meeting.second(), m_loop);
+    }
+    return end;
+  }
+
+  void measure_vertex_loop(Search_result& result)
+  {
+    const internal::Triangulated_surface& surface = m_levels[result.level].surface;
+    m_points.clear();
+    for (Index vertex : m_loop) {
+      m_points.push_back(surface.point(vertex));
+    }
+    internal::set_measures(result.separator, m_points);
+    result.loop_length = result.separator.length;
+  }
+
+  void shorten(Index source, Search_result& result)
+  {
+    // The loop starts at the coarse source, which stands for several fine vertices.
+    const internal::Surface_level& level = m_levels[result.level];
+    result.separator.source = level.to_finest(level.from_finest(source));
+    result.separator.level = result.level;
+    result.is_section = shorten_by_section(result.separator);
+    if (!result.is_section && !shorten_by_straightening(level, result.separator)) {
+      result.outcome = Search_outcome::degenerate;
+    }
+  }
+
+  /// Replaces the vertex loop, whose measures `separator` has, by the shortest of a few plane sections around it.
+  bool shorten_by_section(Separator& separator)
+  {
+    const double loop_length = separator.length;
+    const Vector_3 loop_center = separator.center;
+    const Vector_3 loop_normal = separator.normal;
+    Vector_3 axis = loop_normal;
+    double best_length = std::numeric_limits<double>::max();
+    for (int step = 0; step <= number_of_axis_steps; ++step) {
+      if (axis.dot(loop_normal) < 0) {
+        axis = -axis;
+      }
+      if (!m_section.cut_at_vertex(separator.source, axis, most_section_length * loop_length)) {
+        if (step == 0) {
+          break;
+        }
+        // Half way back to where a section was found.
+        axis = (axis + loop_normal).normalized();
+        continue;
+      }
+      const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
+      if (measures.length >= most_section_length * loop_length ||
+          measures.length <= least_section_length * loop_length ||
+          (measures.center - loop_center).norm() >= most_center_shift * loop_length) {
+        break;
+      }
+      if (measures.length < best_length) {
+        best_length = measures.length;
+        separator.crossings = m_section.crossings();
+        internal::set_measures(separator, m_section.points());
+      }
+      if (step < number_of_axis_steps) {
+        axis = m_section.symmetry_axis();
+      }
+    }
+    return best_length < std::numeric_limits<double>::max();
+  }
+
+  bool shorten_by_straightening(const internal::Surface_level& level, Separator& separator)
+  {
+    if (!level.finest_vertex.empty()) {
+      if (!m_projection(level, m_loop, m_fine_loop)) {
+        return false;
+      }
+      std::swap(m_loop, m_fine_loop);
+    }
+    const internal::Triangulated_surface& finest = m_levels.finest().surface;
+    if (!internal::push_off(finest, m_loop, separator.crossings)) {
+      return false;
+    }
+    m_straightening(separator.crossings, number_of_straightening_passes);
+    internal::crossing_points(finest, separator.crossings, m_points);
+    internal::set_measures(separator, m_points);
+    return separator.crossings.size() >= least_simple_loop_size;
+  }
+
+  const internal::Surface_levels& m_levels;
+  std::vector<std::unique_ptr<Workspace>> m_workspaces;
+  internal::Loop_projection m_projection;
+  internal::Plane_section m_section;
+  internal::Straightening m_straightening;
+  internal::Vertex_loop m_loop;
+  internal::Vertex_loop m_fine_loop;
+  std::vector<Vector_3> m_points;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SEPARATOR_LOCAL_SEPARATOR_FINDER_H

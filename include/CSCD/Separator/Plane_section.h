@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The closed curve in which a plane through a vertex cuts the surface around it.
+
+#ifndef CSCD_SEPARATOR_PLANE_SECTION_H
+#define CSCD_SEPARATOR_PLANE_SECTION_H
+
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Walks the section of a surface with a plane.
+/// Every vertex is on one of the two sides, those in the plane on the upper one: so the walk is decided by the sides of
+/// vertices alone, passes no vertex, and closes for every plane. Its cost is that of the section. Reuse one object.
+class Plane_section
+{
+public:
+  explicit Plane_section(const Triangulated_surface& surface) : m_surface(surface) {}
+
+  /// Walks the section with the plane through `vertex` normal to `axis` along the cycle that passes just below `vertex`.
+  /// \return false if the vertex is a local minimum along `axis`, or if the section is longer than `max_length`
+  bool cut_at_vertex(Index vertex, const Vector_3& axis, double max_length)
+  {
+    set_plane(axis, axis.dot(m_surface.point(vertex)));
+    for (Index h : m_surface.outgoing(vertex)) {
+      if (!is_above(m_surface.target(h))) {
+        return walk(h, max_length);
+      }
+    }
+    return false;
+  }
+
+  /// Walks the section with the plane through `point` normal to `axis` along the cycle that passes through `face`.
+  /// \return false if the plane misses the face, or if the section is longer than `max_length`
+  bool cut_at_face(Index face, const Vector_3& axis, const Vector_3& point, double max_length)
+  {
+    set_plane(axis, axis.dot(point));
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      if (is_above(m_surface.origin(h)) && !is_above(m_surface.target(h))) {
+        return walk(h, max_length);
+      }
+    }
+    return false;
+  }
+
+  const std::vector<Edge_crossing>& crossings() const { return m_crossings; }
+  const std::vector<Vector_3>& points() const { return m_points; }
+  double length() const { return m_length; }
+
+  /// The direction that is most nearly perpendicular to the normals of the crossed faces, up to sign: the axis of the
+  /// limb around the section (the rotational symmetry axis of Tagliasacchi et al. 2009, with centered normals).
+  Vector_3 symmetry_axis() const
+  {
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    Vector_3 mean = Vector_3::Zero();
+    double weight = 0;
+    for (std::size_t i = 0; i < m_crossings.size(); ++i) {
+      const Vector_3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
+      const double length = (m_points[i] - before).norm();
+      const Vector_3 normal =
+          m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
+      moment += length * normal * normal.transpose();
+      mean += length * normal;
+      weight += length;
+    }
+    const Eigen::Matrix3d covariance = moment / weight - mean * mean.transpose() / (weight * weight);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+    solver.computeDirect(covariance);
+    return solver.eigenvectors().col(0);
+  }
+
+private:
+  /// Crossings keep this distance from the ends of their edge, relative to its length.
+  static constexpr double end_margin = 1e-3;
+
+  void set_plane(const Vector_3& axis, double offset)
+  {
+    m_axis = axis;
+    m_offset = offset;
+  }
+
+  double height(Index vertex) const { return m_axis.dot(m_surface.point(vertex)) - m_offset; }
+  bool is_above(Index vertex) const { return height(vertex) >= 0; }
+
+  /// Follows the section from halfedge `first`, whose origin is above the plane and whose target is below.
+  bool walk(Index first, double max_length)
+  {
+    m_crossings.clear();
+    m_points.clear();
+    m_length = 0;
+    Index h = first;
+    do {
+      append(h);
+      if (m_length > max_length) {
+        return false;
+      }
+      const Index entry = m_surface.twin(h);
+      const Index apex = m_surface.opposite_vertex(entry);
+      // Leave the face by the other side that runs from above to below.
+      h = is_above(apex) ? Triangulated_surface::previous(entry) : Triangulated_surface::next(entry);
+    } while (h != first);
+    m_length += (m_points.front() - m_points.back()).norm();
+    return m_crossings.size() >= 3;
+  }
+
+  void append(Index h)
+  {
+    const double above = height(m_surface.origin(h));
+    const double below = height(m_surface.target(h));
+    m_crossings.push_back({h, std::clamp(above / (above - below), end_margin, 1 - end_margin)});
+    m_points.push_back(crossing_point(m_surface, m_crossings.back()));
+    if (m_points.size() > 1) {
+      m_length += (m_points.back() - m_points[m_points.size() - 2]).norm();
+    }
+  }
+
+  const Triangulated_surface& m_surface;
+  Vector_3 m_axis = Vector_3::UnitZ();
+  double m_offset = 0;
+  std::vector<Edge_crossing> m_crossings;
+  std::vector<Vector_3> m_points;
+  double m_length = 0;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_PLANE_SECTION_H

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A closed curve on the surface that cuts a limb.
+
+#ifndef CSCD_SEPARATOR_SEPARATOR_H
+#define CSCD_SEPARATOR_SEPARATOR_H
+
+#include <CSCD/internal/Vector_3.h>
+
+#include <vector>
+
+namespace CSCD {
+
+namespace internal {
+
+/// A point where a curve crosses an edge of the finest surface.
+/// The curve passes with the origin of the halfedge on its right and the target on its left, and goes on into the face
+/// of the halfedge's twin.
+struct Edge_crossing
+{
+  Index halfedge;
+  /// In (0, 1): from the origin of `halfedge` to its target.
+  double position;
+};
+
+} // namespace internal
+
+/// A local separator: a simple closed curve on the finest surface, given by the edges that it crosses, with its
+/// measures in the normalized frame of the traits object.
+struct Separator
+{
+  /// The crossings in order along the curve; consecutive ones lie in one face, the last and the first too.
+  std::vector<internal::Edge_crossing> crossings;
+  /// Length of the curve.
+  double length = 0;
+  /// Mean of its points by length.
+  internal::Vector_3 center = internal::Vector_3::Zero();
+  /// Unit normal of the vector area of the curve; the left side of the curve lies on its positive side.
+  internal::Vector_3 normal = internal::Vector_3::UnitZ();
+  /// Norm of the vector area: the area that a planar curve encloses.
+  double area = 0;
+  /// Root mean square distance of the curve from its mean plane, relative to its length.
+  double planarity = 0;
+  /// The vertex of the finest surface from which it was found.
+  internal::Index source = internal::no_index;
+  /// The level of detail on which it was found.
+  internal::Index level = 0;
+
+  /// Radius of the circle of the same length.
+  double radius() const { return length / (2 * EIGEN_PI); }
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SEPARATOR_SEPARATOR_H

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortens a closed curve on the surface a little, locally.
+
+#ifndef CSCD_SEPARATOR_STRAIGHTENING_H
+#define CSCD_SEPARATOR_STRAIGHTENING_H
+
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Straightens closed curves: moves each crossing to where the unfolded curve is straight, and where the curve is stuck
+/// at a vertex with less than a straight angle on the other side, passes it over the vertex.
+/// A few passes take out the zigzag and keep the curve where it is, without any further constraint (the locality of
+/// appendix E.2). Reuse one object.
+class Straightening
+{
+public:
+  explicit Straightening(const Triangulated_surface& surface) : m_surface(surface) {}
+
+  /// Straightens `crossings` in place by `number_of_passes` sweeps, each linear in their number.
+  void operator()(std::vector<Edge_crossing>& crossings, int number_of_passes)
+  {
+    for (int pass = 0; pass < number_of_passes && crossings.size() >= 4; ++pass) {
+      for (std::size_t i = 0; i < crossings.size(); ++i) {
+        straighten_at(crossings, i);
+      }
+      pass_over_vertices(crossings);
+      cancel_backtracks(crossings);
+    }
+  }
+
+private:
+  /// Crossings keep this distance from the ends of their edge, relative to its length.
+  static constexpr double end_margin = 0.02;
+  /// Where a curve is put after it has passed over a vertex, likewise.
+  static constexpr double passed_position = 3 * end_margin;
+  /// A curve is passed over a vertex if the angle on the other side is less than pi by more than this, in radians.
+  static constexpr double angle_margin = 1e-3;
+  static constexpr double pi = boost::math::constants::pi<double>();
+
+  /// The position along a line and the distance from it.
+  struct Unfolded_point
+  {
+    double along;
+    double height;
+  };
+
+  static Unfolded_point unfold(const Vector_3& point, const Vector_3& origin, const Vector_3& direction)
+  {
+    const Vector_3 offset = point - origin;
+    const double along = offset.dot(direction);
+    return {along, (offset - along * direction).norm()};
+  }
+
+  Vector_3 point(const std::vector<Edge_crossing>& crossings, std::size_t i) const
+  {
+    const std::size_t size = crossings.size();
+    return crossing_point(m_surface, crossings[i % size]);
+  }
+
+  void straighten_at(std::vector<Edge_crossing>& crossings, std::size_t i) const
+  {
+    Edge_crossing& crossing = crossings[i];
+    const Vector_3& origin = m_surface.point(m_surface.origin(crossing.halfedge));
+    const Vector_3 edge = m_surface.point(m_surface.target(crossing.halfedge)) - origin;
+    const double length = edge.norm();
+    if (!(length > 0)) {
+      return;
+    }
+    const Unfolded_point before = unfold(point(crossings, i + crossings.size() - 1), origin, edge / length);
+    const Unfolded_point after = unfold(point(crossings, i + 1), origin, edge / length);
+    const double height = before.height + after.height;
+    if (height > 0) {
+      const double along = before.along + (after.along - before.along) * before.height / height;
+      crossing.position = std::clamp(along / length, end_margin, 1 - end_margin);
+    }
+  }
+
+  /// The vertex that `crossing` is stuck at, `no_index` if it is free.
+  Index stuck_at(const Edge_crossing& crossing) const
+  {
+    // The clamped values themselves, and what rounding makes of them.
+    constexpr double margin = 1.01 * end_margin;
+    if (crossing.position <= margin) {
+      return m_surface.origin(crossing.halfedge);
+    }
+    return crossing.position >= 1 - margin ? m_surface.target(crossing.halfedge) : no_index;
+  }
+
+  /// Finds the maximal runs of crossings that are stuck at one vertex on one side, and tries to pass each over it.
+  void pass_over_vertices(std::vector<Edge_crossing>& crossings)
+  {
+    const std::size_t size = crossings.size();
+    const auto continues = [&](std::size_t i) {
+      const Edge_crossing& a = crossings[i % size];
+      const Edge_crossing& b = crossings[(i + 1) % size];
+      return stuck_at(a) != no_index && stuck_at(a) == stuck_at(b) && (a.position < 0.5) == (b.position < 0.5);
+    };
+    std::size_t start = 0;
+    while (start < size && continues(start)) {
+      ++start;
+    }
+    if (start == size) {
+      return;
+    }
+    ++start;
+    m_result.clear();
+    for (std::size_t first = start; first < start + size;) {
+      std::size_t last = first;
+      while (last + 1 < start + size && continues(last)) {
+        ++last;
+      }
+      if (stuck_at(crossings[first % size]) == no_index || !append_passed(crossings, first, last)) {
+        for (std::size_t i = first; i <= last; ++i) {
+          m_result.push_back(crossings[i % size]);
+        }
+      }
+      first = last + 1;
+    }
+    std::swap(crossings, m_result);
+  }
+
+  /// Appends to the result the crossings of the other side of the vertex that the run from `first` to `last` is stuck
+  /// at, if that is a shortcut.
+  bool append_passed(const std::vector<Edge_crossing>& crossings, std::size_t first, std::size_t last)
+  {
+    const std::size_t size = crossings.size();
+    const Index vertex = stuck_at(crossings[first % size]);
+    const bool is_on_right = crossings[first % size].position < 0.5;
+    const Edge_crossing& before = crossings[(first + size - 1) % size];
+    const Edge_crossing& after = crossings[(last + 1) % size];
+    const auto touches = [&](Index h) { return m_surface.origin(h) == vertex || m_surface.target(h) == vertex; };
+    if (touches(before.halfedge) || touches(after.halfedge)) {
+      return false;
+    }
+    collect_other_side(crossings[first % size].halfedge, crossings[last % size].halfedge, is_on_right);
+    if (m_spokes.empty() ||
+        angle_over_spokes(vertex, crossing_point(m_surface, before), crossing_point(m_surface, after)) >=
+            pi - angle_margin) {
+      return false;
+    }
+    for (Index spoke : m_spokes) {
+      if (is_on_right) {
+        m_result.push_back({m_surface.twin(spoke), 1 - passed_position});
+      } else {
+        m_result.push_back({spoke, passed_position});
+      }
+    }
+    return true;
+  }
+
+  /// Collects the spokes of the vertex that the run does not cross, in the order in which the curve will cross them.
+  void collect_other_side(Index first, Index last, bool is_on_right)
+  {
+    m_spokes.clear();
+    const Index begin = is_on_right ? first : m_surface.twin(first);
+    const Index end = is_on_right ? last : m_surface.twin(last);
+    const auto step = [&](Index h) {
+      return is_on_right ? m_surface.next_around_origin(h) : m_surface.previous_around_origin(h);
+    };
+    for (Index h = step(begin); h != end && h != begin; h = step(h)) {
+      m_spokes.push_back(h);
+    }
+  }
+
+  double angle_over_spokes(Index vertex, const Vector_3& before, const Vector_3& after) const
+  {
+    const Vector_3& center = m_surface.point(vertex);
+    const auto angle_between = [](const Vector_3& u, const Vector_3& v) {
+      return std::atan2(u.cross(v).norm(), u.dot(v));
+    };
+    Vector_3 direction = before - center;
+    double angle = 0;
+    for (Index spoke : m_spokes) {
+      const Vector_3 next_direction = m_surface.point(m_surface.target(spoke)) - center;
+      angle += angle_between(direction, next_direction);
+      direction = next_direction;
+    }
+    return angle + angle_between(direction, after - center);
+  }
+
+  /// Removes pairs of consecutive crossings that go through an edge and straight back.
+  void cancel_backtracks(std::vector<Edge_crossing>& crossings)
+  {
+    const auto cancels = [this](const Edge_crossing& a, const Edge_crossing& b) {
+      return a.halfedge == m_surface.twin(b.halfedge);
+    };
+    m_result.clear();
+    for (const Edge_crossing& crossing : crossings) {
+      if (!m_result.empty() && cancels(m_result.back(), crossing)) {
+        m_result.pop_back();
+      } else {
+        m_result.push_back(crossing);
+      }
+    }
+    std::size_t stem = 0;
+    while (2 * stem + 2 <= m_result.size() && cancels(m_result[m_result.size() - 1 - stem], m_result[stem])) {
+      ++stem;
+    }
+    crossings.assign(m_result.begin() + std::ptrdiff_t(stem), m_result.end() - std::ptrdiff_t(stem));
+  }
+
+  const Triangulated_surface& m_surface;
+  std::vector<Edge_crossing> m_result;
+  std::vector<Index> m_spokes;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_STRAIGHTENING_H

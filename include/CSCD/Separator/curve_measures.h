@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Length, center, normal and planarity of closed polygons and separators.
+
+#ifndef CSCD_SEPARATOR_CURVE_MEASURES_H
+#define CSCD_SEPARATOR_CURVE_MEASURES_H
+
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The point where `crossing` lies.
+inline Vector_3 crossing_point(const Triangulated_surface& surface, const Edge_crossing& crossing)
+{
+  return (1 - crossing.position) * surface.point(surface.origin(crossing.halfedge)) +
+         crossing.position * surface.point(surface.target(crossing.halfedge));
+}
+
+/// Writes the points of `crossings` to `points`, which is reused.
+inline void crossing_points(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings,
+                            std::vector<Vector_3>& points)
+{
+  points.resize(crossings.size());
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    points[i] = crossing_point(surface, crossings[i]);
+  }
+}
+
+/// The measures of a closed polygon.
+struct Polygon_measures
+{
+  double length = 0;
+  Vector_3 center = Vector_3::Zero();      ///< mean by length
+  Vector_3 vector_area = Vector_3::Zero(); ///< half the sum of the cross products of consecutive points
+  double planarity = 0;                    ///< root mean square distance from the mean plane, relative to the length
+};
+
+/// Measures the closed polygon `points`; linear.
+inline Polygon_measures measure_polygon(const std::vector<Vector_3>& points)
+{
+  Polygon_measures result;
+  const std::size_t size = points.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector_3& a = points[i];
+    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    const double length = (b - a).norm();
+    result.length += length;
+    result.center += length / 2 * (a + b);
+  }
+  if (!(result.length > 0)) {
+    result.center = size == 0 ? Vector_3(Vector_3::Zero()) : points.front();
+    return result;
+  }
+  result.center /= result.length;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    result.vector_area += (points[i] - result.center).cross(b - result.center) / 2;
+  }
+  const Vector_3 normal = result.vector_area.normalized();
+  double squared_deviation = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double length = (points[i + 1 < size ? i + 1 : 0] - points[i]).norm();
+    const double height = (points[i] - result.center).dot(normal);
+    squared_deviation += length * height * height;
+  }
+  result.planarity = std::sqrt(squared_deviation / result.length) / result.length;
+  return result;
+}
+
+/// Sets the measures of `separator` to those of its polygon `points`.
+inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
+{
+  const Polygon_measures measures = measure_polygon(points);
+  separator.length = measures.length;
+  separator.center = measures.center;
+  separator.area = measures.vector_area.norm();
+  separator.normal = separator.area > 0 ? Vector_3(measures.vector_area / separator.area) : Vector_3(Vector_3::UnitZ());
+  separator.planarity = measures.planarity;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_CURVE_MEASURES_H

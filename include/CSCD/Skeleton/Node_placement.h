@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the cut graph to nodes in space.
+
+#ifndef CSCD_SKELETON_NODE_PLACEMENT_H
+#define CSCD_SKELETON_NODE_PLACEMENT_H
+
+#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Skeleton/Section_disc.h>
+#include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/Surface_pieces.h>
+#include <CSCD/Skeleton/Surface_regions.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Builds the draft of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
+/// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
+/// \tparam Traits a model of `SolidSkeletonizationTraits`
+template <class Traits>
+class Node_placement
+{
+public:
+  Node_placement(const Traits& traits, const std::vector<Separator>& separators, const std::vector<Index>& packed,
+                 const Cut_graph& cut_graph)
+      : m_traits(traits), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
+        m_regions(traits.levels(), separators, packed), m_pieces(cut_graph, m_regions)
+  {
+  }
+
+  /// The placed draft. Parallel edges and loops may occur where a piece joins two separators, or one to itself.
+  Skeleton_draft operator()()
+  {
+    Skeleton_draft draft;
+    place_separators(draft);
+    for (Index piece = 0; piece < m_cut_graph.pieces().size(); ++piece) {
+      connect_piece(draft, piece);
+    }
+    return draft;
+  }
+
+private:
+  /// Weight of the center of a separator against the area of its region, relative to the squared length: matters only
+  /// where a region holds few vertices.
+  static constexpr double separator_weight = 0.02;
+  /// The same for the separators around a junction.
+  static constexpr double junction_separator_weight = 0.05;
+  /// Share of the centroid of the region in a node's position; the rest is the centroid of the section. On a bend, the
+  /// first lies outwards of the middle of the body, the second on it; half and half reconstructs best.
+  static constexpr double region_share = 0.5;
+  /// A piece at the end of a limb gets a tip if it is higher than this, relative to the radius of the limb ...
+  static constexpr double least_tip_height = 0.7;
+  /// ... and the tip stays this far below the surface ...
+  static constexpr double tip_depth = 0.75;
+  /// ... and this far from the node that it hangs on, likewise.
+  static constexpr double least_tip_length = 0.3;
+  /// The direction of a tip is that to the vertices beyond this part of the height of the piece.
+  static constexpr double far_part = 0.6;
+
+  void place_separators(Skeleton_draft& draft)
+  {
+    const Triangulated_surface& surface = m_regions.level().surface;
+    std::vector<Surface_pieces::Weighted_sum> region(m_packed.size());
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      if (m_regions.separator(vertex) != no_index) {
+        region[m_regions.separator(vertex)].add(surface.point(vertex), double(surface.vertex_area(vertex)));
+      }
+    }
+    std::vector<Vector_3> outline;
+    for (Index i = 0; i < m_packed.size(); ++i) {
+      const Separator& separator = m_separators[m_packed[i]];
+      region[i].add(separator.center, separator_weight * separator.length * separator.length);
+      crossing_points(m_traits.levels().finest().surface, separator.crossings, outline);
+      const Section_disc disc = section_disc(outline);
+      const Vector_3 centroid = region[i].sum / region[i].weight;
+      const Index node = draft.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
+      draft[node].separators = {i};
+    }
+  }
+
+  void connect_piece(Skeleton_draft& draft, Index piece)
+  {
+    const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
+    if (around.empty()) {
+      place_blob(draft, piece);
+    } else if (around.size() == 1) {
+      place_tip(draft, piece, around.front());
+    } else if (around.size() == 2) {
+      draft.add_edge(around[0], around[1]);
+    } else {
+      place_junction(draft, piece);
+    }
+  }
+
+  void place_junction(Skeleton_draft& draft, Index piece)
+  {
+    Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
+    double radius = 0;
+    const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
+    for (Index i : around) {
+      const Separator& separator = m_separators[m_packed[i]];
+      sum.add(separator.center, junction_separator_weight * separator.length * separator.length);
+      radius = std::max(radius, separator.radius());
+    }
+    const Index node = draft.add_node(sum.sum / sum.weight, radius);
+    draft[node].pieces = {piece};
+    for (Index i : around) {
+      draft.add_edge(node, i);
+    }
+  }
+
+  void place_tip(Skeleton_draft& draft, Index piece, Index base)
+  {
+    const double radius = draft[base].radius;
+    const float height = m_pieces.height(piece);
+    const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
+    if (!(height > least_tip_height * radius) || !(far.weight > 0)) {
+      return;
+    }
+    extend(draft, base, piece, (far.sum / far.weight - draft[base].position).normalized(), radius);
+  }
+
+  /// Hangs a tip on `node`, in `direction`, if `piece` extends far enough.
+  void extend(Skeleton_draft& draft, Index node, Index piece, const Vector_3& direction, double radius)
+  {
+    const double length = m_pieces.extent(piece, draft[node].position, direction) - tip_depth * radius;
+    if (length > least_tip_length * radius) {
+      const Index tip = draft.add_node(draft[node].position + length * direction, radius);
+      draft[tip].pieces = {piece};
+      draft.add_edge(node, tip);
+    }
+  }
+
+  /// A component that no separator cuts: a node in its middle, and two tips if it is longer than thick.
+  void place_blob(Skeleton_draft& draft, Index piece)
+  {
+    const Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
+    const Vector_3 center = sum.weight > 0 ? Vector_3(sum.sum / sum.weight)
+                                           : m_regions.level().surface.point(*m_pieces.vertices(piece).begin());
+    const double radius = (m_traits.closest_point(center).point - center).norm();
+    const Index node = draft.add_node(center, radius);
+    draft[node].pieces = {piece};
+    Vector_3 farthest = center;
+    for (Index vertex : m_pieces.vertices(piece)) {
+      const Vector_3& point = m_regions.level().surface.point(vertex);
+      if ((point - center).squaredNorm() > (farthest - center).squaredNorm()) {
+        farthest = point;
+      }
+    }
+    const Vector_3 direction = (farthest - center).normalized();
+    extend(draft, node, piece, direction, radius);
+    extend(draft, node, piece, -direction, radius);
+  }
+
+  const Traits& m_traits;
+  const std::vector<Separator>& m_separators;
+  const std::vector<Index>& m_packed;
+  const Cut_graph& m_cut_graph;
+  Surface_regions m_regions;
+  Surface_pieces m_pieces;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_NODE_PLACEMENT_H

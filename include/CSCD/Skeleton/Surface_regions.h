@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The part of the surface that is nearest to each packed separator.
+
+#ifndef CSCD_SKELETON_SURFACE_REGIONS_H
+#define CSCD_SKELETON_SURFACE_REGIONS_H
+
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Traits/Corner_table.h>
+#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once).
+/// Runs on the finest level of at most `most_vertices` vertices: separators are many vertices apart there already.
+class Surface_regions
+{
+public:
+  /// Computes the regions of the separators `packed` of the list `separators`; O(n log n) on the chosen level.
+  Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
+                  const std::vector<Index>& packed)
+      : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(most_vertices)]),
+        m_separator(m_level.surface.number_of_vertices(), no_index),
+        m_distance(m_level.surface.number_of_vertices(), std::numeric_limits<float>::max()),
+        m_heap(m_level.surface.number_of_vertices())
+  {
+    for (Index i = 0; i < packed.size(); ++i) {
+      for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
+        const Vector_3 point = (1 - crossing.position) * position(m_finest.surface.origin(crossing.halfedge)) +
+                               crossing.position * position(m_finest.surface.target(crossing.halfedge));
+        reach_from(point, m_finest.surface.origin(crossing.halfedge), i);
+        reach_from(point, m_finest.surface.target(crossing.halfedge), i);
+      }
+    }
+    spread();
+  }
+
+  /// The level that the regions live on.
+  const Surface_level& level() const { return m_level; }
+  /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
+  Index separator(Index vertex) const { return m_separator[vertex]; }
+  /// The distance from it.
+  float distance(Index vertex) const { return m_distance[vertex]; }
+
+private:
+  static constexpr Index most_vertices = 60000;
+
+  const Vector_3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
+
+  void reach_from(const Vector_3& point, Index finest_vertex, Index separator)
+  {
+    const Index vertex = m_level.from_finest(finest_vertex);
+    reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator);
+  }
+
+  void reach(Index vertex, float distance, Index separator)
+  {
+    if (distance >= m_distance[vertex]) {
+      return;
+    }
+    const bool is_new = m_separator[vertex] == no_index;
+    m_distance[vertex] = distance;
+    m_separator[vertex] = separator;
+    if (is_new) {
+      m_heap.push(vertex, distance);
+    } else {
+      m_heap.decrease(vertex, distance);
+    }
+  }
+
+  void spread()
+  {
+    while (!m_heap.empty()) {
+      const Indexed_heap::Entry entry = m_heap.pop();
+      for (const Corner& corner : m_level.corners.neighbors(entry.vertex)) {
+        reach(corner.neighbor, entry.key + corner.length, m_separator[entry.vertex]);
+      }
+    }
+  }
+
+  const Surface_level& m_finest;
+  const Surface_level& m_level;
+  std::vector<Index> m_separator;
+  std::vector<float> m_distance;
+  Indexed_heap m_heap;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_SURFACE_REGIONS_H

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The graph that holds a curve skeleton.
+
+#ifndef CSCD_SKELETON_GRAPH_H
+#define CSCD_SKELETON_GRAPH_H
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// A node of a curve skeleton.
+/// The members `point` and `vertices` are spelled as in CGAL's `Mean_curvature_flow_skeletonization`, so that code
+/// written for its skeletons reads ours.
+/// \tparam Point the point type of the input
+/// \tparam SiteDescriptor what identifies an input site: a `vertex_descriptor` of the mesh, or the index of a point
+template <class Point, class SiteDescriptor>
+struct Skeleton_vertex
+{
+  /// Position, in the coordinates of the input.
+  Point point{};
+  /// The input sites that belong to this node; over all nodes, every input site stands in exactly one of these lists.
+  std::vector<SiteDescriptor> vertices{};
+  /// Mean distance from the curve to the surface around this node, in the unit of the input.
+  double radius = 0;
+};
+
+/// A curve skeleton: nodes with position, radius and sites; its edges are straight segments.
+template <class Point, class SiteDescriptor>
+using Skeleton_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Skeleton_vertex<Point, SiteDescriptor>>;
+
+namespace internal {
+
+template <class VertexBundle, class = void>
+struct Has_radius : std::false_type
+{
+};
+
+template <class VertexBundle>
+struct Has_radius<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>().radius)>> : std::true_type
+{
+};
+
+} // namespace internal
+
+/// Whether the nodes of `Skeleton` carry a `radius`; those of CGAL's own skeleton type do not.
+template <class Skeleton>
+inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
+
+} // namespace CSCD
+
+#endif // CSCD_SKELETON_GRAPH_H

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a skeletonization tells about itself.
+
+#ifndef CSCD_SKELETONIZATION_REPORT_H
+#define CSCD_SKELETONIZATION_REPORT_H
+
+#include <CSCD/Skeletonization_visitor.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CSCD {
+
+/// Counts, timings and warnings of one skeletonization.
+struct Skeletonization_report
+{
+  /// \name Input
+  /// @{
+  std::size_t number_of_sites = 0;              ///< input vertices or points that the skeleton partitions
+  std::size_t number_of_isolated_vertices = 0;  ///< input vertices without any face: no part of the surface
+  std::size_t number_of_surface_components = 0; ///< connected components of the surface
+  std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
+  std::size_t number_of_inserted_vertices = 0;  ///< vertices inserted where faces were too large to sample
+  std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
+  std::size_t number_of_levels = 0;             ///< levels of detail, the input included
+  std::size_t genus = 0;                        ///< of the (bridged) surface, summed over its components
+  /// @}
+
+  /// \name Separators
+  /// @{
+  std::size_t number_of_sources = 0;           ///< sources from which a separator was sought
+  std::size_t number_of_sources_without_cut = 0; ///< no acceptable cut point was met
+  std::size_t number_of_bumps = 0;             ///< separators rejected since they only encircle a bump
+  std::size_t number_of_separators = 0;        ///< separators found
+  std::size_t number_of_plane_sections = 0;    ///< of these, shortened by the section plane
+  std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening
+  std::size_t number_of_packed_separators = 0; ///< separators that cut the surface
+  std::size_t number_of_handle_cuts = 0;       ///< of these, added for handles that no source had found
+  /// @}
+
+  /// \name Skeleton
+  /// @{
+  std::size_t number_of_nodes = 0;
+  std::size_t number_of_edges = 0;
+  std::size_t number_of_skeleton_components = 0;
+  std::size_t betti_number = 0;            ///< first Betti number: edges - nodes + components
+  std::size_t number_of_tips = 0;          ///< nodes of degree 1
+  std::size_t number_of_junctions = 0;     ///< nodes of degree 3 or more
+  std::size_t number_of_nodes_outside = 0; ///< nodes that are not inside the (bridged) surface
+  std::size_t number_of_edges_outside = 0; ///< edges of which a sample is not inside
+  /// @}
+
+  /// Number of threads that the parallel part may have used.
+  std::size_t number_of_threads = 1;
+  /// Wall-clock seconds of each stage.
+  std::array<double, number_of_skeletonization_stages> seconds{};
+  /// What the user should know: one sentence each.
+  std::vector<std::string> warnings;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SKELETONIZATION_REPORT_H

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads a polygon mesh of any type into points and index triples, and refuses what cannot be skeletonized.
+
+#ifndef CSCD_TRAITS_COLLECT_TRIANGLES_H
+#define CSCD_TRAITS_COLLECT_TRIANGLES_H
+
+#include <CSCD/Traits/Halfedge_pairing.h>
+#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/Traits/check_manifold.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/double.h>
+#include <CGAL/float.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// More faces than this cannot be indexed once they are refined.
+inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 28;
+
+/// The triangles of a mesh, and where they came from.
+template <class VertexDescriptor>
+struct Collected_triangles
+{
+  Indexed_triangles triangles;
+  Halfedge_pairing pairing;
+  std::vector<VertexDescriptor> descriptors; ///< the vertices of the points
+  std::size_t number_of_isolated_vertices = 0;
+};
+
+/// Reads the corners of `face`, as the `numbers` of their vertices.
+/// \throw Input_error if there are not three different ones; `face_number` names the face
+template <class TriangleMesh, class VertexNumbers, class FaceDescriptor>
+std::array<Index, 3> collect_corners(const TriangleMesh& mesh, const VertexNumbers& numbers, FaceDescriptor face,
+                                     std::size_t face_number)
+{
+  std::array<Index, 3> corners{};
+  std::size_t number_of_sides = 0;
+  const auto first = halfedge(face, mesh);
+  auto side = first;
+  do {
+    if (number_of_sides < 3) {
+      corners[number_of_sides] = get(numbers, source(side, mesh));
+    }
+    ++number_of_sides;
+    side = next(side, mesh);
+  } while (side != first);
+  if (number_of_sides != 3) {
+    throw Input_error("face " + std::to_string(face_number) + " has " + std::to_string(number_of_sides) +
+                      " sides: triangulate the mesh first, for instance by "
+                      "CGAL::Polygon_mesh_processing::triangulate_faces");
+  }
+  if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+    throw Input_error("face " + std::to_string(face_number) + " uses a vertex twice: remove the face");
+  }
+  return corners;
+}
+
+/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in order.
+inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
+{
+  std::vector<Index> new_number(number_of_vertices, no_index);
+  for (const std::array<Index, 3>& face : faces) {
+    for (Index corner : face) {
+      new_number[corner] = 0;
+    }
+  }
+  std::vector<Index> old_number;
+  old_number.reserve(number_of_vertices);
+  for (Index vertex = 0; vertex < number_of_vertices; ++vertex) {
+    if (new_number[vertex] != no_index) {
+      new_number[vertex] = Index(old_number.size());
+      old_number.push_back(vertex);
+    }
+  }
+  if (old_number.size() < number_of_vertices) {
+    for (std::array<Index, 3>& face : faces) {
+      for (Index& corner : face) {
+        corner = new_number[corner];
+      }
+    }
+  }
+  return old_number;
+}
+
+/// Reads `mesh` into points and index triples.
+/// Vertices and faces keep the order in which the mesh iterates them; vertices without a face are left out.
+/// Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
+/// \param mesh a model of `FaceListGraph`
+/// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
+/// \throw Input_error naming the element, by its number in the order of iteration, if `mesh` has no faces, a face that
+///        is no triangle or uses a vertex twice, an edge with more than two faces or with faces of opposite
+///        orientation, a pinched vertex, a coordinate that is not finite, or more faces than can be indexed
+template <class TriangleMesh, class VertexPointMap>
+Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
+collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
+{
+  using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  if (std::size_t(num_faces(mesh)) > maximum_number_of_faces || std::size_t(num_vertices(mesh)) > maximum_number_of_faces) {
+    throw Input_error("the mesh has more than 2^28 faces or vertices: simplify it first");
+  }
+  Collected_triangles<Vertex_descriptor> result;
+  auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  result.descriptors.reserve(num_vertices(mesh));
+  for (const Vertex_descriptor vertex : vertices(mesh)) {
+    put(numbers, vertex, Index(result.descriptors.size()));
+    result.descriptors.push_back(vertex);
+  }
+  Indexed_triangles& triangles = result.triangles;
+  triangles.faces.reserve(num_faces(mesh));
+  for (const auto face : faces(mesh)) {
+    triangles.faces.push_back(collect_corners(mesh, numbers, face, triangles.faces.size()));
+  }
+  if (triangles.faces.empty()) {
+    throw Input_error("the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
+  }
+  triangles.first_bridging_face = triangles.faces.size();
+
+  const std::vector<Index> input_number = compact_numbers(triangles.faces, result.descriptors.size());
+  result.number_of_isolated_vertices = result.descriptors.size() - input_number.size();
+  triangles.points.reserve(input_number.size());
+  for (std::size_t i = 0; i < input_number.size(); ++i) {
+    result.descriptors[i] = result.descriptors[input_number[i]];
+    const auto& point = get(point_map, result.descriptors[i]);
+    triangles.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+    if (!triangles.points.back().allFinite()) {
+      throw Input_error("vertex " + std::to_string(input_number[i]) +
+                        " has a coordinate that is not finite: correct it or remove the vertex");
+    }
+  }
+  result.descriptors.resize(input_number.size());
+  result.pairing = check_manifold(triangles, [&input_number](Index vertex) { return input_number[vertex]; });
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TRAITS_COLLECT_TRIANGLES_H

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Puts the points and faces of a surface in a given order.
+
+#ifndef CSCD_TRAITS_RENUMBER_H
+#define CSCD_TRAITS_RENUMBER_H
+
+#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Sorts faces lexicographically, bridging faces after all others; linear where degrees are bounded.
+/// \pre the smallest corner of every face comes first
+inline void sort_faces(Indexed_triangles& triangles)
+{
+  // One bucket for each smallest corner, those of the bridging faces after the others.
+  const std::size_t n = triangles.points.size();
+  const auto bucket = [&triangles, n](std::size_t f) {
+    return triangles.faces[f].front() + (f < triangles.first_bridging_face ? 0 : n);
+  };
+  std::vector<Index> begin(2 * n + 1, 0);
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+    ++begin[bucket(f) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Index> fill(begin.begin(), begin.end() - 1);
+  std::vector<std::array<Index, 3>> sorted(triangles.faces.size());
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+    sorted[fill[bucket(f)]++] = triangles.faces[f];
+  }
+  for (std::size_t b = 0; b < 2 * n; ++b) {
+    std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
+  }
+  triangles.faces = std::move(sorted);
+}
+
+/// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
+/// corner on. Linear where degrees are bounded.
+/// \pre `order` is a permutation
+inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
+{
+  std::vector<Index> number(order.size());
+  std::vector<Vector_3> points(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[order[i]] = Index(i);
+    points[i] = triangles.points[order[i]];
+  }
+  triangles.points = std::move(points);
+  for (std::array<Index, 3>& face : triangles.faces) {
+    for (Index& corner : face) {
+      corner = number[corner];
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+  }
+  sort_faces(triangles);
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TRAITS_RENUMBER_H

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curve skeleton of a triangle mesh in one call.
+
+#ifndef CSCD_EXTRACT_CURVE_SKELETON_H
+#define CSCD_EXTRACT_CURVE_SKELETON_H
+
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Local_policies.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/concepts.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+
+namespace CSCD {
+
+/// extracts the curve skeleton of a triangle mesh.
+///
+/// Every connected component of the mesh gets a connected skeleton; the first Betti number of the skeleton is the genus
+/// of the surface. Borders are bridged first, by faces without weight. The result is the same for any number of threads.
+/// The cost is near linear in the number of vertices.
+///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+/// \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam Skeleton a model of `CurveSkeletonGraph`: `Skeleton_graph`, or CGAL's
+///         `Mean_curvature_flow_skeletonization<TriangleMesh>::Skeleton`
+/// \param mesh a triangle mesh, open or closed, of any number of components
+/// \param skeleton is cleared first; if the function throws, it is left as it was
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{the seed of the order in which vertices are tried as sources}
+///     \cgalParamType{unsigned int}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_sources}
+///     \cgalParamDescription{bounds the number of sources from which separators are sought}
+///     \cgalParamType{std::size_t}
+///     \cgalParamDefault{no bound: the shape decides}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
+///     \cgalParamType{unsigned int}
+///     \cgalParamDefault{0: one a core}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{separator_weight}
+///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
+///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
+///     \cgalParamDefault{`Length_and_planarity_weight`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{hears of progress and may stop the work}
+///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
+///     \cgalParamDefault{`Default_skeletonization_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return counts, timings and warnings
+/// \throw Input_error if `mesh` cannot be skeletonized; the message names the element and the remedy
+/// \throw Cancelled_error if the visitor stops the work
+template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class Skeleton,
+          class NamedParameters = parameters::Default_named_parameters>
+Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton& skeleton,
+                                              const NamedParameters& np = parameters::default_values())
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                                   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
+                                   internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
+                                   internal_np::separator_weight_t>();
+  check_triangle_mesh<TriangleMesh>();
+
+  Default_skeletonization_visitor default_visitor;
+  auto& given_visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  using Given_visitor = std::remove_reference_t<decltype(given_visitor)>;
+  std::conditional_t<std::is_const_v<Given_visitor>, std::remove_const_t<Given_visitor>, Given_visitor&> visitor =
+      given_visitor;
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+
+  const auto point_map =
+      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
+  visitor.on_stage_begin(Skeletonization_stage::compile_surface);
+  using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
+  const Traits traits(mesh, point_map);
+  visitor.on_stage_end(Skeletonization_stage::compile_surface);
+
+  auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
+  using Policies = Local_policies<Traits, decltype(weight)>;
+  Curve_skeletonization<Traits, Policies, Visitor&> skeletonization(traits, Policies{std::move(weight)}, visitor);
+  skeletonization.set_random_seed(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u))
+      .set_number_of_threads(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u))
+      .set_maximum_number_of_sources(choose_parameter(get_parameter(np, internal_np::maximum_number_of_sources),
+                                                      std::numeric_limits<std::size_t>::max()));
+  return skeletonization.template operator()<ConcurrencyTag>(skeleton);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_EXTRACT_CURVE_SKELETON_H

@@ -1,0 +1,10 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The list of the library's own named parameters, in the form of CGAL's list: type of the tag, its value, name.
+// It is included several times, each time with another meaning of the macro, and so has no include guard.
+
+// clang-format off
+CSCD_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
+CSCD_add_named_parameter(maximum_number_of_sources_t, maximum_number_of_sources, maximum_number_of_sources)
+CSCD_add_named_parameter(separator_weight_t, separator_weight, separator_weight)
