@@ -9,6 +9,7 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Selection/Separator_search.h>
+#include <CSCD/Selection/cut_handles.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
@@ -16,6 +17,7 @@
 #include <CSCD/Skeleton/Node_placement.h>
 #include <CSCD/Skeleton/Site_assignment.h>
 #include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/Surface_regions.h>
 #include <CSCD/Skeleton/center_junctions.h>
 #include <CSCD/Skeleton/make_simple.h>
 #include <CSCD/Skeleton/merge_junctions.h>
@@ -117,13 +119,24 @@ public:
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   std::size_t find_separators()
   {
+    m_separators.clear();
+    m_packing.reset();
+    m_report.number_of_sources = 0;
+    m_report.number_of_sources_without_cut = 0;
+    m_report.number_of_bumps = 0;
+    m_report.number_of_separators = 0;
+    m_report.number_of_plane_sections = 0;
+    m_report.number_of_straightened_loops = 0;
     run_stage(Skeletonization_stage::find_separators, [this] {
       using Finder = typename Policies::Separator_finder;
       internal::Separator_search<ConcurrencyTag, Finder> search(
           m_traits.levels(), m_random_seed, m_number_of_threads,
           [this] { return m_policies.make_separator_finder(m_traits); });
-      m_separators.clear();
-      search(m_maximum_number_of_sources, m_separators, m_report, [this](double fraction) { progress(fraction); });
+      search(m_maximum_number_of_sources, m_separators, m_report,
+             [this](double fraction) { progress(first_pass_share * fraction); });
+      explore_ends(search);
+      search(m_maximum_number_of_sources, m_separators, m_report,
+             [this](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
     });
     return m_separators.size();
   }
@@ -134,12 +147,9 @@ public:
   std::size_t pack_separators()
   {
     run_stage(Skeletonization_stage::pack_separators, [this] {
-      std::vector<double> weights;
-      weights.reserve(m_separators.size());
-      for (const Separator& separator : m_separators) {
-        weights.push_back(m_policies.separator_weight(separator));
-      }
-      m_packing.emplace(m_traits.levels().finest().surface, m_separators, weights);
+      m_separators.resize(m_report.number_of_separators);
+      m_packing.emplace(m_traits.levels().finest().surface, m_separators, weights());
+      m_report.number_of_handle_cuts = internal::cut_handles(m_traits, m_separators, *m_packing);
       m_report.number_of_packed_separators = m_packing->packed().size();
     });
     return m_report.number_of_packed_separators;
@@ -154,11 +164,9 @@ public:
   {
     CGAL_precondition(m_packing.has_value());
     check_curve_skeleton_graph<OutputSkeleton>();
-    run_stage(Skeletonization_stage::build_skeleton, [this, &skeleton] {
-      internal::Skeleton_draft draft = build_draft();
-      OutputSkeleton result = make_graph<OutputSkeleton>(draft);
-      std::swap(skeleton, result);
-    });
+    OutputSkeleton result;
+    run_stage(Skeletonization_stage::build_skeleton, [&] { result = make_graph<OutputSkeleton>(build_draft()); });
+    skeleton = std::move(result);
   }
 
   /// All stages.
@@ -175,7 +183,7 @@ public:
   /// \name Inspection
   /// @{
   const Skeletonization_report& report() const { return m_report; }
-  /// All separators that were found.
+  /// All separators that were found, and those added around handles that no source had found.
   const std::vector<Separator>& separators() const { return m_separators; }
   /// The packed separators, as positions in `separators()`.
   /// \pre `pack_separators()` has been called
@@ -199,6 +207,13 @@ public:
 private:
   using Index = internal::Index;
 
+  /// The part of the search that its first pass is, for the progress.
+  static constexpr double first_pass_share = 0.75;
+  /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
+  static constexpr double unexplored_distance = 0.5;
+  /// How many times as many separators are asked for there.
+  static constexpr unsigned exploration_factor = 3;
+
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)
   {
@@ -210,6 +225,36 @@ private:
     m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
     progress(1);
     m_visitor.on_stage_end(stage);
+  }
+
+  std::vector<double> weights() const
+  {
+    std::vector<double> result;
+    result.reserve(m_separators.size());
+    for (const Separator& separator : m_separators) {
+      result.push_back(m_policies.separator_weight(separator));
+    }
+    return result;
+  }
+
+  /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends of
+  /// limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
+  template <class Search>
+  void explore_ends(Search& search) const
+  {
+    const internal::Surface_levels& levels = m_traits.levels();
+    const internal::Separator_packing packing(levels.finest().surface, m_separators, weights());
+    const internal::Surface_regions regions(levels, m_separators, packing.packed(),
+                                            internal::Surface_regions::rough_size);
+    search.explore(
+        [&](Index vertex) {
+          const Index level_vertex = regions.level().from_finest(vertex);
+          const Index separator = regions.separator(level_vertex);
+          return separator != internal::no_index &&
+                 double(regions.distance(level_vertex)) >
+                     unexplored_distance * m_separators[packing.packed()[separator]].radius();
+        },
+        exploration_factor);
   }
 
   void progress(double fraction)

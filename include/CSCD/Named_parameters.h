@@ -61,6 +61,26 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 #undef CSCD_add_named_parameter
 };
 
+} // namespace CSCD
+
+namespace CGAL {
+
+template <class PolygonMesh, class NamedParametersGT, class NamedParametersVPM>
+class GetGeomTraits;
+
+/// CGAL asks this of a chain of named parameters where one of several overloads takes a mesh in its place. Like the
+/// specialization that CGAL has for its own chains, it makes that overload drop out instead of failing to compile.
+template <class T, class Tag, class Base, class NamedParametersGT, class NamedParametersVPM>
+class GetGeomTraits<CSCD::Named_parameters<T, Tag, Base>, NamedParametersGT, NamedParametersVPM>
+{
+public:
+  using type = void;
+};
+
+} // namespace CGAL
+
+namespace CSCD {
+
 namespace internal {
 
 /// Whether the chain with the implementation `Node` holds the parameter `Tag`.
@@ -101,6 +121,7 @@ template <class Tag, bool is_used>
 struct Assert_named_parameter_is_used
 {
   static_assert(is_used, "CSCD: this named parameter is not used by this function");
+  static constexpr bool value = true;
 };
 
 /// Refuses those parameters of the chain with the implementation `Node` that are not among `UsedTags`.
@@ -109,18 +130,20 @@ struct Assert_named_parameters_are_used;
 
 template <class T, class Tag, class Base, class... UsedTags>
 struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, Base>, UsedTags...>
-    : Assert_named_parameter_is_used<Tag, std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
-                                              (std::is_same_v<Tag, UsedTags> || ...)>,
-      Assert_named_parameters_are_used<typename Base::base, UsedTags...>
 {
+  static constexpr bool is_used =
+      std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
+  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used>::value &&
+                                Assert_named_parameters_are_used<typename Base::base, UsedTags...>::value;
 };
 
 template <class T, class Tag, class... UsedTags>
 struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, CGAL::internal_np::No_property>,
                                         UsedTags...>
-    : Assert_named_parameter_is_used<Tag, std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
-                                              (std::is_same_v<Tag, UsedTags> || ...)>
 {
+  static constexpr bool is_used =
+      std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
+  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used>::value;
 };
 
 /// Refuses at compile time the parameters of `NamedParameters` whose tags are not among `UsedTags`: the first line of
@@ -128,7 +151,7 @@ struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, 
 template <class NamedParameters, class... UsedTags>
 constexpr void check_named_parameters()
 {
-  static_assert(sizeof(Assert_named_parameters_are_used<typename NamedParameters::base, UsedTags...>) > 0);
+  static_assert(Assert_named_parameters_are_used<typename NamedParameters::base, UsedTags...>::value);
 }
 
 } // namespace internal

@@ -78,7 +78,7 @@ using corner = decltype(std::declval<const T&>().triangle(Index())[2]);
 template <class G>
 using faces = Element<decltype(faces(std::declval<const G&>()))>;
 template <class G>
-using vertices = Element<decltype(vertices(std::declval<const G&>()))>;
+using vertices = decltype(vertices(std::declval<const G&>()));
 template <class G>
 using num_vertices = decltype(num_vertices(std::declval<const G&>()));
 template <class G>

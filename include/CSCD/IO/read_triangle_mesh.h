@@ -20,7 +20,8 @@
 #include <CSCD/IO/internal/triangulate_polygon_soup.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/label_components.h>
+#include <CSCD/Traits/Surface_components.h>
+#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Traits/orient_outwards.h>
 #include <CSCD/exceptions.h>
 
@@ -58,6 +59,9 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
   Mesh_repair_report report;
   report.number_of_triangulated_polygons = polygons.number_of_polygons_larger_than_triangles();
   Indexed_triangles triangles = triangulate_polygon_soup(std::move(polygons));
+  if (triangles.faces.size() > maximum_number_of_faces) {
+    throw Input_error(filename + ": the mesh has more than 2^28 triangles; simplify it first");
+  }
   std::optional<Halfedge_pairing> pairing = pair_manifold(triangles);
   if (!pairing || pairing->has_border()) {
     pairing = repair_triangle_soup(triangles, report);
@@ -67,7 +71,8 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
                                  "modelling program");
   }
   if (!pairing->has_border()) {
-    report.number_of_turned_components = orient_outwards(triangles, *pairing, label_components(*pairing));
+    Surface_components components(triangles, *pairing);
+    report.number_of_turned_components = orient_outwards(triangles, *pairing, components);
   }
   Triangle_mesh_builder<TriangleMesh>(triangles, *pairing, mesh).build();
   return report;

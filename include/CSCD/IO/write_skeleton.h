@@ -19,54 +19,56 @@
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <locale>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace CSCD {
 
 namespace internal {
 
-template <class Skeleton>
-struct Skeleton_format
-{
-  const char* ending;
-  void (*write)(std::ostream&, const Skeleton&);
-};
+/// The endings of the formats that skeletons are written in.
+inline constexpr std::array<const char*, 9> skeleton_endings{".graph", ".json", ".obj", ".ply",    ".polylines.txt",
+                                                             ".swc",   ".vtp",  ".dot", ".graphml"};
 
-template <class Skeleton>
-inline constexpr std::array<Skeleton_format<Skeleton>, 9> skeleton_formats{{
-    {".graph", write_gel_graph<Skeleton>},
-    {".json", write_json<Skeleton>},
-    {".obj", write_obj<Skeleton>},
-    {".ply", write_ply<Skeleton>},
-    {".polylines.txt", write_polylines<Skeleton>},
-    {".swc", write_swc<Skeleton>},
-    {".vtp", write_vtp<Skeleton>},
-    {".dot", write_dot<Skeleton>},
-    {".graphml", write_graphml<Skeleton>},
-}};
-
-/// The format that the ending of `filename` means, in lower or upper case.
-/// \throw File_error if it means none
-template <class Skeleton>
-const Skeleton_format<Skeleton>& skeleton_format(const std::string& filename)
+/// The position in `skeleton_endings` of the ending of `filename`, in lower or upper case.
+/// \throw File_error if it is not one of them
+inline std::size_t skeleton_ending(const std::string& filename)
 {
   const std::string lower = boost::algorithm::to_lower_copy(filename, std::locale::classic());
-  std::string endings;
-  for (const Skeleton_format<Skeleton>& format : skeleton_formats<Skeleton>) {
-    if (boost::algorithm::ends_with(lower, format.ending)) {
-      return format;
-    }
-    endings += std::string(endings.empty() ? "" : " ") + format.ending;
+  const auto* ending = std::find_if(skeleton_endings.begin(), skeleton_endings.end(), [&](const char* candidate) {
+    return boost::algorithm::ends_with(lower, candidate);
+  });
+  if (ending == skeleton_endings.end()) {
+    throw File_error(
+        filename + ": the ending names no known skeleton format; use one of " +
+        boost::algorithm::join(std::vector<std::string>(skeleton_endings.begin(), skeleton_endings.end()), " "));
   }
-  throw File_error(filename + ": the ending names no known skeleton format; use one of " + endings);
+  return static_cast<std::size_t>(ending - skeleton_endings.begin());
 }
 
+/// The writers, in the order of `skeleton_endings`.
+template <class Skeleton>
+inline constexpr std::array<void (*)(std::ostream&, const Skeleton&), skeleton_endings.size()> skeleton_writers{
+    write_gel_graph<Skeleton>, write_json<Skeleton>,      write_obj<Skeleton>,
+    write_ply<Skeleton>,       write_polylines<Skeleton>, write_swc<Skeleton>,
+    write_vtp<Skeleton>,       write_dot<Skeleton>,       write_graphml<Skeleton>};
+
 } // namespace internal
+
+/// checks that `write_skeleton()` knows the ending of `filename`, before there is anything to write.
+/// \throw File_error if not
+inline void check_skeleton_filename(const std::string& filename)
+{
+  internal::skeleton_ending(filename);
+}
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
 /// `.polylines.txt`, `.swc`, `.vtp`, `.dot` or `.graphml`. When it fails there is no new file. Linear.
@@ -75,8 +77,8 @@ const Skeleton_format<Skeleton>& skeleton_format(const std::string& filename)
 template <class Skeleton>
 void write_skeleton(const std::string& filename, const Skeleton& skeleton)
 {
-  const auto& format = internal::skeleton_format<Skeleton>(filename);
-  write_file(filename, [&](std::ostream& out) { format.write(out, skeleton); });
+  const auto write = internal::skeleton_writers<Skeleton>[internal::skeleton_ending(filename)];
+  write_file(filename, [&](std::ostream& out) { write(out, skeleton); });
 }
 
 } // namespace CSCD

@@ -14,6 +14,8 @@
 #include <CSCD/internal/Indexed_heap.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -30,7 +32,7 @@ class Coverage
 {
 public:
   explicit Coverage(const Surface_levels& levels)
-      : m_levels(levels), m_count(levels.size()), m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
+      : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()), m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
         m_failure_radius(float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area()))),
         m_heap(levels.finest().surface.number_of_vertices()), m_reached(levels.finest().surface.number_of_vertices()),
         m_distance(levels.finest().surface.number_of_vertices())
@@ -43,12 +45,18 @@ public:
   /// Whether vertex `source` of the finest level is covered.
   bool is_covered(Index source) const
   {
+    if (m_is_tried[source] != 0) {
+      return true;
+    }
     unsigned count = 0;
     for (Index level = 0; level < m_levels.size(); ++level) {
       count += m_count[level][m_levels[level].from_finest(source)];
     }
-    return count >= required_count;
+    return count >= m_required_count;
   }
+
+  /// From now on, a source is covered only when `factor` times as many bands as before hold it.
+  void require_more(unsigned factor) { m_required_count *= factor; }
 
   /// The level on which the front of `source` should start: that of the last separator found nearby.
   Index level_hint(Index source) const
@@ -57,33 +65,28 @@ public:
     return hint == no_hint ? std::min(first_level, m_levels.top()) : hint;
   }
 
-  /// Takes note of the result of the search from `source`.
+  /// Takes note of the result of the search from `source`, which is not tried again.
   void add(Index source, const Search_result& result)
   {
+    m_is_tried[source] = 1;
     switch (result.outcome) {
     case Search_outcome::found:
       cover_separator(result.separator);
-      if (!is_covered(source) && result.level > 0) {
-        increase(m_count[0][source]);
-      }
       break;
     case Search_outcome::bump:
-      m_count[0][source] = required_count;
-      cover_vertex(source, result.level, float(band_width * result.loop_length / (2 * EIGEN_PI)));
+      cover_vertex(source, result.level, float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)));
       break;
     case Search_outcome::no_cut:
-      m_count[0][source] = required_count;
       cover_vertex(source, result.level, m_failure_radius);
       break;
     case Search_outcome::degenerate:
-      m_count[0][source] = required_count;
       break;
     }
   }
 
 private:
-  /// A source is covered when this many bands hold it. At one, limbs are lost.
-  static constexpr std::uint8_t required_count = 2;
+  /// At first, a source is covered when this many bands hold it.
+  static constexpr unsigned first_required_count = 1;
   /// Width of the band around a separator, relative to its radius.
   static constexpr double band_width = 0.2;
   /// Radius of the band around a source without a cut point, relative to the square root of the surface's area.
@@ -169,6 +172,8 @@ private:
   }
 
   const Surface_levels& m_levels;
+  unsigned m_required_count = first_required_count;
+  std::vector<std::uint8_t> m_is_tried;
   std::vector<std::vector<std::uint8_t>> m_count;
   std::vector<std::uint8_t> m_hint;
   float m_failure_radius;

@@ -108,6 +108,49 @@ private:
         sets.union_set(m_surface.origin(h), m_surface.target(h));
       }
     }
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      m_base_parent[vertex] = sets.find_set(vertex);
+    }
+    measure_uncrossed();
+  }
+
+  /// Sums up what cannot be cut: all but the crossable edges and their faces.
+  void measure_uncrossed()
+  {
+    const Index n = m_surface.number_of_vertices();
+    std::vector<Index> cluster(n, no_index);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      Index& number = cluster[m_base_parent[vertex]];
+      if (number == no_index) {
+        number = Index(m_clusters.size());
+        m_clusters.push_back({m_base_parent[vertex], 0, 0});
+      }
+      ++m_clusters[number].euler;
+    }
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      if (m_crossed_edge[m_surface.edge(h)] == 0 && m_surface.edge(h) == h) {
+        --m_clusters[cluster[m_base_parent[m_surface.origin(h)]]].euler;
+      }
+    }
+    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
+      if (is_crossable(face)) {
+        m_crossable_faces.push_back(face);
+        continue;
+      }
+      Cluster& home = m_clusters[cluster[m_base_parent[m_surface.origin(3 * face)]]];
+      ++home.euler;
+      home.area += double(m_surface.face_area(face));
+    }
+  }
+
+  bool is_crossable(Index face) const
+  {
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      if (m_crossed_edge[m_surface.edge(h)] != 0) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
@@ -223,18 +266,19 @@ private:
   /// Euler number; what counts is vertices, parts of edges and parts of faces.
   void measure_pieces(const Separator_arrangement& arrangement)
   {
-    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      ++m_pieces[m_label[vertex]].euler;
+    for (const Cluster& cluster : m_clusters) {
+      m_pieces[m_label[cluster.vertex]].euler += cluster.euler;
+      m_pieces[m_label[cluster.vertex]].area += cluster.area;
     }
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (m_surface.edge(h) == h && m_first_interval[h] == no_index) {
-        --m_pieces[m_label[m_surface.origin(h)]].euler;
+    for (Index edge : m_crossable_edges) {
+      if (m_first_interval[edge] == no_index) {
+        --m_pieces[m_label[m_surface.origin(edge)]].euler;
       }
     }
     for (Index interval : m_intervals) {
       --m_pieces[m_label[interval]].euler;
     }
-    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
+    for (Index face : m_crossable_faces) {
       if (arrangement.first_chord(face) == no_index) {
         Piece& piece = m_pieces[m_label[m_surface.origin(3 * face)]];
         ++piece.euler;
@@ -319,6 +363,14 @@ private:
     }
   }
 
+  /// Vertices that are joined whatever is cut, and what lies between them.
+  struct Cluster
+  {
+    Index vertex; ///< one of its vertices
+    int euler;
+    double area;
+  };
+
   struct Chord_end
   {
     Index point;
@@ -328,6 +380,8 @@ private:
   const Triangulated_surface& m_surface;
   std::vector<std::uint8_t> m_crossed_edge;
   std::vector<Index> m_crossable_edges;
+  std::vector<Index> m_crossable_faces;
+  std::vector<Cluster> m_clusters;
   std::vector<Index> m_first_interval;
   std::vector<Index> m_base_parent;
   std::vector<std::uint8_t> m_base_rank;

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CSCD::internal {
@@ -28,13 +29,13 @@ public:
   /// Packs `separators`, whose weights are `weights`: the lighter one of two that overlap is kept.
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
                     const std::vector<double>& weights)
-      : m_separators(separators), m_arrangement(surface), m_cut_graph(surface, separators),
-        m_is_banned(separators.size(), 0)
+      : m_surface(surface), m_separators(separators), m_arrangement(surface), m_is_banned(separators.size(), 0)
   {
+    m_cut_graph.emplace(surface, separators);
     sort_by_weight(weights);
     for (int round = 0; round < most_rounds; ++round) {
       pack();
-      m_cut_graph.cut(m_arrangement);
+      m_cut_graph->cut(m_arrangement);
       if (round + 1 == most_rounds || !ban_bumps()) {
         break;
       }
@@ -44,7 +45,22 @@ public:
   /// The packed separators, as positions in the list of all separators, by increasing weight.
   const std::vector<Index>& packed() const { return m_packed; }
   /// The surface cut along them.
-  const Cut_graph& cut_graph() const { return m_cut_graph; }
+  const Cut_graph& cut_graph() const { return *m_cut_graph; }
+  const Separator_arrangement& arrangement() const { return m_arrangement; }
+
+  /// Packs the last separator of the list, which was appended after the others had been packed, if it crosses none of
+  /// them and itself neither, and cuts the surface along it. \return whether it was packed
+  bool add_last()
+  {
+    const auto separator = Index(m_separators.size() - 1);
+    if (!m_arrangement.insert(separator, m_separators[separator].crossings)) {
+      return false;
+    }
+    m_packed.push_back(separator);
+    m_cut_graph.emplace(m_surface, m_separators);
+    m_cut_graph->cut(m_arrangement);
+    return true;
+  }
 
 private:
   /// Packing and pruning are repeated until nothing is pruned, but at most this often.
@@ -88,8 +104,8 @@ private:
   bool ban_bumps()
   {
     bool has_banned = false;
-    for (Index piece = 0; piece < m_cut_graph.pieces().size(); ++piece) {
-      if (m_cut_graph.pieces()[piece].separators.size() == 1 && walk_branch(piece) && !is_limb()) {
+    for (Index piece = 0; piece < m_cut_graph->pieces().size(); ++piece) {
+      if (m_cut_graph->pieces()[piece].separators.size() == 1 && walk_branch(piece) && !is_limb()) {
         for (const Step& step : m_branch) {
           m_is_banned[m_packed[step.separator]] = 1;
         }
@@ -104,12 +120,12 @@ private:
   {
     m_branch.clear();
     double area = 0;
-    Index separator = m_cut_graph.pieces()[piece].separators.front();
+    Index separator = m_cut_graph->pieces()[piece].separators.front();
     while (true) {
-      area += m_cut_graph.pieces()[piece].area;
+      area += m_cut_graph->pieces()[piece].area;
       m_branch.push_back({separator, area});
-      piece = m_cut_graph.sides(separator).other(piece);
-      const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
+      piece = m_cut_graph->sides(separator).other(piece);
+      const std::vector<Index>& around = m_cut_graph->pieces()[piece].separators;
       if (around.size() != 2) {
         return around.size() > 2;
       }
@@ -132,9 +148,10 @@ private:
     double area_beyond;
   };
 
+  const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
   Separator_arrangement m_arrangement;
-  Cut_graph m_cut_graph;
+  std::optional<Cut_graph> m_cut_graph;
   std::vector<Index> m_order;
   std::vector<Index> m_packed;
   std::vector<std::uint8_t> m_is_banned;

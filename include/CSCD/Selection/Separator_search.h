@@ -54,6 +54,15 @@ public:
     }
   }
 
+  /// Lets the search go on among the vertices of the finest level for which `is_wanted(vertex)` holds, which count as
+  /// covered only when `factor` times as many separators pass them.
+  template <class Predicate>
+  void explore(const Predicate& is_wanted, unsigned factor)
+  {
+    m_coverage.require_more(factor);
+    m_sources.restart(is_wanted);
+  }
+
 private:
   /// Sources in a batch: enough for a few threads, while the share of dropped ones stays below a tenth.
   static constexpr std::size_t batch_size = 16;

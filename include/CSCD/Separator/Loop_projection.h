@@ -27,6 +27,7 @@ public:
   explicit Loop_projection(const Surface_levels& levels)
       : m_levels(levels), m_heap(levels.finest().surface.number_of_vertices()),
         m_reached(levels.finest().surface.number_of_vertices()),
+        m_settled(levels.finest().surface.number_of_vertices()),
         m_labels(levels.finest().surface.number_of_vertices())
   {
   }
@@ -65,6 +66,7 @@ private:
     const float limit = float(largest_detour * (surface.point(from) - goal).norm());
     m_heap.clear();
     m_reached.clear();
+    m_settled.clear();
     reach(from, 0, no_index);
     m_heap.push(from, 0);
     while (!m_heap.empty()) {
@@ -73,10 +75,12 @@ private:
         append_backtrace(to);
         return true;
       }
+      m_settled.mark(vertex);
       for (const Corner& corner : m_levels.finest().corners.neighbors(vertex)) {
         const float distance = m_labels[vertex].distance + corner.length;
         const bool is_new = !m_reached.is_marked(corner.neighbor);
-        if (distance >= limit || (!is_new && distance >= m_labels[corner.neighbor].distance)) {
+        // The estimates are consistent but for rounding: a vertex that has left the heap stays as it is.
+        if (distance >= limit || m_settled.is_marked(corner.neighbor) || (!is_new && distance >= m_labels[corner.neighbor].distance)) {
           continue;
         }
         const float estimate = distance + float((surface.point(corner.neighbor) - goal).norm());
@@ -134,6 +138,7 @@ private:
   const Surface_levels& m_levels;
   Indexed_heap m_heap;
   Epoch_marks m_reached;
+  Epoch_marks m_settled;
   std::vector<Label> m_labels;
   Vertex_loop m_path;
 };

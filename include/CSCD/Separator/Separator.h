@@ -8,6 +8,8 @@
 
 #include <CSCD/internal/Vector_3.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <vector>
 
 namespace CSCD {
@@ -48,7 +50,7 @@ struct Separator
   internal::Index level = 0;
 
   /// Radius of the circle of the same length.
-  double radius() const { return length / (2 * EIGEN_PI); }
+  double radius() const { return length / (2 * boost::math::double_constants::pi); }
 };
 
 } // namespace CSCD

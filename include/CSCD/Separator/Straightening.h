@@ -45,6 +45,9 @@ public:
 private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 0.02;
+  /// Crossings within this distance of an end are stuck there, likewise: those that are clamped, and the first and last
+  /// ones on the way around a corner, which their free neighbors hold a little off.
+  static constexpr double stuck_margin = 2.5 * end_margin;
   /// Where a curve is put after it has passed over a vertex, likewise.
   static constexpr double passed_position = 3 * end_margin;
   /// A curve is passed over a vertex if the angle on the other side is less than pi by more than this, in radians.
@@ -92,12 +95,10 @@ private:
   /// The vertex that `crossing` is stuck at, `no_index` if it is free.
   Index stuck_at(const Edge_crossing& crossing) const
   {
-    // The clamped values themselves, and what rounding makes of them.
-    constexpr double margin = 1.01 * end_margin;
-    if (crossing.position <= margin) {
+    if (crossing.position <= stuck_margin) {
       return m_surface.origin(crossing.halfedge);
     }
-    return crossing.position >= 1 - margin ? m_surface.target(crossing.halfedge) : no_index;
+    return crossing.position >= 1 - stuck_margin ? m_surface.target(crossing.halfedge) : no_index;
   }
 
   /// Finds the maximal runs of crossings that are stuck at one vertex on one side, and tries to pass each over it.

@@ -11,6 +11,8 @@
 #include <CSCD/Skeleton/Skeleton_draft.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -97,7 +99,7 @@ private:
     const Vector_3& after = m_draft[center_node.neighbors[1]].position;
     const double expected = center_node.radius;
     const Vector_3 axis = (after - before).normalized();
-    if (!cut(center_node.position, axis, most_outline * 2 * EIGEN_PI * expected)) {
+    if (!cut(center_node.position, axis, most_outline * 2 * boost::math::double_constants::pi * expected)) {
       return false;
     }
     const Section_disc disc = section_disc(m_section.points());

@@ -32,7 +32,7 @@ public:
   Node_placement(const Traits& traits, const std::vector<Separator>& separators, const std::vector<Index>& packed,
                  const Cut_graph& cut_graph)
       : m_traits(traits), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
-        m_regions(traits.levels(), separators, packed), m_pieces(cut_graph, m_regions)
+        m_regions(traits.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions)
   {
   }
 

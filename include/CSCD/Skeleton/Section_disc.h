@@ -9,6 +9,8 @@
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -42,7 +44,7 @@ struct Section_disc
   double area = 0;
 
   /// Radius of the circle of the same area.
-  double radius() const { return std::sqrt(area / EIGEN_PI); }
+  double radius() const { return std::sqrt(area / boost::math::double_constants::pi); }
 };
 
 /// The disc that the closed, nearly planar polygon `outline` spans: its area and the centroid of that area; where the

@@ -8,6 +8,8 @@
 
 #include <CSCD/internal/Vector_3.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -75,8 +77,10 @@ public:
   }
 
   /// Joins `node` to `into`: edges between the two disappear, all others move.
+  /// \pre `node` has no loop
   void contract(Index node, Index into)
   {
+    CGAL_precondition(std::count(m_nodes[node].neighbors.begin(), m_nodes[node].neighbors.end(), node) == 0);
     std::vector<Index> moved;
     for (Index neighbor : m_nodes[node].neighbors) {
       if (neighbor != into) {

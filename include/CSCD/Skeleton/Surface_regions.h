@@ -19,13 +19,19 @@
 namespace CSCD::internal {
 
 /// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once).
-/// Runs on the finest level of at most `most_vertices` vertices: separators are many vertices apart there already.
+/// Runs on a level on which separators are several vertices apart.
 class Surface_regions
 {
 public:
-  /// Computes the regions of the separators `packed` of the list `separators`; O(n log n) on the chosen level.
+  /// The size of the level that is precise enough for the centroids of regions.
+  static constexpr Index precise_size = 60000;
+  /// The size of the level that is precise enough to tell near from far.
+  static constexpr Index rough_size = 16000;
+
+  /// Computes the regions of the separators `packed` of the list `separators`, on the finest level of at most
+  /// `most_vertices` vertices; O(n log n) there.
   Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
-                  const std::vector<Index>& packed)
+                  const std::vector<Index>& packed, Index most_vertices)
       : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(most_vertices)]),
         m_separator(m_level.surface.number_of_vertices(), no_index),
         m_distance(m_level.surface.number_of_vertices(), std::numeric_limits<float>::max()),
@@ -50,8 +56,6 @@ public:
   float distance(Index vertex) const { return m_distance[vertex]; }
 
 private:
-  static constexpr Index most_vertices = 60000;
-
   const Vector_3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
 
   void reach_from(const Vector_3& point, Index finest_vertex, Index separator)

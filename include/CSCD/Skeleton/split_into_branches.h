@@ -7,7 +7,6 @@
 #define CSCD_SKELETON_SPLIT_INTO_BRANCHES_H
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/iterator_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <cstddef>

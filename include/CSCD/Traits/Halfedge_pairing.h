@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace CSCD::internal {
@@ -23,7 +23,9 @@ class Halfedge_pairing
 public:
   Halfedge_pairing() = default;
 
-  /// Pairs the halfedges of `faces`, whose corners are numbers below `number_of_points`; linear, whatever the degrees.
+  /// Pairs the halfedges of `faces`, of which there are less than 2^29, by the numbers of their ends; near linear,
+  /// whatever the degrees.
+  /// \pre the corners of `faces` are less than `number_of_points`, and each face has three different ones
   Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points)
       : m_twin(3 * faces.size(), no_index)
   {
@@ -44,59 +46,72 @@ public:
   bool has_border() const { return m_has_border; }
 
 private:
-  /// Buckets the halfedges by their smaller end, then pairs each bucket through one slot for every larger end.
+  /// A halfedge in the bucket of its smaller end.
+  struct Entry
+  {
+    Index larger_end;
+    Index code; ///< twice the halfedge, and one more if it leaves the smaller end
+
+    Index halfedge() const { return code / 2; }
+    bool operator<(const Entry& other) const
+    {
+      return std::tie(larger_end, code) < std::tie(other.larger_end, other.code);
+    }
+  };
+
+  /// Buckets of more entries than this are sorted, so that vertices of high degree do not cost their degree squared.
+  static constexpr std::ptrdiff_t small_bucket = 32;
+
   void pair(const Index* origin, std::size_t number_of_points)
   {
     const Index n = number_of_halfedges();
-    const auto smaller_end = [origin](Index h) { return std::min(origin[h], origin[next(h)]); };
     std::vector<Index> begin(number_of_points + 1, 0);
     for (Index h = 0; h < n; ++h) {
-      ++begin[smaller_end(h) + 1];
+      ++begin[std::min(origin[h], origin[next(h)]) + 1];
     }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
     std::vector<Index> fill(begin.begin(), begin.end() - 1);
-    std::vector<Index> bucket(n);
+    std::vector<Entry> entries(n);
     for (Index h = 0; h < n; ++h) {
-      bucket[fill[smaller_end(h)]++] = h;
+      const auto [smaller, larger] = std::minmax(origin[h], origin[next(h)]);
+      entries[fill[smaller]++] = {larger, 2 * h + (origin[h] == smaller)};
     }
-    std::vector<Slot> slots(number_of_points);
-    for (Index vertex = 0; vertex < number_of_points && m_conflict == no_index; ++vertex) {
-      pair_bucket(origin, vertex, bucket.data() + begin[vertex], bucket.data() + begin[vertex + 1], slots);
+    for (std::size_t vertex = 0; vertex < number_of_points && m_conflict == no_index; ++vertex) {
+      pair_bucket(entries.data() + begin[vertex], entries.data() + begin[vertex + 1]);
     }
     m_has_border = std::find(m_twin.begin(), m_twin.end(), no_index) != m_twin.end();
   }
 
-  /// The last halfedge seen at the vertex of the slot, and the smaller end for which it was seen.
-  struct Slot
+  void pair_bucket(Entry* first, Entry* last)
   {
-    Index smaller_end = no_index;
-    Index halfedge = no_index;
-  };
-
-  void pair_bucket(const Index* origin, Index vertex, const Index* first, const Index* last, std::vector<Slot>& slots)
-  {
-    for (const Index* it = first; it != last; ++it) {
-      if (origin[*it] == vertex) {
-        Slot& slot = slots[origin[next(*it)]];
-        if (slot.smaller_end == vertex) {
-          m_conflict = *it;
-        }
-        slot = {vertex, *it};
+    const bool is_sorted = last - first > small_bucket;
+    if (is_sorted) {
+      std::sort(first, last);
+    }
+    for (; first != last; ++first) {
+      if (m_twin[first->halfedge()] == no_index) {
+        pair_first(*first, first + 1, last, is_sorted);
       }
     }
-    for (const Index* it = first; it != last; ++it) {
-      if (origin[*it] == vertex) {
+  }
+
+  /// Finds the partner of `entry`, the first halfedge of its edge, among the others of its bucket.
+  void pair_first(const Entry& entry, const Entry* other, const Entry* last, bool is_sorted)
+  {
+    Index& twin = m_twin[entry.halfedge()];
+    for (; other != last; ++other) {
+      if (other->larger_end != entry.larger_end) {
+        if (is_sorted) {
+          return;
+        }
         continue;
       }
-      Slot& slot = slots[origin[*it]];
-      if (slot.smaller_end != vertex) {
-        slot = {vertex, *it};
-      } else if (origin[slot.halfedge] == vertex && m_twin[slot.halfedge] == no_index) {
-        m_twin[*it] = slot.halfedge;
-        m_twin[slot.halfedge] = *it;
-      } else {
-        m_conflict = *it;
+      if (twin != no_index || other->code % 2 == entry.code % 2) {
+        m_conflict = other->halfedge();
+        return;
       }
+      twin = other->halfedge();
+      m_twin[twin] = entry.halfedge();
     }
   }
 

@@ -43,7 +43,8 @@ namespace CSCD {
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
-template <class TriangleMesh, class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
+template <class TriangleMesh,
+          class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
 class Triangle_mesh_traits
 {
 public:
@@ -59,10 +60,7 @@ public:
   /// Compiles `mesh`, which is not referred to later; near linear.
   /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges or
   ///        vertices where it is no oriented manifold, coordinates that are not finite, or no extent or area
-  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map)
-  {
-    compile(mesh, point_map);
-  }
+  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map) { compile(mesh, point_map); }
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
   /// The descriptors of the sites would refer to a mesh that is gone.
   explicit Triangle_mesh_traits(TriangleMesh&&) = delete;
@@ -100,7 +98,8 @@ public:
   /// The connected component of the surface to which the site belongs; O(log c) for c components.
   Index component(Index site) const
   {
-    return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), site) - m_component_begin.begin()) -
+    return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), site) -
+                 m_component_begin.begin()) -
            1;
   }
   /// @}

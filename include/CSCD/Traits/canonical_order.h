@@ -8,11 +8,10 @@
 
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/label_components.h>
+#include <CSCD/Traits/Surface_components.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <tuple>
@@ -35,16 +34,15 @@ class Canonical_ordering
 {
 public:
   Canonical_ordering(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                     const Face_components& components)
+                     const Surface_components& components)
       : m_triangles(triangles), m_pairing(pairing), m_components(components)
   {
-    measure_components();
     find_roots();
   }
 
   Canonical_order order() const
   {
-    std::vector<Index> sorted(m_components.number);
+    std::vector<Index> sorted(m_components.number());
     std::iota(sorted.begin(), sorted.end(), Index(0));
     std::sort(sorted.begin(), sorted.end(), [this](Index c, Index d) { return key(c) < key(d); });
     Canonical_order result;
@@ -68,7 +66,7 @@ private:
   const Vector_3& origin_point(Index h) const { return m_triangles.points[origin(h)]; }
   double squared_distance(Index vertex, Index component) const
   {
-    return (m_triangles.points[vertex] - m_centroid[component]).squaredNorm();
+    return (m_triangles.points[vertex] - m_components.measures[component].centroid).squaredNorm();
   }
 
   static bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
@@ -80,51 +78,34 @@ private:
   std::tuple<float, float, double, double, double> key(Index component) const
   {
     const Vector_3& root = origin_point(m_first[component]);
-    return {-float(m_area[component]), -float(m_greatest[component]), root.x(), root.y(), root.z()};
-  }
-
-  void measure_components()
-  {
-    m_area.assign(m_components.number, 0.);
-    m_centroid.assign(m_components.number, Vector_3::Zero());
-    std::vector<Vector_3> sum(m_components.number, Vector_3::Zero());
-    std::vector<double> number(m_components.number, 0.);
-    for (std::size_t f = 0; f < m_triangles.faces.size(); ++f) {
-      const Index component = m_components.component[f];
-      const std::array<Index, 3>& face = m_triangles.faces[f];
-      const Vector_3& a = m_triangles.points[face[0]];
-      const Vector_3& b = m_triangles.points[face[1]];
-      const Vector_3& c = m_triangles.points[face[2]];
-      const double area = f < m_triangles.first_bridging_face ? (b - a).cross(c - a).norm() / 2 : 0.;
-      const Vector_3 center = (a + b + c) / 3;
-      m_area[component] += area;
-      m_centroid[component] += area * center;
-      sum[component] += center;
-      number[component] += 1;
-    }
-    for (Index c = 0; c < m_components.number; ++c) {
-      m_centroid[c] = m_area[c] > 0 ? Vector_3(m_centroid[c] / m_area[c]) : Vector_3(sum[c] / number[c]);
-    }
+    return {-float(m_components.measures[component].area), -float(m_greatest[component]), root.x(), root.y(), root.z()};
   }
 
   /// Among equally far vertices the lexicographically smallest is the root; likewise for its neighbours.
   void find_roots()
   {
-    m_greatest.assign(m_components.number, 0.);
+    const std::size_t n = m_triangles.points.size();
+    std::vector<Index> outgoing(n); // some halfedge of every vertex
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      double& greatest = m_greatest[m_components.component[h / 3]];
-      greatest = std::max(greatest, squared_distance(origin(h), m_components.component[h / 3]));
+      outgoing[origin(h)] = h;
     }
-    m_first.assign(m_components.number, no_index);
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      const Index component = m_components.component[h / 3];
+    std::vector<double> distance(n);
+    m_greatest.assign(m_components.number(), 0.);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index component = m_components.component[outgoing[vertex] / 3];
+      distance[vertex] = squared_distance(vertex, component);
+      m_greatest[component] = std::max(m_greatest[component], distance[vertex]);
+    }
+    m_first.assign(m_components.number(), no_index);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index component = m_components.component[outgoing[vertex] / 3];
       Index& first = m_first[component];
-      if (squared_distance(origin(h), component) >= (1 - distance_tolerance) * m_greatest[component] &&
-          (first == no_index || is_lexicographically_less(origin_point(h), origin_point(first)))) {
-        first = h;
+      if (distance[vertex] >= (1 - distance_tolerance) * m_greatest[component] &&
+          (first == no_index || is_lexicographically_less(m_triangles.points[vertex], origin_point(first)))) {
+        first = outgoing[vertex];
       }
     }
-    for (Index component = 0; component < m_components.number; ++component) {
+    for (Index component = 0; component < m_components.number(); ++component) {
       m_first[component] = first_halfedge(m_first[component], component);
     }
   }
@@ -175,18 +156,16 @@ private:
 
   const Indexed_triangles& m_triangles;
   const Halfedge_pairing& m_pairing;
-  const Face_components& m_components;
-  std::vector<double> m_area;         // of every component
-  std::vector<Vector_3> m_centroid;   // of every component
-  std::vector<double> m_greatest;     // squared distance from the centroid, of every component
-  std::vector<Index> m_first;         // the halfedge with which every component begins
+  const Surface_components& m_components;
+  std::vector<double> m_greatest; // squared distance from the centroid, of every component
+  std::vector<Index> m_first;     // the halfedge with which every component begins
 };
 
-/// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose of
-/// the surface. O(n + c log c) for c components.
+/// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose
+/// of the surface. O(n + c log c) for c components.
 /// \pre `triangles` is closed, without isolated vertices; `pairing` and `components` are those of its faces
 inline Canonical_order canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                       const Face_components& components)
+                                       const Surface_components& components)
 {
   return Canonical_ordering(triangles, pairing, components).order();
 }

@@ -30,8 +30,8 @@ template <class VertexName>
     return std::count(face.begin(), face.end(), source) + std::count(face.begin(), face.end(), target) == 2;
   };
   const auto number_of_faces = std::count_if(triangles.faces.begin(), triangles.faces.end(), has_edge);
-  const std::string edge = "the edge between vertices " + std::to_string(name(source)) + " and " +
-                           std::to_string(name(target));
+  const std::string edge =
+      "the edge between vertices " + std::to_string(name(source)) + " and " + std::to_string(name(target));
   if (number_of_faces > 2) {
     throw Input_error(edge + " has " + std::to_string(number_of_faces) +
                       " faces, a surface has at most two: remove faces or split the edge, for instance by "
@@ -44,18 +44,17 @@ template <class VertexName>
 /// Marks all corners of the fan of faces that holds `halfedge` around its origin.
 inline void mark_fan(const Halfedge_pairing& pairing, Index halfedge, std::vector<char>& marked)
 {
-  Index first = halfedge;
-  for (Index twin = pairing.twin(first); twin != no_index; twin = pairing.twin(first)) {
-    first = Halfedge_pairing::next(twin);
-    if (first == halfedge) {
-      break;
-    }
-  }
-  Index at = first;
+  Index at = halfedge;
   do {
     marked[at] = 1;
     at = pairing.twin(Halfedge_pairing::previous(at));
-  } while (at != no_index && at != first);
+  } while (at != no_index && at != halfedge);
+  if (at == no_index) {
+    for (at = pairing.twin(halfedge); at != no_index; at = pairing.twin(at)) {
+      at = Halfedge_pairing::next(at);
+      marked[at] = 1;
+    }
+  }
 }
 
 /// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,

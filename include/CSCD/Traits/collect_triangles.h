@@ -26,8 +26,8 @@
 
 namespace CSCD::internal {
 
-/// More faces than this cannot be indexed once they are refined.
-inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 28;
+/// With more faces than this the halfedges of the refined surface could no longer be indexed.
+inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
 
 /// The triangles of a mesh, and where they came from.
 template <class VertexDescriptor>
@@ -51,7 +51,7 @@ std::array<Index, 3> collect_corners(const TriangleMesh& mesh, const VertexNumbe
   auto side = first;
   do {
     if (number_of_sides < 3) {
-      corners[number_of_sides] = get(numbers, source(side, mesh));
+      corners[number_of_sides] = get(numbers, target(side, mesh));
     }
     ++number_of_sides;
     side = next(side, mesh);
@@ -67,7 +67,8 @@ std::array<Index, 3> collect_corners(const TriangleMesh& mesh, const VertexNumbe
   return corners;
 }
 
-/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in order.
+/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
+/// order.
 inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
 {
   std::vector<Index> new_number(number_of_vertices, no_index);
@@ -107,8 +108,9 @@ Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descripto
 collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
 {
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  if (std::size_t(num_faces(mesh)) > maximum_number_of_faces || std::size_t(num_vertices(mesh)) > maximum_number_of_faces) {
-    throw Input_error("the mesh has more than 2^28 faces or vertices: simplify it first");
+  if (std::size_t(num_faces(mesh)) > maximum_number_of_faces ||
+      std::size_t(num_vertices(mesh)) > maximum_number_of_faces) {
+    throw Input_error("the mesh has more than 2^26 faces or vertices: simplify it first");
   }
   Collected_triangles<Vertex_descriptor> result;
   auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
@@ -123,7 +125,8 @@ collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
     triangles.faces.push_back(collect_corners(mesh, numbers, face, triangles.faces.size()));
   }
   if (triangles.faces.empty()) {
-    throw Input_error("the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
+    throw Input_error(
+        "the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
   }
   triangles.first_bridging_face = triangles.faces.size();
 

@@ -9,15 +9,16 @@
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/Traits/Normalization.h>
+#include <CSCD/Traits/Surface_components.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/Traits/bridge_borders.h>
 #include <CSCD/Traits/canonical_order.h>
-#include <CSCD/Traits/label_components.h>
 #include <CSCD/Traits/normalize_area.h>
 #include <CSCD/Traits/normalize_extent.h>
 #include <CSCD/Traits/orient_outwards.h>
 #include <CSCD/Traits/refine_large_faces.h>
 #include <CSCD/Traits/renumber.h>
+#include <CSCD/Traits/split_pillows.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -72,8 +73,9 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  Face_components components = label_components(pairing);
+  Surface_components components(triangles, pairing);
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
+  split_pillows(triangles, pairing, components);
   refine_large_faces(triangles, pairing, components);
   result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points;
 

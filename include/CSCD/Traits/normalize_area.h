@@ -17,7 +17,8 @@
 
 namespace CSCD::internal {
 
-/// Least area of a surface, relative to the square of its extent: below it lies what rounding leaves of collinear points.
+/// Least area of a surface, relative to the square of its extent: below it lies what rounding leaves of collinear
+/// points.
 inline constexpr double smallest_relative_area = 1e-12;
 
 /// Moves the area-weighted centroid of `triangles` to the origin and scales the area, bridging faces not counted, to 1.

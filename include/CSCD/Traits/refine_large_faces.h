@@ -8,7 +8,7 @@
 
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/label_components.h>
+#include <CSCD/Traits/Surface_components.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace CSCD::internal {
 class Face_refinement
 {
 public:
-  Face_refinement(Indexed_triangles& triangles, Halfedge_pairing& pairing, Face_components& components)
+  Face_refinement(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components)
       : m_triangles(triangles), m_pairing(pairing), m_components(components),
         m_budget(triangles.points.size() * maximum_growth + free_vertices)
   {
@@ -68,17 +68,11 @@ private:
 
   void set_bounds()
   {
-    m_squared_bound.assign(m_components.number, 0.);
-    for (std::size_t f = 0; f < m_triangles.first_bridging_face; ++f) {
-      const std::array<Index, 3>& face = m_triangles.faces[f];
-      const Vector_3& a = m_triangles.points[face[0]];
-      m_squared_bound[m_components.component[f]] +=
-          (m_triangles.points[face[1]] - a).cross(m_triangles.points[face[2]] - a).norm() / 2;
-    }
-    const double size = std::min(target_size, double(m_budget) / m_components.number);
-    for (double& bound : m_squared_bound) {
+    const double size = std::min(target_size, double(m_budget) / m_components.number());
+    for (const Surface_components::Measure& measure : m_components.measures) {
       // A component without area cannot be sampled: its edges count as short.
-      bound = bound > smallest_area ? bound * edge_factor * edge_factor / size : std::numeric_limits<double>::max();
+      m_squared_bound.push_back(measure.area > smallest_area ? measure.area * edge_factor * edge_factor / size
+                                                             : std::numeric_limits<double>::max());
     }
   }
 
@@ -140,8 +134,7 @@ private:
     std::vector<std::array<Index, 3>>& faces = m_triangles.faces;
     const auto number = 3 - std::count(middle.begin(), middle.end(), no_index);
     // Turned so that the side without midpoint is the last one, and the single midpoint is on the first.
-    while (number != 0 && number != 3 &&
-           (middle[2] != no_index || middle[0] == no_index)) {
+    while (number != 0 && number != 3 && (middle[2] != no_index || middle[0] == no_index)) {
       std::rotate(corner.begin(), corner.begin() + 1, corner.end());
       std::rotate(middle.begin(), middle.begin() + 1, middle.end());
     }
@@ -165,7 +158,7 @@ private:
 
   Indexed_triangles& m_triangles;
   Halfedge_pairing& m_pairing;
-  Face_components& m_components;
+  Surface_components& m_components;
   std::size_t m_budget;                // vertices that may still be inserted
   std::vector<double> m_squared_bound; // of the length of an edge, per component
   std::vector<Index> m_midpoint;       // of every halfedge's edge
@@ -173,12 +166,12 @@ private:
 
 /// Splits edges of `triangles` that are long relative to the area of their component, so that about 2000 vertices or
 /// more sample each; a surface that is sampled so already stays as it is. The shape does not change.
-/// Inserted vertices are appended; bridging faces stay bridging. Vertices grow at most to 4 n + 20000, faces accordingly.
-/// O(n) for each round of halving.
-/// \return the number of inserted vertices
-/// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
+/// Inserted vertices are appended; bridging faces stay bridging. Vertices grow at most to 4 n + 20000, faces
+/// accordingly. O(n) for each round of halving. \return the number of inserted vertices
+/// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its faces,
+///      and are kept so
 inline std::size_t refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                      Face_components& components)
+                                      Surface_components& components)
 {
   return Face_refinement(triangles, pairing, components).refine();
 }

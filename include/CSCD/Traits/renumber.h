@@ -38,7 +38,9 @@ inline void sort_faces(Indexed_triangles& triangles)
     sorted[fill[bucket(f)]++] = triangles.faces[f];
   }
   for (std::size_t b = 0; b < 2 * n; ++b) {
-    std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
+    if (begin[b + 1] - begin[b] > 1) {
+      std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
+    }
   }
   triangles.faces = std::move(sorted);
 }
@@ -59,7 +61,11 @@ inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& ord
     for (Index& corner : face) {
       corner = number[corner];
     }
-    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    if (face[1] < face[0] && face[1] < face[2]) {
+      face = {face[1], face[2], face[0]};
+    } else if (face[2] < face[0]) {
+      face = {face[2], face[0], face[1]};
+    }
   }
   sort_faces(triangles);
 }

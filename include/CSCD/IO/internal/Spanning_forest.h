@@ -7,11 +7,8 @@
 #define CSCD_IO_INTERNAL_SPANNING_FOREST_H
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
-#include <boost/range/adaptor/reversed.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -25,16 +22,16 @@ public:
   using vertex_descriptor = typename boost::graph_traits<Skeleton>::vertex_descriptor;
 
   explicit Spanning_forest(const Skeleton& skeleton)
-      : m_neighbors(num_vertices(skeleton)), m_parent(num_vertices(skeleton))
+      : m_parent(num_vertices(skeleton)), m_is_reached(num_vertices(skeleton), false)
   {
-    separate_loops(skeleton);
-    std::vector<bool> is_reached(num_vertices(skeleton), false);
+    m_order.reserve(num_vertices(skeleton));
     for (vertex_descriptor root : boost::make_iterator_range(vertices(skeleton))) {
-      if (!is_reached[root]) {
+      if (!m_is_reached[root]) {
         m_parent[root] = root;
-        reach_from(root, is_reached);
+        reach_from(root, skeleton);
       }
     }
+    collect_loops(skeleton);
   }
 
   /// All nodes, each after its parent and each branch in one piece.
@@ -45,41 +42,47 @@ public:
   const std::vector<std::pair<vertex_descriptor, vertex_descriptor>>& loops() const { return m_loops; }
 
 private:
-  void separate_loops(const Skeleton& skeleton)
-  {
-    boost::disjoint_sets_with_storage<> trees(num_vertices(skeleton));
-    for (auto e : boost::make_iterator_range(edges(skeleton))) {
-      const vertex_descriptor u = source(e, skeleton);
-      const vertex_descriptor v = target(e, skeleton);
-      if (trees.find_set(u) == trees.find_set(v)) {
-        m_loops.emplace_back(u, v);
-        continue;
-      }
-      trees.union_set(u, v);
-      m_neighbors[u].push_back(v);
-      m_neighbors[v].push_back(u);
-    }
-  }
-
-  void reach_from(vertex_descriptor root, std::vector<bool>& is_reached)
+  /// Goes deep first, so that branches stay in one piece.
+  void reach_from(vertex_descriptor root, const Skeleton& skeleton)
   {
     std::vector<vertex_descriptor> open{root};
     while (!open.empty()) {
       const vertex_descriptor v = open.back();
       open.pop_back();
-      is_reached[v] = true;
+      if (m_is_reached[v]) {
+        continue;
+      }
+      m_is_reached[v] = true;
       m_order.push_back(v);
-      for (vertex_descriptor neighbor : boost::adaptors::reverse(m_neighbors[v])) {
-        if (!is_reached[neighbor]) {
-          m_parent[neighbor] = v;
+      for (auto e : boost::make_iterator_range(out_edges(v, skeleton))) {
+        const vertex_descriptor neighbor = target(e, skeleton);
+        if (!m_is_reached[neighbor]) {
+          m_parent[neighbor] = v; // the parent given last stays, as what was put on the stack last is taken first
           open.push_back(neighbor);
         }
       }
     }
   }
 
-  std::vector<std::vector<vertex_descriptor>> m_neighbors;
+  /// One edge to the parent of each node is in the forest; all others are not.
+  void collect_loops(const Skeleton& skeleton)
+  {
+    std::vector<bool> has_edge_to_parent(num_vertices(skeleton), false);
+    for (auto e : boost::make_iterator_range(edges(skeleton))) {
+      const vertex_descriptor u = source(e, skeleton);
+      const vertex_descriptor v = target(e, skeleton);
+      const vertex_descriptor child = m_parent[u] == v ? u : v;
+      const bool is_in_forest = u != v && (m_parent[u] == v || m_parent[v] == u) && !has_edge_to_parent[child];
+      if (is_in_forest) {
+        has_edge_to_parent[child] = true;
+      } else {
+        m_loops.emplace_back(u, v);
+      }
+    }
+  }
+
   std::vector<vertex_descriptor> m_parent;
+  std::vector<bool> m_is_reached;
   std::vector<vertex_descriptor> m_order;
   std::vector<std::pair<vertex_descriptor, vertex_descriptor>> m_loops;
 };

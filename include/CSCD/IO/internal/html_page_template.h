@@ -54,13 +54,19 @@ body { background: radial-gradient(ellipse at 50% 40%, #ffffff 0%, #f5f7fa 55%, 
   background: rgba(255, 255, 255, .82); backdrop-filter: blur(10px);
   box-shadow: 0 1px 2px rgba(22, 32, 46, .05), 0 10px 30px rgba(22, 32, 46, .09);
 }
-#panel h1 { margin: 0; font-size: 16px; font-weight: 650; letter-spacing: -.01em; overflow-wrap: anywhere; }
+#panel h1 { margin: 0; cursor: pointer; font-size: 16px; font-weight: 650; letter-spacing: -.01em;
+            overflow-wrap: anywhere; }
+#panel h1::after { content: "\25be"; float: right; color: var(--quiet); font-weight: 400; }
+#panel.folded { padding-bottom: 14px; }
+#panel.folded h1::after { content: "\25b8"; }
+#panel.folded > :not(h1) { display: none; }
 #figures { display: grid; grid-template-columns: repeat(3, 1fr); gap: 7px 8px; margin: 11px 0 12px; }
 #figures div { font-size: 11px; color: var(--quiet); }
 #figures b { display: block; font-size: 15px; font-weight: 600; color: var(--ink); font-variant-numeric: tabular-nums; }
 #figures i { display: inline-block; width: 8px; height: 8px; border-radius: 50%; margin-right: 4px; }
 .group { border-top: 1px solid var(--line); padding: 7px 0; }
-.switch { display: flex; align-items: center; gap: 9px; padding: 3.5px 0; cursor: pointer; user-select: none; }
+.switch { display: flex; align-items: center; gap: 9px; padding: 3.5px 0; font-size: 13px; cursor: pointer;
+          user-select: none; }
 .switch input { position: absolute; opacity: 0; width: 0; height: 0; }
 .switch span { flex: none; width: 30px; height: 18px; border-radius: 9px; background: #cbd3dd; position: relative;
                transition: background .15s; }
@@ -71,7 +77,7 @@ body { background: radial-gradient(ellipse at 50% 40%, #ffffff 0%, #f5f7fa 55%, 
 .switch input:checked + span::after { transform: translateX(12px); }
 .switch input:focus-visible + span { outline: 2px solid var(--accent); outline-offset: 2px; }
 .switch.absent { opacity: .4; cursor: default; }
-kbd { margin-left: auto; min-width: 18px; padding: 0 4px; text-align: center; border: 1px solid var(--line);
+kbd { margin-left: auto; flex: none; width: 20px; text-align: center; border: 1px solid var(--line);
       border-radius: 5px; font: 11px/16px inherit; font-family: inherit; color: var(--quiet); }
 .row { display: flex; align-items: center; gap: 9px; padding: 4px 0; }
 .row input[type=range] { flex: 1; min-width: 0; accent-color: var(--accent); margin: 0; }
@@ -86,7 +92,7 @@ kbd { margin-left: auto; min-width: 18px; padding: 0 4px; text-align: center; bo
 #message { position: fixed; inset: 0; display: none; align-items: center; justify-content: center; padding: 40px;
            text-align: center; color: var(--quiet); }
 #selftest { position: fixed; right: 0; bottom: 0; margin: 0; padding: 12px; font-size: 11px; background: #fff; }
-@media (max-width: 560px) { #panel { width: 200px; top: 8px; left: 8px; padding: 10px 12px; } .hint { display: none; } }
+@media (max-width: 560px) { #panel { top: 8px; left: 8px; padding: 10px 12px; } .hint { display: none; } }
 </style>
 </head>
 )html";
@@ -100,12 +106,18 @@ inline constexpr char html_page_body[] = R"html(<body>
   <h1></h1>
   <div id="figures"></div>
   <div class="group">
-    <label class="switch"><input type="checkbox" data-switch="surface" checked><span></span>Surface<kbd>S</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="skeleton" checked><span></span>Skeleton<kbd>K</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="nodes" checked><span></span>Nodes<kbd>N</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="balls"><span></span>Balls (radius)<kbd>B</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="separators"><span></span>Separators<kbd>P</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="colour"><span></span>Colour surface by branch<kbd>C</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="surface" checked>
+      <span></span>Surface<kbd>S</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="skeleton" checked>
+      <span></span>Skeleton<kbd>K</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="nodes" checked>
+      <span></span>Nodes<kbd>N</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="balls">
+      <span></span>Balls (radius)<kbd>B</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="separators">
+      <span></span>Separators<kbd>P</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="colour">
+      <span></span>Colour surface by branch<kbd>C</kbd></label>
   </div>
   <div class="group">
     <div class="row"><label for="opacity">Opacity</label>
@@ -134,6 +146,13 @@ function read_model(text) {
     model[name] = new types[type](bytes.buffer);
   }
   return model;
+}
+
+let special_colours, shared_colour; // the latter for what several branches share
+
+function choose_colours() {
+  special_colours = {tip: new THREE.Color('#f59e0b'), junction: new THREE.Color('#111827')};
+  shared_colour = new THREE.Color('#c3cad4');
 }
 
 function degrees_of_nodes(model) {
@@ -175,11 +194,11 @@ function normals_of_faces(positions, triangles) {
   const normals = new Float32Array(triangles.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const a = 3 * triangles[t], b = 3 * triangles[t + 1], c = 3 * triangles[t + 2];
-    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1], uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1], vz = positions[c + 2] - positions[a + 2];
-    normals[t] = uy * vz - uz * vy;
-    normals[t + 1] = uz * vx - ux * vz;
-    normals[t + 2] = ux * vy - uy * vx;
+    for (let k = 0; k < 3; ++k) {
+      const y = (k + 1) % 3, z = (k + 2) % 3;
+      normals[t + k] = (positions[b + y] - positions[a + y]) * (positions[c + z] - positions[a + z])
+                     - (positions[b + z] - positions[a + z]) * (positions[c + y] - positions[a + y]);
+    }
   }
   return normals;
 }
@@ -306,9 +325,6 @@ const tube_vertex = `
     gl_Position = projectionMatrix * p;
   }`;
 
-// Releases of three.js before 125 have classes of the plain names that are something else.
-function primitive(name) { return THREE[name + 'BufferGeometry'] || THREE[name + 'Geometry']; }
-
 function instanced(base, attributes) {
   const geometry = new THREE.InstancedBufferGeometry();
   geometry.index = base.index;
@@ -345,13 +361,12 @@ function translucent(geometry, vertexShader, uniforms, order) {
 
 function make_surface(model, branch_colours, uniforms) {
   const {index, source, normals} = smooth_unless_sharp(model.positions, model.triangles);
-  const neutral = new THREE.Color('#c3cad4');
   const positions = new Float32Array(3 * source.length), colours = new Float32Array(3 * source.length);
   source.forEach((v, i) => {
     positions.set(model.positions.subarray(3 * v, 3 * v + 3), 3 * i);
     const node = model.node_of_vertex[v];
     const branch = node === NONE ? NONE : model.branch_of_node[node];
-    (branch === NONE ? neutral : branch_colours[branch]).toArray(colours, 3 * i);
+    (branch === NONE ? shared_colour : branch_colours[branch]).toArray(colours, 3 * i);
   });
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(index, 1));
@@ -363,7 +378,7 @@ function make_surface(model, branch_colours, uniforms) {
 
 // Thin enough for the thin limbs, thick enough to be seen; the scene is two units wide.
 function tube_radius(model) {
-  const thinnest = .0045, thickest = .0085;
+  const thinnest = .006, thickest = .0085;
   if (!model.node_radii) return thickest;
   const sorted = model.node_radii.slice().sort();
   const median = sorted[sorted.length >> 1] || 0;
@@ -371,12 +386,12 @@ function tube_radius(model) {
 }
 
 function make_tubes(starts, ends, colours, sides) {
-  const base = new (primitive('Cylinder'))(1, 1, 1, sides, 1, true);
+  const base = new THREE.CylinderBufferGeometry(1, 1, 1, sides, 1, true);
   return instanced(base, {start: [starts, 3], end: [ends, 3], colour: [colours, 3]});
 }
 
 function make_spheres(centres, radii, colours, detail) {
-  const base = new (primitive('Sphere'))(1, 2 * detail, detail);
+  const base = new THREE.SphereBufferGeometry(1, 2 * detail, detail);
   return instanced(base, {centre: [centres, 3], radius: [radii, 1], colour: [colours, 3]});
 }
 
@@ -395,17 +410,14 @@ function make_skeleton(model, branch_colours, radius) {
   }
   const group = new THREE.Group();
   group.add(solid(make_tubes(starts, ends, colours, 12), tube_vertex, {radius: {value: radius}}));
-  group.add(solid(make_spheres(joint_centres, Array(joint_centres.length / 3).fill(radius), joint_colours, 8), sphere_vertex));
+  const joint_radii = Array(joint_centres.length / 3).fill(radius);
+  group.add(solid(make_spheres(joint_centres, joint_radii, joint_colours, 8), sphere_vertex));
   return group;
 }
 
-const special_colours = {tip: new THREE.Color('#f59e0b'), junction: new THREE.Color('#111827')};
-
 function colour_of_node(node, model, degree, branch_colours) {
   if (degree[node] > 2) return special_colours.junction;
-  if (degree[node] === 1) return special_colours.tip;
-  const branch = model.branch_of_node[node];
-  return branch === NONE ? special_colours.junction : branch_colours[branch];
+  return degree[node] === 1 ? special_colours.tip : branch_colours[model.branch_of_node[node]];
 }
 
 function make_nodes(model, degree, branch_colours, radius) {
@@ -416,14 +428,14 @@ function make_nodes(model, degree, branch_colours, radius) {
     if (degree[n] === 2) colour.multiplyScalar(.8);
     colours.push(...colour.toArray());
   }
-  return solid(make_spheres(model.node_positions, radii, colours, 12), sphere_vertex);
+  return solid(make_spheres(model.node_positions, radii, colours, 10), sphere_vertex);
 }
 
-function make_balls(model, degree, branch_colours) {
+function make_balls(model, branch_colours) {
   const colours = [];
-  for (let n = 0; n < model.counts.nodes; ++n)
-    colours.push(...colour_of_node(n, model, degree, branch_colours).toArray());
-  return translucent(make_spheres(model.node_positions, model.node_radii, colours, 20), sphere_vertex,
+  for (const branch of model.branch_of_node)
+    colours.push(...(branch === NONE ? shared_colour : branch_colours[branch]).toArray());
+  return translucent(make_spheres(model.node_positions, model.node_radii, colours, 16), sphere_vertex,
                      {opacity: {value: .38}}, 10);
 }
 
@@ -517,8 +529,8 @@ class View {
     this.stale = true;
     this.look_from(guess_up(this.box.getSize(new THREE.Vector3())));
     window.addEventListener('resize', () => this.resize());
+    this.is_fitted = true;
     this.resize();
-    this.reset();
   }
 
   // OrbitControls reads the up direction when it is made, hence a new one for each.
@@ -530,6 +542,7 @@ class View {
     Object.assign(this.controls, {enableDamping: true, dampingFactor: .12, rotateSpeed: .8, screenSpacePanning: true,
                                   minDistance: .05, maxDistance: 30});
     this.controls.addEventListener('change', () => { this.stale = true; });
+    this.controls.addEventListener('start', () => { this.is_fitted = false; });
   }
 
   reset() {
@@ -540,6 +553,7 @@ class View {
     this.camera.lookAt(this.controls.target);
     this.camera.position.copy(this.controls.target).addScaledVector(direction, this.distance_to_fit());
     this.settle();
+    this.is_fitted = true;
   }
 
   // The least distance from which all points are in the picture, with a margin.
@@ -563,7 +577,7 @@ class View {
     this.stale = true;
   }
 
-  // The shape is centred in what the panel leaves free.
+  // The shape is centred in what the panel leaves free, and fitted into it again unless the user has moved it.
   resize() {
     this.width = Math.max(1, this.element.clientWidth);
     this.height = Math.max(1, this.element.clientHeight);
@@ -572,6 +586,7 @@ class View {
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(this.width, this.height);
     this.stale = true;
+    if (this.is_fitted) this.reset();
   }
 
   draw() {
@@ -597,7 +612,7 @@ function make_objects(model, uniforms) {
     skeleton: make_skeleton(model, branch_colours, radius),
     nodes: make_nodes(model, degree, branch_colours, radius)
   };
-  if (model.node_radii) objects.balls = make_balls(model, degree, branch_colours);
+  if (model.node_radii) objects.balls = make_balls(model, branch_colours);
   if (model.separator_offsets.length > 1) objects.separators = make_separators(model, branch_colours, .55 * radius);
   return objects;
 }
@@ -609,7 +624,10 @@ class Panel {
   constructor(view, model, objects, uniforms) {
     Object.assign(this, {view, model, objects, uniforms, state: {}});
     this.element = document.getElementById('panel');
-    this.element.querySelector('h1').textContent = document.title;
+    const heading = this.element.querySelector('h1'), narrow = 560; // pixels, as in the style
+    heading.textContent = document.title;
+    heading.addEventListener('click', () => this.element.classList.toggle('folded'));
+    if (window.innerWidth <= narrow) this.element.classList.add('folded');
     this.show_figures();
     for (const box of this.element.querySelectorAll('[data-switch]')) this.connect_switch(box);
     const slider = document.getElementById('opacity');
@@ -621,7 +639,6 @@ class Panel {
     window.addEventListener('keydown', event => this.key(event));
     window.addEventListener('resize', () => this.make_room());
     this.make_room();
-    view.reset();
     this.mark_up();
   }
 
@@ -703,7 +720,7 @@ class Panel {
       if (name === 'opacity') this.set_opacity(value);
       else if (name === 'up' && /^[xyz]$/.test(value)) this.choose_up(value);
       else if (name === 'turn') { this.view.turn = Number(value) || 0; this.view.reset(); }
-      else if (name === 'panel') { this.show_panel(value !== '0'); this.view.reset(); }
+      else if (name === 'panel') this.show_panel(value !== '0');
       else this.set_visible(name, value !== '0');
     }
   }
@@ -719,7 +736,8 @@ function connect_tip(view, model, panel) {
     if (event.buttons === 0 && (panel.state.nodes || panel.state.skeleton))
       for (let n = 0; n < model.counts.nodes; ++n) {
         p.fromArray(model.node_positions, 3 * n).project(view.camera);
-        const distance = Math.hypot((p.x + 1) / 2 * view.width - event.clientX, (1 - p.y) / 2 * view.height - event.clientY);
+        const x = (p.x + 1) / 2 * view.width, y = (1 - p.y) / 2 * view.height;
+        const distance = Math.hypot(x - event.clientX, y - event.clientY);
         if (p.z < 1 && distance < nearest) { nearest = distance; best = n; }
       }
     tip.style.display = best < 0 ? 'none' : 'block';
@@ -786,8 +804,16 @@ class Self_test {
     const canvas = this.view.renderer.domElement, view = this.view;
     const mouse = (type, x, button) => (type === 'mousedown' ? canvas : document).dispatchEvent(
       new MouseEvent(type, {clientX: x, clientY: 200, button, bubbles: true, cancelable: true}));
-    const drag = button => { mouse('mousedown', 300, button); mouse('mousemove', 380, button); mouse('mouseup', 380, button); view.settle(); };
-    const wheel = () => { canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, cancelable: true})); view.settle(); };
+    const drag = button => {
+      mouse('mousedown', 300, button);
+      mouse('mousemove', 380, button);
+      mouse('mouseup', 380, button);
+      view.settle();
+    };
+    const wheel = () => {
+      canvas.dispatchEvent(new WheelEvent('wheel', {deltaY: -300, cancelable: true}));
+      view.settle();
+    };
     const reset = () => document.getElementById('reset').click();
     const up = this.view.up, other = up === 'z' ? 'y' : 'z';
     const choose = axis => document.querySelector('[data-up=' + axis + ']').click();
@@ -831,6 +857,7 @@ function write_self_test(lines) {
 function start() {
   if (typeof THREE === 'undefined' || !THREE.OrbitControls)
     throw new Error('This page was written without three.js and its OrbitControls.');
+  choose_colours();
   const model = read_model(document.getElementById('cscd-data').textContent);
   const uniforms = {opacity: {value: .25}, coloured: {value: 0}};
   const view = new View(document.getElementById('view'), model);

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace CSCD::internal {
 
@@ -104,11 +105,11 @@ private:
 
   void divide(Vector_3& point, double weight) const
   {
-    for (double& coordinate : point) {
-      coordinate /= weight;
-      if (!std::isfinite(coordinate)) {
-        m_scanner.fail("a homogeneous vertex lies at infinity", "correct this line");
-      }
+    if (weight != 0) {
+      point /= weight;
+    }
+    if (weight == 0 || !point.allFinite()) {
+      m_scanner.fail("a homogeneous vertex lies at infinity", "correct this line");
     }
   }
 

@@ -9,6 +9,7 @@
 #include <CSCD/exceptions.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstring>
 #include <filesystem>
 #include <fstream>

@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
+# doc/performance.md and README.md. Takes some minutes. Usage: benchmark/run.sh [REPETITIONS], 3 by default.
+
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$source_dir/build
+repetitions=${1:-3}
+
+# shellcheck source=cmake/install_packages.sh
+source "$source_dir/cmake/install_packages.sh"
+install_packages "${library_packages[@]}" libbenchmark-dev python3
+
+# In a build folder that has the tests or examples, they stay.
+configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON)
+if [[ ! -e $build_dir/CMakeCache.txt ]]; then
+  configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_EXAMPLES=OFF)
+fi
+"${configure[@]}" >/dev/null
+cmake --build "$build_dir" --target benchmark_skeletonization benchmark_stages
+
+for program in benchmark_skeletonization benchmark_stages; do
+  "$build_dir/bin/benchmark/$program" --benchmark_min_time=0.1 --benchmark_repetitions="$repetitions" \
+    --benchmark_out="$build_dir/$program.json" --benchmark_out_format=json
+done
+
+python3 "$source_dir/benchmark/write_tables.py" "$repetitions" \
+  "$build_dir/benchmark_skeletonization.json" "$build_dir/benchmark_stages.json"

@@ -1,0 +1,168 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+"""Writes the tables of doc/performance.md and README.md from what the benchmarks measured.
+
+Usage: write_tables.py REPETITIONS SKELETONIZATION.json STAGES.json
+Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
+"""
+
+import json
+import math
+import pathlib
+import re
+import statistics
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+
+
+def read_medians(path):
+    """Returns the load at the start and, by benchmark, the median over the repetitions of every number."""
+    content = json.loads(pathlib.Path(path).read_text())
+    runs = {}
+    for run in content["benchmarks"]:
+        if run["run_type"] == "iteration":
+            name = re.sub(r"/(process_time|real_time|repeats:\d+)\b", "", run["run_name"])
+            runs.setdefault(name, []).append(run)
+    medians = {}
+    for name, repetitions in runs.items():
+        numbers = [key for key, value in repetitions[0].items() if isinstance(value, (int, float))]
+        medians[name] = {key: statistics.median(run[key] for run in repetitions) for key in numbers}
+    return content["context"], medians
+
+
+def growth_exponent(points):
+    """The slope of log(cost) over log(size), by least squares."""
+    logarithms = [(math.log(size), math.log(cost)) for size, cost in points]
+    mean_x = statistics.fmean(x for x, _ in logarithms)
+    mean_y = statistics.fmean(y for _, y in logarithms)
+    covariance = sum((x - mean_x) * (y - mean_y) for x, y in logarithms)
+    return covariance / sum((x - mean_x) ** 2 for x, _ in logarithms)
+
+
+def markdown(head, rows):
+    """A table; the first column is text, the others are numbers."""
+    lines = [head, ["---"] + ["--:"] * (len(head) - 1)] + rows
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def seconds(run, key="cpu_time"):
+    return run[key] / 1000  # the benchmarks count in milliseconds
+
+
+def count(number):
+    return f"{round(number):,}"
+
+
+def meshes_of(medians):
+    names = dict.fromkeys(name.split("/")[1] for name in medians if name.startswith("mesh/"))
+    return [(mesh, *(medians.get(f"mesh/{mesh}/{who}") for who in ("CSCD", "CSCD_2_threads", "MCF"))) for mesh in names]
+
+
+def both(ours, mcf, key, form):
+    return f"{form(ours[key])} / {form(mcf[key]) if mcf else '–'}"
+
+
+def mesh_table(medians):
+    rows = []
+    for mesh, ours, two, mcf in meshes_of(medians):
+        rows.append([
+            mesh,
+            count(ours["vertices"]),
+            f"{seconds(ours):.3f}",
+            f"{seconds(ours, 'real_time'):.3f} / {seconds(two, 'real_time'):.3f}",
+            f"{seconds(mcf):.2f}" if mcf else "–",
+            f"{seconds(ours) / seconds(mcf):.3f}" if mcf else "–",
+            both(ours, mcf, "megabytes", count),
+        ])
+    return markdown(["mesh", "vertices", "CSCD CPU s", "wall s, 1 / 2 threads", "MCF CPU s", "CSCD : MCF",
+                     "MB, CSCD / MCF"], rows)
+
+
+def quality_table(medians):
+    rows = []
+    for mesh, ours, _, mcf in meshes_of(medians):
+        if "genus" in ours:
+            rows.append([
+                mesh,
+                count(ours["genus"]),
+                both(ours, mcf, "betti_number", count),
+                both(ours, mcf, "percent_inside", "{:.1f}".format),
+                both(ours, mcf, "nodes", count),
+                both(ours, mcf, "tips", count),
+            ])
+    return markdown(["mesh", "genus", "cycles, CSCD / MCF", "length inside, %", "nodes", "tips"], rows)
+
+
+def growth_table(medians):
+    names = [name for name in medians if name.startswith("growing/") and name.endswith("/CSCD")]
+    rows = []
+    for name in names:
+        one, two = medians[name], medians[name + "_2_threads"]
+        rows.append([
+            count(one["vertices"]),
+            f"{seconds(one):.3f}",
+            f"{1e6 * seconds(one) / one['vertices']:.2f}",
+            f"{seconds(one, 'real_time'):.3f} / {seconds(two, 'real_time'):.3f}",
+            count(one["megabytes"]),
+        ])
+    exponent = growth_exponent([(medians[name]["vertices"], seconds(medians[name])) for name in names])
+    table = markdown(["vertices", "CPU s", "µs a vertex", "wall s, 1 / 2 threads", "MB"], rows)
+    return f"{table}\n\nOver the whole range, CPU time grows as the number of vertices to the power {exponent:.2f}."
+
+
+def stage_table(medians):
+    stages = {}
+    for name, run in medians.items():
+        stage, shape, _ = name.split("/", 2)
+        stages.setdefault((stage, shape), []).append((run["vertices"], run["cpu_time"]))
+    sizes = [f"{count(size)}" for size, _ in next(iter(stages.values()))]
+    rows = [[f"{stage}, {shape}"] + [f"{milliseconds:.1f}" for _, milliseconds in points]
+            + [f"{growth_exponent(points):.2f}"] for (stage, shape), points in stages.items()]
+    return markdown(["stage, shape"] + [f"about {size}" for size in sizes] + ["exponent"], rows)
+
+
+def circumstances(context, repetitions):
+    """When, where and how the numbers were made."""
+    def output(*command):
+        return subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=True).stdout.strip()
+
+    processor = re.search(r"^model name\s*:\s*(.*)$", pathlib.Path("/proc/cpuinfo").read_text(), re.MULTILINE)
+    commit = output("git", "rev-parse", "--short", "HEAD")
+    if output("git", "status", "--porcelain", "--", "include", "benchmark"):
+        commit += " with local changes"
+    load = context.get("load_avg") or ["unknown"]
+    return (f"Made by `benchmark/run.sh {repetitions}` on {context['date'][:10]} at commit {commit}: medians of "
+            f"{repetitions} repetitions, Release build, {output('c++', '--version').splitlines()[0]}, "
+            f"{processor.group(1) if processor else 'unknown processor'}, {context['num_cpus']} cores, "
+            f"load average {load[0]} at the start.")
+
+
+def replace_between_markers(path, tables):
+    text = path.read_text()
+    for name, table in tables.items():
+        pattern = re.compile(rf"(<!-- begin {name} -->\n).*?(<!-- end {name} -->)", re.DOTALL)
+        if pattern.search(text):
+            text = pattern.sub(lambda match, body=table: f"{match[1]}\n{body}\n\n{match[2]}", text)
+    path.write_text(text)
+
+
+def main():
+    repetitions, skeletonization, stages = sys.argv[1:]
+    context, medians = read_medians(skeletonization)
+    _, stage_medians = read_medians(stages)
+    tables = {
+        "circumstances": circumstances(context, repetitions),
+        "meshes": mesh_table(medians),
+        "quality": quality_table(medians),
+        "growth": growth_table(medians),
+        "stages": stage_table(stage_medians),
+    }
+    for path in (ROOT / "doc" / "performance.md", ROOT / "README.md"):
+        replace_between_markers(path, tables)
+        print(path)
+
+
+main()

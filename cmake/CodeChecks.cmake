@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Targets that check the text of the code: format_check, format (rewrites), tidy.
+
+file(GLOB_RECURSE cscd_code CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h" "${PROJECT_SOURCE_DIR}/examples/*.h"
+     "${PROJECT_SOURCE_DIR}/examples/*.cpp" "${PROJECT_SOURCE_DIR}/test/*.h" "${PROJECT_SOURCE_DIR}/test/*.cpp"
+     "${PROJECT_SOURCE_DIR}/benchmark/*.h" "${PROJECT_SOURCE_DIR}/benchmark/*.cpp")
+
+find_program(CSCD_CLANG_FORMAT NAMES clang-format clang-format-14)
+mark_as_advanced(CSCD_CLANG_FORMAT)
+if(CSCD_CLANG_FORMAT)
+  add_custom_target(format_check COMMAND "${CSCD_CLANG_FORMAT}" --dry-run -Werror ${cscd_code} VERBATIM)
+  add_custom_target(format COMMAND "${CSCD_CLANG_FORMAT}" -i ${cscd_code} VERBATIM)
+endif()
+
+# clang-tidy reads everything in one file, since most of its time goes to the headers of CGAL: first all headers of the
+# library, then the program cscd, which instantiates their templates.
+find_program(CSCD_CLANG_TIDY NAMES clang-tidy clang-tidy-14)
+mark_as_advanced(CSCD_CLANG_TIDY)
+if(CSCD_CLANG_TIDY AND CSCD_BUILD_EXAMPLES)
+  file(GLOB_RECURSE cscd_tidy_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h")
+  list(REMOVE_ITEM cscd_tidy_headers "${PROJECT_SOURCE_DIR}/include/CSCD/internal/parameters_interface.h")
+  file(GLOB cscd_tidy_sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/examples/cscd.cpp"
+       "${PROJECT_SOURCE_DIR}/examples/cscd/*.cpp")
+  set(cscd_tidy_text ${cscd_tidy_headers} ${cscd_tidy_sources})
+  list(TRANSFORM cscd_tidy_text REPLACE "(.+)" "#include \"\\1\"\n")
+  list(JOIN cscd_tidy_text "" cscd_tidy_text)
+  set(cscd_tidy_file "${PROJECT_BINARY_DIR}/tidy.cpp")
+  file(CONFIGURE OUTPUT "${cscd_tidy_file}" CONTENT "${cscd_tidy_text}" @ONLY)
+
+  # Never built: it only puts the file's options into compile_commands.json.
+  add_library(cscd_tidy OBJECT EXCLUDE_FROM_ALL "${cscd_tidy_file}")
+  target_link_libraries(cscd_tidy PRIVATE CSCD::CSCD CLI11::CLI11 nlohmann_json::nlohmann_json cscd_three_js)
+  target_include_directories(cscd_tidy PRIVATE "${PROJECT_SOURCE_DIR}/examples/cscd")
+  set_target_properties(cscd_tidy PROPERTIES CXX_EXTENSIONS OFF EXPORT_COMPILE_COMMANDS ON)
+
+  add_custom_target(
+    tidy
+    COMMAND "${CSCD_CLANG_TIDY}" --quiet "--config-file=${PROJECT_SOURCE_DIR}/.clang-tidy" -p "${PROJECT_BINARY_DIR}"
+            "${cscd_tidy_file}"
+    VERBATIM)
+endif()

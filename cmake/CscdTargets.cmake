@@ -1,0 +1,19 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# How the project's own programs are compiled. Users of CSCD::CSCD get nothing of this.
+
+# Warnings are errors in our own code; the headers of CGAL, Boost and Eigen count as system headers.
+add_library(cscd_warnings INTERFACE)
+target_compile_options(
+  cscd_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror)
+
+# cscd_add_program(<name> <source>... [LIBRARIES <library>...] [FOLDER <folder under bin>])
+# adds an executable that uses CSCD::CSCD and goes to the folder bin of the build.
+function(cscd_add_program name)
+  cmake_parse_arguments(PARSE_ARGV 1 program "" "FOLDER" "LIBRARIES")
+  add_executable(${name} ${program_UNPARSED_ARGUMENTS})
+  target_link_libraries(${name} PRIVATE CSCD::CSCD cscd_warnings ${program_LIBRARIES})
+  set_target_properties(
+    ${name} PROPERTIES CXX_EXTENSIONS OFF RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin/${program_FOLDER}")
+endfunction()

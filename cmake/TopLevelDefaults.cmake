@@ -1,0 +1,21 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# What is decided only when CSCD is the main project: build type, compiler cache.
+
+get_property(cscd_is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
+if(NOT cscd_is_multi_config AND NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Kind of build" FORCE)
+endif()
+
+# CGAL warns of every build type but Release; the tests choose theirs on purpose.
+set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
+
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(CSCD_CCACHE ccache)
+mark_as_advanced(CSCD_CCACHE)
+if(CSCD_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  # Without these two, ccache does not cache files that use a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${CSCD_CCACHE}")
+endif()

@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# For scripts of bash, to be read by `source`.
+
+# install_packages <package>... installs by apt-get those Debian packages that are missing, and says which.
+install_packages()
+{
+  local package
+  local -a missing=()
+  for package in "$@"; do
+    if [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) != installed ]]; then
+      missing+=("$package")
+    fi
+  done
+  if ((${#missing[@]} == 0)); then
+    return
+  fi
+
+  local -a as_root=()
+  if ((EUID != 0)); then
+    as_root=(sudo)
+  fi
+  echo "Installing Debian packages: ${missing[*]}"
+  "${as_root[@]}" apt-get update --quiet --quiet
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install --yes --quiet --quiet --no-install-recommends "${missing[@]}"
+}
+
+# What the library, its examples and the program cscd are built with; libcgal-demo has the meshes they are shown on.
+library_packages=(
+  g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
+  libcli11-dev nlohmann-json3-dev libjs-three
+)

@@ -1,0 +1,44 @@
+#!/bin/sh
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Makes the pictures in doc/fig: skeletonizes meshes of CGAL's data and takes screenshots of the viewer pages.
+# Usage: doc/make_screenshots.sh PROGRAM, the path of a built cscd. Needs Chromium and Debian's libcgal-demo.
+
+set -eu
+
+if [ $# -ne 1 ]; then
+  echo "usage: $0 PROGRAM (the path of a built cscd)" >&2
+  exit 1
+fi
+program=$1
+figures=$(cd "$(dirname "$0")" && pwd)/fig
+archive=/usr/share/doc/libcgal-dev/data.tar.gz
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+tar -xzf "$archive" -C "$work" --wildcards 'data/meshes/*.off'
+
+# make_page MESH writes the page of a mesh once.
+make_page() {
+  if [ ! -e "$work/$1.html" ]; then
+    "$program" skeletonize "$work/data/meshes/$1.off" --html "$work/$1.html" --quiet
+  fi
+}
+
+# take PICTURE MESH SWITCHES makes one screenshot; the switches are those that the page's address can carry.
+# Graphics are computed in software, which works on machines without a graphics card.
+take() {
+  make_page "$2"
+  timeout 120 chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
+    --ignore-gpu-blocklist --no-first-run --disable-background-networking --disable-component-update --disable-sync \
+    --disable-quic --disable-dev-shm-usage --hide-scrollbars --window-size=1280,800 --virtual-time-budget=5000 \
+    --user-data-dir="$work/profile" --screenshot="$figures/$1.png" "file://$work/$2.html#$3" 2>"$work/chromium.log" ||
+    { cat "$work/chromium.log" >&2; exit 1; }
+  echo "$figures/$1.png"
+}
+
+mkdir -p "$figures"
+take viewer_armadillo armadillo "turn=180"
+take viewer_camel_branches camel "separators=1&colour=1"
+take viewer_elephant_balls elephant "balls=1&surface=0"

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The program cscd: skeletons of meshes from the command line.
+
+#include "cscd/Skeletonize_options.h"
+#include "cscd/Usage_error.h"
+#include "cscd/skeletonize.h"
+#include <CSCD/exceptions.h>
+#include <CSCD/version.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+
+namespace {
+
+enum Exit_status
+{
+  done = 0,
+  bad_usage = 1,
+  bad_input = 2,
+  internal_failure = 3
+};
+
+constexpr const char* examples = R"(Examples:
+  cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
+  cscd skeletonize bunny.off --html bunny.html       a page to look at it
+  cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
+  cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
+
+)";
+
+constexpr const char* explanations = R"(
+Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; what has to be repaired is said on standard error.
+Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
+Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
+
+/// Puts the examples before the rest of the help.
+class Examples_first : public CLI::Formatter
+{
+public:
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
+  {
+    return examples + CLI::Formatter::make_help(app, name, mode);
+  }
+};
+
+void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
+{
+  CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh");
+  command->add_option("INPUT", options.input, "mesh file, or - for standard input")->required();
+  command
+      ->add_option("-o,--output", options.outputs,
+                   "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
+      ->type_name("OUT")
+      ->allow_extra_args(false);
+  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+  command->add_option("--method", options.method, "how separators are found")
+      ->check(CLI::IsMember({"local"}))
+      ->capture_default_str();
+  command->add_option("--seed", options.seed, "seed of the random choice of sources")->capture_default_str();
+  command->add_option("--threads", options.number_of_threads, "number of threads; the skeleton does not depend on it")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command
+      ->add_option("--separators", options.maximum_number_of_sources,
+                   "greatest number of points from which separators are sought; the shape decides if not given")
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
+  command->add_option("--report", options.report, "file for counts, timings and warnings as JSON")->type_name("FILE");
+  command->add_option("--html", options.html, "file for a page that shows mesh and skeleton")->type_name("FILE");
+  command->add_flag("-q,--quiet", options.is_quiet, "say nothing but errors");
+}
+
+/// Says what is wrong in one line.
+void complain(std::string message)
+{
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << "cscd: " << message << std::endl;
+}
+
+int run(int argc, char** argv)
+{
+  CLI::App app("Curve skeletons of 3D shapes.", "cscd");
+  app.formatter(std::make_shared<Examples_first>());
+  app.set_version_flag("--version", std::string("cscd ") + CSCD_VERSION);
+  app.footer(explanations);
+  app.require_subcommand(1);
+  cscd::Skeletonize_options options;
+  add_skeletonize(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) { // help or version
+    return app.exit(success) == 0 ? done : internal_failure;
+  } catch (const CLI::ParseError& error) {
+    throw cscd::Usage_error(error.what());
+  }
+  cscd::skeletonize(options);
+  std::cout.flush();
+  if (!std::cout) {
+    throw CSCD::File_error("standard output cannot be written; check the pipe or the disk");
+  }
+  return done;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  } catch (const cscd::Usage_error& error) {
+    complain(std::string(error.what()) + "; see cscd --help");
+    return bad_usage;
+  } catch (const CSCD::File_error& error) {
+    complain(error.what());
+    return bad_input;
+  } catch (const CSCD::Input_error& error) {
+    complain(error.what());
+    return bad_input;
+  } catch (const std::bad_alloc&) {
+    complain("not enough memory; simplify the mesh or use a machine with more");
+    return internal_failure;
+  } catch (const std::exception& error) {
+    complain(std::string("internal failure: ") + error.what() + "; please report it together with the input");
+    return internal_failure;
+  }
+}

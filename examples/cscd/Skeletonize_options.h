@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The arguments of `cscd skeletonize`.
+
+#ifndef CSCD_PROGRAM_SKELETONIZE_OPTIONS_H
+#define CSCD_PROGRAM_SKELETONIZE_OPTIONS_H
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cscd {
+
+/// The name that means standard input or standard output.
+inline constexpr const char* standard_stream = "-";
+
+/// What to skeletonize, how, and where the results go.
+struct Skeletonize_options
+{
+  std::string input;                ///< a file name, or `standard_stream`
+  std::string format;               ///< of the input: off, obj, ply or stl; by its ending if empty
+  std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
+  std::string method = "local";
+  unsigned int seed = 0;
+  unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
+  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 lets the shape decide
+  std::string report;                        ///< file name for the report as JSON, or empty
+  std::string html;                          ///< file name for the viewer page, or empty
+  bool is_quiet = false;
+};
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_SKELETONIZE_OPTIONS_H

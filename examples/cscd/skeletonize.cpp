@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `cscd skeletonize`: from arguments to files.
+
+#include "skeletonize.h"
+
+#include "Progress_bar.h"
+#include "Skeletonization_result.h"
+#include "Usage_error.h"
+#include "compute_skeleton.h"
+#include "read_input.h"
+#include "types.h"
+#include "write_output.h"
+#include "write_report.h"
+#include <CSCD/IO/Mesh_repair_report.h>
+#include <CSCD/IO/write_file.h>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <unistd.h>
+
+namespace cscd {
+
+namespace {
+
+void check_options(const Skeletonize_options& options)
+{
+  for (const std::string& output : options.outputs) {
+    check_output(output);
+  }
+  if (!options.html.empty() && !has_viewer_page()) {
+    throw Usage_error("--html: this program was built without three.js; install libjs-three and build it again");
+  }
+}
+
+void say(const Skeletonize_options& options, const std::string& sentence)
+{
+  if (!options.is_quiet) {
+    std::cerr << "cscd: " << (options.input == standard_stream ? "standard input" : options.input) << ": " << sentence
+              << '\n';
+  }
+}
+
+Skeletonization_result compute(const Mesh& mesh, const Skeletonize_options& options)
+{
+  std::optional<Progress_bar> bar;
+  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
+    bar.emplace(std::cerr);
+  }
+  return compute_skeleton(mesh, options, bar ? &*bar : nullptr);
+}
+
+void write_results(const Mesh& mesh, const Skeletonization_result& result, const CSCD::Mesh_repair_report& repairs,
+                   const Skeletonize_options& options)
+{
+  for (const std::string& output : options.outputs) {
+    write_output(output, result.skeleton);
+  }
+  if (!options.html.empty()) {
+    write_viewer_page(options.html, mesh, result, options.input);
+  }
+  if (!options.report.empty()) {
+    CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, repairs, result.report); });
+  }
+  const bool is_output_taken =
+      std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
+  if (!options.is_quiet && !is_output_taken) {
+    write_summary(std::cout, options, result.report);
+  }
+}
+
+} // namespace
+
+void skeletonize(const Skeletonize_options& options)
+{
+  check_options(options);
+  Mesh mesh;
+  const CSCD::Mesh_repair_report repairs = read_input(options, mesh);
+  for (const std::string& sentence : repairs.sentences()) {
+    say(options, sentence);
+  }
+  const Skeletonization_result result = compute(mesh, options);
+  for (const std::string& warning : result.report.warnings) {
+    say(options, warning);
+  }
+  write_results(mesh, result, repairs, options);
+}
+
+} // namespace cscd

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The report of a run, for programs and for people.
+
+#include "write_report.h"
+
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <iomanip>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace cscd {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Text of any encoding can stand in a file name; JSON holds UTF-8 only.
+std::string dump(const Json& json)
+{
+  constexpr int indentation = 2;
+  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
+}
+
+Json input_part(const CSCD::Skeletonization_report& r)
+{
+  return {{"number_of_sites", r.number_of_sites},
+          {"number_of_isolated_vertices", r.number_of_isolated_vertices},
+          {"number_of_surface_components", r.number_of_surface_components},
+          {"number_of_bridged_borders", r.number_of_bridged_borders},
+          {"number_of_inserted_vertices", r.number_of_inserted_vertices},
+          {"number_of_degenerate_faces", r.number_of_degenerate_faces},
+          {"number_of_levels", r.number_of_levels},
+          {"genus", r.genus}};
+}
+
+Json separators_part(const CSCD::Skeletonization_report& r)
+{
+  return {{"number_of_sources", r.number_of_sources},
+          {"number_of_sources_without_cut", r.number_of_sources_without_cut},
+          {"number_of_bumps", r.number_of_bumps},
+          {"number_of_separators", r.number_of_separators},
+          {"number_of_plane_sections", r.number_of_plane_sections},
+          {"number_of_straightened_loops", r.number_of_straightened_loops},
+          {"number_of_packed_separators", r.number_of_packed_separators},
+          {"number_of_handle_cuts", r.number_of_handle_cuts}};
+}
+
+Json skeleton_part(const CSCD::Skeletonization_report& r)
+{
+  return {{"number_of_nodes", r.number_of_nodes},
+          {"number_of_edges", r.number_of_edges},
+          {"number_of_skeleton_components", r.number_of_skeleton_components},
+          {"betti_number", r.betti_number},
+          {"number_of_tips", r.number_of_tips},
+          {"number_of_junctions", r.number_of_junctions},
+          {"number_of_nodes_outside", r.number_of_nodes_outside},
+          {"number_of_edges_outside", r.number_of_edges_outside}};
+}
+
+double total_seconds(const CSCD::Skeletonization_report& report)
+{
+  return std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
+}
+
+} // namespace
+
+void write_report(std::ostream& out, const Skeletonize_options& options, const CSCD::Mesh_repair_report& repairs,
+                  const CSCD::Skeletonization_report& report)
+{
+  Json document{{"version", CSCD_VERSION},
+                {"input", options.input},
+                {"method", options.method},
+                {"seed", options.seed},
+                {"number_of_threads", report.number_of_threads},
+                {"repairs", repairs.sentences()}};
+  for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
+    document.update(part);
+  }
+  Json seconds;
+  for (std::size_t i = 0; i < report.seconds.size(); ++i) {
+    seconds[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = report.seconds[i];
+  }
+  document["seconds"] = std::move(seconds);
+  document["warnings"] = report.warnings;
+  out << dump(document) << '\n';
+}
+
+void write_summary(std::ostream& out, const Skeletonize_options& options, const CSCD::Skeletonization_report& report)
+{
+  constexpr int digits = 3; // of the time
+  out << options.input << ": " << report.number_of_sites << " vertices, " << report.number_of_surface_components
+      << (report.number_of_surface_components == 1 ? " component" : " components") << ", genus " << report.genus
+      << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
+      << report.number_of_skeleton_components
+      << (report.number_of_skeleton_components == 1 ? " component" : " components") << ", " << report.betti_number
+      << (report.betti_number == 1 ? " cycle, " : " cycles, ") << report.number_of_tips
+      << (report.number_of_tips == 1 ? " tip, " : " tips, ") << report.number_of_junctions
+      << (report.number_of_junctions == 1 ? " junction" : " junctions") << "\ntime: " << std::fixed
+      << std::setprecision(digits) << total_seconds(report) << " s on " << report.number_of_threads
+      << (report.number_of_threads == 1 ? " thread\n" : " threads\n");
+}
+
+} // namespace cscd

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing (Debian, Ubuntu), builds the program cscd and the examples, skeletonizes a real mesh, and
+# names the files to open. Takes no arguments; may be run again.
+
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$source_dir/build
+output_dir=$build_dir/examples-output
+# Of libcgal-demo: 2775 vertices, four legs and a trunk.
+mesh=$build_dir/cgal_data/data/meshes/elephant.off
+
+# shellcheck source=cmake/install_packages.sh
+source "$source_dir/cmake/install_packages.sh"
+install_packages "${library_packages[@]}"
+
+echo "Building in $build_dir"
+# In a build folder that has the tests or benchmarks, they stay.
+configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja)
+if [[ ! -e $build_dir/CMakeCache.txt ]]; then
+  configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF)
+fi
+"${configure[@]}" >/dev/null
+cmake --build "$build_dir" --target cscd_examples
+
+echo "Skeletonizing $mesh"
+mkdir -p "$output_dir"
+"$build_dir/bin/cscd" skeletonize "$mesh" \
+  --output "$output_dir/elephant.graph" --output "$output_dir/elephant.obj" \
+  --report "$output_dir/elephant.json" --html "$output_dir/elephant.html"
+
+cat <<END
+
+Done. Look at
+  $output_dir/elephant.html    in a web browser: the mesh and its skeleton
+  $output_dir/elephant.graph   the skeleton: lines "n x y z" and "c i j"
+  $output_dir/elephant.obj     the skeleton as polylines, for Blender or MeshLab
+  $output_dir/elephant.json    counts and timings
+  $build_dir/bin               the program cscd and the examples
+END

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pipeline one stage after the other, with a weight of one's own for the separators and a visitor that shows
+// progress and stops the work when it takes too long. Between the stages the separators can be read.
+// Usage: step_by_step_example [mesh file [most seconds]]
+
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/Local_policies.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <chrono>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+
+/// Prefers separators that are short and round: of two that overlap, the lighter one is packed.
+struct Short_and_round_weight
+{
+  double operator()(const CSCD::Separator& separator) const
+  {
+    // 1 for a circle, more for any other curve.
+    const double isoperimetric_ratio =
+        separator.length * separator.length / (4 * boost::math::double_constants::pi * separator.area);
+    return separator.length * isoperimetric_ratio;
+  }
+};
+
+/// Names the stages as they begin and end, and stops the work after some seconds.
+class Impatient_visitor : public CSCD::Default_skeletonization_visitor
+{
+public:
+  explicit Impatient_visitor(double most_seconds) : m_most_seconds(most_seconds) {}
+
+  void on_stage_begin(CSCD::Skeletonization_stage stage) { std::cout << name(stage) << " ... " << std::flush; }
+  void on_stage_end(CSCD::Skeletonization_stage) { std::cout << "done\n"; }
+  void progress(double fraction)
+  {
+    if (fraction >= m_told + 0.25) {
+      m_told = fraction;
+      std::cout << int(100 * fraction) << " % ... " << std::flush;
+    }
+  }
+  bool go_further()
+  {
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
+    return elapsed.count() < m_most_seconds;
+  }
+
+private:
+  double m_most_seconds;
+  double m_told = 0;
+  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+using Policies = CSCD::Local_policies<Traits, Short_and_round_weight>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies, Impatient_visitor>;
+
+/// Writes the packed separators as closed polylines, one a line.
+void write_packed_separators(const Skeletonization& skeletonization, const char* filename)
+{
+  std::ofstream out(filename);
+  for (auto position : skeletonization.packed_separators()) {
+    const auto polyline = skeletonization.polyline(skeletonization.separators()[position]);
+    out << polyline.size() + 1;
+    for (const auto& point : polyline) {
+      out << ' ' << point;
+    }
+    out << ' ' << polyline.front() << '\n';
+  }
+}
+
+void print(const CSCD::Skeletonization_report& report)
+{
+  std::cout << "from " << report.number_of_sources << " sources, " << report.number_of_separators << " separators, "
+            << report.number_of_packed_separators << " packed\n"
+            << "skeleton of " << report.number_of_nodes << " nodes: " << report.number_of_tips << " tips, "
+            << report.number_of_junctions << " junctions, " << report.betti_number << " cycles for genus "
+            << report.genus << '\n';
+  for (const std::string& warning : report.warnings) {
+    std::cout << "warning: " << warning << '\n';
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+try {
+  const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
+  const double most_seconds = argc > 2 ? std::stod(argv[2]) : 60;
+
+  Mesh mesh;
+  CSCD::read_triangle_mesh(filename, mesh);
+  const Traits traits(mesh);
+
+  Skeletonization skeletonization(traits, Policies(), Impatient_visitor(most_seconds));
+  skeletonization.set_random_seed(7);
+  skeletonization.find_separators();
+  skeletonization.pack_separators();
+  write_packed_separators(skeletonization, "separators.polylines.txt");
+
+  Skeletonization::Skeleton skeleton;
+  skeletonization.convert_to_skeleton(skeleton);
+  print(skeletonization.report());
+} catch (const std::exception& error) { // Cancelled_error is one of them
+  std::cerr << error.what() << '\n';
+  return 1;
+}

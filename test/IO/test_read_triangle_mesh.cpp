@@ -1,0 +1,657 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of meshes read from good, mendable and malformed files.
+
+#include "mesh_files.h"
+#include "support/Temporary_folder.h"
+#include "write_in_foreign_locale.h"
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Sentences = std::vector<std::string>;
+
+struct Result
+{
+  Mesh mesh;
+  CSCD::Mesh_repair_report report;
+};
+
+Result read(const std::string& content, CSCD::Mesh_format format)
+{
+  std::istringstream in(content);
+  Result result;
+  result.report = CSCD::read_triangle_mesh(in, format, "input", result.mesh);
+  EXPECT_TRUE(CGAL::is_valid_polygon_mesh(result.mesh));
+  EXPECT_TRUE(CGAL::is_triangle_mesh(result.mesh));
+  return result;
+}
+
+Result read_off(const Mesh_file_content& mesh)
+{
+  return read(off(mesh), CSCD::Mesh_format::off);
+}
+
+/// Expects the mesh to be the unit cube of 8 vertices.
+void expect_cube(const Mesh& mesh)
+{
+  EXPECT_EQ(8u, num_vertices(mesh));
+  EXPECT_EQ(12u, num_faces(mesh));
+  EXPECT_TRUE(CGAL::is_closed(mesh));
+  EXPECT_DOUBLE_EQ(1, PMP::volume(mesh));
+}
+
+/// The message with which the content is refused; mesh stays as it was.
+std::string refusal(const std::string& content, CSCD::Mesh_format format)
+{
+  std::istringstream in(content);
+  Mesh mesh;
+  mesh.add_vertex(Kernel::Point_3(1, 2, 3));
+  try {
+    CSCD::read_triangle_mesh(in, format, "input", mesh);
+  } catch (const CSCD::File_error& error) {
+    const std::string message = error.what();
+    EXPECT_EQ(0u, message.rfind("input", 0)) << message;         // names the file
+    EXPECT_NE(std::string::npos, message.find("; ")) << message; // and a remedy
+    EXPECT_EQ(std::string::npos, message.find('\n')) << message;
+    EXPECT_EQ(1u, num_vertices(mesh));
+    return message;
+  }
+  ADD_FAILURE() << "accepted: " << content.substr(0, 200);
+  return "";
+}
+
+TEST(Read_triangle_mesh, reads_all_formats)
+{
+  const std::pair<std::string, CSCD::Mesh_format> files[] = {
+      {off(cube()), CSCD::Mesh_format::off},
+      {obj(cube()), CSCD::Mesh_format::obj},
+      {ascii_ply(cube()), CSCD::Mesh_format::ply},
+      {binary_ply(cube(), true), CSCD::Mesh_format::ply},
+      {binary_ply(cube(), false), CSCD::Mesh_format::ply},
+      {ascii_stl(cube()), CSCD::Mesh_format::stl},
+      {binary_stl(cube(), "any text"), CSCD::Mesh_format::stl},
+      {binary_stl(cube(), "solid text, though binary"), CSCD::Mesh_format::stl},
+  };
+  for (const auto& [content, format] : files) {
+    SCOPED_TRACE(content.substr(0, 30));
+    const Result result = read(content, format);
+    expect_cube(result.mesh);
+    EXPECT_EQ(Sentences{}, result.report.sentences());
+    EXPECT_TRUE(result.report.is_empty());
+  }
+}
+
+TEST(Read_triangle_mesh, keeps_the_numbering_of_the_file)
+{
+  const Mesh mesh = read_off(cube()).mesh;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto p = cube().points[i];
+    EXPECT_EQ(Kernel::Point_3(p[0], p[1], p[2]), mesh.point(Mesh::Vertex_index(std::uint32_t(i))));
+  }
+  for (std::size_t f = 0; f < 12; ++f) {
+    std::vector<std::size_t> corners;
+    for (auto v : CGAL::vertices_around_face(mesh.halfedge(Mesh::Face_index(std::uint32_t(f))), mesh)) {
+      corners.push_back(v);
+    }
+    const std::vector<std::size_t> expected = cube().polygons[f];
+    std::rotate(corners.begin(), std::find(corners.begin(), corners.end(), expected[0]), corners.end());
+    EXPECT_EQ(expected, corners);
+  }
+}
+
+TEST(Read_triangle_mesh, reads_files_by_their_ending)
+{
+  const Temporary_folder folder;
+  Mesh mesh;
+  CSCD::read_triangle_mesh(folder.write("cube.off", off(cube())), mesh);
+  expect_cube(mesh);
+  CSCD::read_triangle_mesh(folder.write("CUBE.STL", ascii_stl(cube())), mesh);
+  expect_cube(mesh);
+}
+
+TEST(Read_triangle_mesh, reads_other_mesh_types)
+{
+  std::istringstream in(off(cube_of_squares()));
+  CGAL::Polyhedron_3<Kernel> polyhedron;
+  CSCD::read_triangle_mesh(in, CSCD::Mesh_format::off, "input", polyhedron);
+  EXPECT_TRUE(polyhedron.is_valid());
+  EXPECT_TRUE(polyhedron.is_closed());
+  EXPECT_EQ(12u, polyhedron.size_of_facets());
+}
+
+TEST(Read_triangle_mesh, does_not_depend_on_the_global_locale)
+{
+  const Foreign_global_locale locale;
+  expect_cube(read("OFF\n8 12 0\n0.0 0 0\n1.0 0 0\n1 1.0e0 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n" +
+                       off(cube()).substr(off(cube()).find("3 0 3 2")),
+                   CSCD::Mesh_format::off)
+                  .mesh);
+}
+
+TEST(Read_triangle_mesh, accepts_the_variants_of_off)
+{
+  const std::string body = off(cube()).substr(4);
+  for (const std::string& content : {
+           "# a comment\nOFF # another\n\n" + body,
+           "OFF " + body,
+           "OFF\r\n8 12 0\r\n" + body.substr(body.find('\n') + 1),
+       }) {
+    expect_cube(read(content, CSCD::Mesh_format::off).mesh);
+  }
+  const std::string tetrahedron = "4 4 6\n0 0 0 X\n1 0 0 X\n0 1 0 X\n0 0 1 X\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
+  const auto with = [&tetrahedron](const std::string& keyword, const std::string& extra) {
+    std::string result = keyword + "\n" + tetrahedron;
+    for (std::size_t at = result.find('X'); at != std::string::npos; at = result.find('X')) {
+      result.replace(at, 1, extra);
+    }
+    return result;
+  };
+  for (const auto& [keyword, extra] : {std::pair<const char*, const char*>{"COFF", "255 0 0 255"},
+                                       {"NOFF", "0 0 1"},
+                                       {"STOFF", "0.5 0.5"},
+                                       {"STCNOFF", "0 0 1 255 0 0 0.5 0.5"},
+                                       {"OFF", "255 0 0"}}) {
+    EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(read(with(keyword, extra), CSCD::Mesh_format::off).mesh)) << keyword;
+  }
+  EXPECT_DOUBLE_EQ(1. / 48, PMP::volume(read(with("4OFF", "2"), CSCD::Mesh_format::off).mesh));
+}
+
+TEST(Read_triangle_mesh, accepts_the_variants_of_obj)
+{
+  const std::string content = "# cube\nmtllib a.mtl\no cube\n"
+                              "v 0 0 0\nv +1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n"
+                              "vt 0 0\nvn 0 0 1\ng sides\nusemtl red\ns off\n"
+                              "f 1/1/1 4/1 3//1 2\n"
+                              "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                              "f -4 -3 -2 -1\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nl 1 2\np 3\n";
+  const Result result = read(content, CSCD::Mesh_format::obj);
+  expect_cube(result.mesh);
+  EXPECT_EQ(6u, result.report.number_of_triangulated_polygons);
+}
+
+TEST(Read_triangle_mesh, accepts_the_variants_of_ply)
+{
+  const std::string content =
+      "ply\r\nformat ascii 1.0\r\nobj_info nothing\r\nelement material 1\r\nproperty int shininess\r\n"
+      "element vertex 4\r\nproperty uchar red\r\nproperty double z\r\nproperty int y\r\nproperty short x\r\n"
+      "property list uchar float tags\r\nproperty float quality\r\n"
+      "element face 4\r\nproperty float weight\r\nproperty list uint ushort vertex_index\r\n"
+      "element edge 1\r\nproperty int vertex1\r\nproperty int vertex2\r\nend_header\r\n"
+      "7\r\n255 0 0 0 0 nan\r\n255 0 0 1 1 0.5 1\r\n255 0 1 0 2 0.5 0.5 1\r\n255 1 0 0 0 inf\r\n"
+      "1 3 0 2 1\r\n1 3 0 1 3\r\n1 3 1 2 3\r\n1 3 0 3 2\r\n0 1\r\n";
+  EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(read(content, CSCD::Mesh_format::ply).mesh));
+}
+
+TEST(Read_triangle_mesh, accepts_very_small_numbers)
+{
+  Mesh_file_content mesh = cube();
+  std::string content = off(mesh);
+  content.replace(content.find("0 0 0\n"), 5, "1e-320 -1e-400 0");
+  expect_cube(read(content, CSCD::Mesh_format::off).mesh);
+}
+
+TEST(Read_triangle_mesh, triangulates_polygons)
+{
+  const Result result = read_off(cube_of_squares());
+  expect_cube(result.mesh);
+  EXPECT_EQ(Sentences{"6 polygons triangulated"}, result.report.sentences());
+}
+
+/// The area is that of the polygon only if no triangle lies outside of it.
+TEST(Read_triangle_mesh, triangulates_polygons_that_are_not_convex)
+{
+  Mesh_file_content dart{{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}}, {{0, 1, 2, 3}}};
+  for (int turn = 0; turn < 4; ++turn) {
+    const Result result = read_off(dart);
+    EXPECT_EQ(2u, num_faces(result.mesh));
+    EXPECT_DOUBLE_EQ(1, PMP::area(result.mesh));
+    std::rotate(dart.polygons[0].begin(), dart.polygons[0].begin() + 1, dart.polygons[0].end());
+  }
+  // the letter E, which is seen whole from none of its corners
+  const Mesh_file_content letter{{{0, 0, 0},
+                                  {3, 0, 0},
+                                  {3, 1, 0},
+                                  {1, 1, 0},
+                                  {1, 2, 0},
+                                  {3, 2, 0},
+                                  {3, 3, 0},
+                                  {1, 3, 0},
+                                  {1, 4, 0},
+                                  {3, 4, 0},
+                                  {3, 5, 0},
+                                  {0, 5, 0}},
+                                 {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}}};
+  const Result result = read_off(letter);
+  EXPECT_EQ(10u, num_faces(result.mesh));
+  EXPECT_DOUBLE_EQ(11, PMP::area(result.mesh));
+  EXPECT_EQ(Sentences{"1 polygon triangulated"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, triangulates_large_polygons)
+{
+  constexpr std::size_t size = 2000;
+  Mesh_file_content disc;
+  disc.polygons.emplace_back();
+  for (std::size_t i = 0; i < size; ++i) {
+    const double angle = 2 * 3.141592653589793 * double(i) / double(size);
+    disc.points.push_back({std::cos(angle), std::sin(angle), 0});
+    disc.polygons[0].push_back(i);
+  }
+  EXPECT_EQ(size - 2, num_faces(read_off(disc).mesh));
+}
+
+TEST(Read_triangle_mesh, stitches_a_soup)
+{
+  Mesh_file_content soup;
+  for (const auto& polygon : cube().polygons) {
+    soup.polygons.push_back({soup.points.size(), soup.points.size() + 1, soup.points.size() + 2});
+    for (std::size_t i : polygon) {
+      soup.points.push_back(cube().points[i]);
+    }
+  }
+  soup.points[0][0] = -0.0; // equals 0
+  const Result result = read_off(soup);
+  expect_cube(result.mesh);
+  EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbours)
+{
+  Mesh_file_content mesh = cube();
+  std::reverse(mesh.polygons[4].begin(), mesh.polygons[4].end());
+  std::reverse(mesh.polygons[9].begin(), mesh.polygons[9].end());
+  const Result result = read_off(mesh);
+  expect_cube(result.mesh);
+  EXPECT_EQ(2u, result.report.number_of_turned_faces + 10 * result.report.number_of_turned_components);
+}
+
+TEST(Read_triangle_mesh, turns_components_outwards)
+{
+  Mesh_file_content mesh = cube();
+  for (auto& polygon : mesh.polygons) {
+    std::reverse(polygon.begin(), polygon.end());
+  }
+  const Result result = read_off(mesh);
+  expect_cube(result.mesh);
+  EXPECT_EQ(Sentences{"1 component turned outwards"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, removes_degenerate_and_duplicate_faces)
+{
+  Mesh_file_content mesh = cube();
+  mesh.polygons.push_back({0, 0, 1});
+  mesh.polygons.push_back({mesh.polygons[3][1], mesh.polygons[3][2], mesh.polygons[3][0]});
+  mesh.polygons.push_back({mesh.polygons[5][2], mesh.polygons[5][1], mesh.polygons[5][0]});
+  const Result result = read_off(mesh);
+  expect_cube(result.mesh);
+  EXPECT_EQ(Sentences{"3 degenerate or duplicate faces removed"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, splits_an_edge_of_four_faces)
+{
+  // two cubes that touch along the edge from (1, 1, 0) to (1, 1, 1)
+  Mesh_file_content mesh = cube();
+  for (const auto& polygon : cube().polygons) {
+    mesh.polygons.emplace_back();
+    for (std::size_t i : polygon) {
+      auto p = cube().points[i];
+      p[0] += 1;
+      p[1] += 1;
+      auto at = std::find(mesh.points.begin(), mesh.points.end(), p);
+      mesh.polygons.back().push_back(std::size_t(at - mesh.points.begin()));
+      if (at == mesh.points.end()) {
+        mesh.points.push_back(p);
+      }
+    }
+  }
+  ASSERT_EQ(14u, mesh.points.size());
+  const Result result = read_off(mesh);
+  EXPECT_EQ(24u, num_faces(result.mesh));
+  EXPECT_EQ(16u, num_vertices(result.mesh));
+  EXPECT_TRUE(CGAL::is_closed(result.mesh));
+  EXPECT_DOUBLE_EQ(2, PMP::volume(result.mesh));
+  EXPECT_EQ(Sentences{"2 points duplicated where the surface is not a manifold"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, splits_a_pinched_point)
+{
+  // two tetrahedra that touch in point 3
+  const Mesh_file_content mesh{
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 2}, {1, 0, 2}, {0, 1, 2}},
+      {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 5, 6}, {4, 3, 5}, {5, 3, 6}, {4, 6, 3}}};
+  const Result result = read_off(mesh);
+  EXPECT_EQ(8u, num_vertices(result.mesh));
+  EXPECT_TRUE(CGAL::is_closed(result.mesh));
+  EXPECT_DOUBLE_EQ(1. / 3, PMP::volume(result.mesh));
+  EXPECT_EQ(Sentences{"1 point duplicated where the surface is not a manifold"}, result.report.sentences());
+}
+
+TEST(Read_triangle_mesh, cuts_a_one_sided_surface_open)
+{
+  // a Moebius strip of 5 triangles on 5 points
+  const Mesh_file_content strip{{{2, 0, 0}, {0, 2, 1}, {-2, 0, 0}, {0, -2, 1}, {1, -1, 2}},
+                                {{0, 1, 2}, {1, 2, 3}, {2, 3, 4}, {3, 4, 0}, {4, 0, 1}}};
+  const Result result = read_off(strip);
+  EXPECT_EQ(5u, num_faces(result.mesh));
+  EXPECT_GT(result.report.number_of_duplicated_points, 0u);
+}
+
+/// In a closed manifold, points of equal coordinates may be meant to be apart.
+TEST(Read_triangle_mesh, leaves_a_closed_manifold_alone)
+{
+  Mesh_file_content mesh = cube();
+  const std::size_t n = mesh.points.size();
+  for (const auto& polygon : cube().polygons) {
+    mesh.polygons.push_back({polygon[0] + n, polygon[1] + n, polygon[2] + n});
+  }
+  for (auto p : cube().points) {
+    p[0] += 1; // touches the first cube in a whole side
+    mesh.points.push_back(p);
+  }
+  mesh.points.push_back({7, 7, 7}); // without a face
+  std::istringstream in(off(mesh));
+  Mesh result;
+  EXPECT_TRUE(CSCD::read_triangle_mesh(in, CSCD::Mesh_format::off, "input", result).is_empty());
+  EXPECT_EQ(17u, num_vertices(result));
+  EXPECT_EQ(24u, num_faces(result));
+}
+
+TEST(Read_triangle_mesh, keeps_borders)
+{
+  Mesh_file_content mesh = cube();
+  mesh.polygons.erase(mesh.polygons.begin() + 2); // has no vertex in common with the next one
+  mesh.polygons.erase(mesh.polygons.begin());
+  const Result result = read_off(mesh);
+  EXPECT_EQ(8u, num_vertices(result.mesh));
+  EXPECT_EQ(10u, num_faces(result.mesh));
+  EXPECT_TRUE(result.report.is_empty());
+  std::size_t number_of_border_halfedges = 0;
+  for (auto h : halfedges(result.mesh)) {
+    number_of_border_halfedges += is_border(h, result.mesh) ? 1 : 0;
+  }
+  EXPECT_EQ(6u, number_of_border_halfedges);
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_off)
+{
+  using F = CSCD::Mesh_format;
+  const std::string good = off(cube());
+  for (const std::string& content : {
+           std::string(),
+           std::string("\n\n"),
+           std::string("hello"),
+           std::string("OFF"),
+           std::string("OFF\n"),
+           std::string("OFF\n8"),
+           std::string("OFF BINARY\n\0\0\0\0", 15),
+           std::string("nOFF 3\n1 0 0\n"),
+           std::string("SKEL\n"),
+           std::string("OFF\n0 0 0\n"),
+           std::string("OFF\n-1 4 0\n"),
+           std::string("OFF\n3 -1 0\n0 0 0\n1 0 0\n0 1 0\n"),
+           std::string("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n0\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4000000000 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 -inf\n0 1 0\n3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 1e999\n0 1 0\n3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 0,5\n0 1 0\n3 0 1 2\n"),
+           std::string("OFF\n3 1 0\n0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n"),
+           std::string("4OFF\n3 1 0\n0 0 0 1\n1 0 0 0\n0 1 0 1\n3 0 1 2\n"),
+           std::string("OFF\n4000000000 4000000000 0\n0 0 0\n"),
+           std::string("OFF\n99999999999999999999 1 0\n0 0 0\n"),
+           std::string("OFF\n9999999999999999 9999999999999999 0\n0 0 0\n"),
+           good.substr(0, good.size() / 2),
+           good.substr(0, good.rfind("3 ")),
+       }) {
+    refusal(content, F::off);
+  }
+  EXPECT_EQ("input, line 4: a coordinate is not finite; correct or remove this line",
+            refusal("OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", F::off));
+  EXPECT_EQ("input, line 7: a face names vertex 3, but there are only 3 (counted from 0); correct this line or write "
+            "the file again",
+            refusal("OFF\n3 1 0\n0 0 0\n1 0 0\n\n0 1 0\n3 0 1 3\n", F::off));
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_obj)
+{
+  using F = CSCD::Mesh_format;
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (const std::string& content : {
+           std::string(),
+           std::string("hello\n"),
+           points,
+           points + "f 1 2\n",
+           points + "f\n",
+           points + "f 1 2 4\n",
+           points + "f 1 2 0\n",
+           points + "f 1 2 -4\n",
+           points + "f 1 2 99999999999\n",
+           points + "f 1 2 99999999999999999999\n",
+           points + "f 1 2 x\n",
+           points + "f 1 2 4294967296\n",
+           std::string("v 0 0 0\nv 1 0\nv 0 1 0\nf 1 2 3\n"),
+           std::string("v 0 0 0\nv 1 0 inf\nv 0 1 0\nf 1 2 3\n"),
+           std::string("v 0 0 0\nv 1 0 \nv 0 1 0\nf 1 2 3\n"),
+       }) {
+    refusal(content, F::obj);
+  }
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_ply)
+{
+  using F = CSCD::Mesh_format;
+  const std::string good = ascii_ply(cube());
+  const auto changed = [&good](const std::string& old_text, const std::string& new_text) {
+    std::string result = good;
+    result.replace(result.find(old_text), old_text.size(), new_text);
+    return result;
+  };
+  const std::string binary = binary_ply(cube(), true);
+  std::string not_finite = binary;
+  const std::size_t body = binary.find("end_header\n") + 11;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::memcpy(not_finite.data() + body + 16, &nan, sizeof nan);
+  std::string long_list = binary;
+  long_list[body + 8 * 12] = '\xff';
+  for (const std::string& content : {
+           std::string(),
+           std::string("ply"),
+           std::string("plyformat"),
+           good.substr(0, 40),
+           good.substr(0, good.find("end_header")),
+           good.substr(0, good.size() - 3),
+           good.substr(0, good.size() / 2),
+           changed("ascii", "acsii"),
+           changed("float x", "flaot x"),
+           changed("float x", "float"),
+           changed("float x", "float u"),
+           changed("list uchar int", "list uchar"),
+           changed("vertex 8", "vertex -8"),
+           changed("vertex 8", "vertex"),
+           changed("vertex 8", "vertex 9"),
+           changed("vertex 8", "vertex 4000000000000000000"),
+           changed("vertex 8", "vertex 99999999999999999999"),
+           changed("face 12", "face 4000000000000000000"),
+           changed("face 12", "face 0"),
+           changed("vertex_indices", "corners"),
+           changed("\nproperty list uchar int vertex_indices", ""),
+           changed("\nproperty float x\nproperty float y\nproperty float z", ""),
+           changed("element vertex 8\n", ""),
+           changed("\n0 0 0\n", "\n0 0 nan\n"),
+           changed("\n0 0 0\n", "\n0 0 x\n"),
+           changed("\n3 0 3 2\n", "\n3 0 3 8\n"),
+           changed("\n3 0 3 2\n", "\n3 0 3 -1\n"),
+           changed("\n3 0 3 2\n", "\n3 0 3 1.5\n"),
+           changed("\n3 0 3 2\n", "\n2 0 3\n"),
+           changed("\n3 0 3 2\n", "\n-3 0 3 2\n"),
+           changed("\n3 0 3 2\n", "\nnan 0 3 2\n"),
+           changed("\n3 0 3 2\n", "\n4000000000 0 3 2\n"),
+           binary.substr(0, binary.size() - 1),
+           binary.substr(0, body + 50),
+           not_finite,
+           long_list,
+       }) {
+    refusal(content, F::ply);
+  }
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_stl)
+{
+  using F = CSCD::Mesh_format;
+  const std::string text = ascii_stl(cube());
+  const std::string binary = binary_stl(cube(), "text");
+  std::string many = binary;
+  const std::uint32_t number = 4000000000u;
+  std::memcpy(many.data() + 80, &number, sizeof number);
+  std::string not_finite = binary;
+  const float infinity = std::numeric_limits<float>::infinity();
+  std::memcpy(not_finite.data() + 84 + 12, &infinity, sizeof infinity);
+  const auto changed = [&text](const std::string& old_text, const std::string& new_text) {
+    std::string result = text;
+    result.replace(result.find(old_text), old_text.size(), new_text);
+    return result;
+  };
+  for (const std::string& content : {
+           std::string(),
+           std::string("   \n"),
+           std::string("solid"),
+           std::string("solid empty\nendsolid empty\n"),
+           text.substr(0, text.size() / 2),
+           text.substr(0, text.rfind("endsolid")),
+           changed("vertex 0 0 0", "vertex 0 0 nan"),
+           changed("vertex 0 0 0", "vertex 0 0"),
+           changed("vertex 0 0 0", ""),
+           changed("vertex 0 0 0", "vertex 0 0 0 vertex 0 0 0"),
+           changed("solid", "dilos"),
+           many,
+           not_finite,
+           binary.substr(0, binary.size() - 1),
+           binary.substr(0, 90),
+           std::string(84, '\0'),
+       }) {
+    refusal(content, F::stl);
+  }
+}
+
+TEST(Read_triangle_mesh, refuses_noise)
+{
+  std::mt19937 random(7);
+  for (int i = 0; i < 200; ++i) {
+    std::string noise;
+    for (int k = 0; k < 300; ++k) {
+      noise.push_back(static_cast<char>(random()));
+    }
+    for (CSCD::Mesh_format format :
+         {CSCD::Mesh_format::off, CSCD::Mesh_format::obj, CSCD::Mesh_format::ply, CSCD::Mesh_format::stl}) {
+      refusal(noise, format);
+    }
+  }
+}
+
+/// Damaged files are read or refused, and what is read is a valid mesh.
+TEST(Read_triangle_mesh, survives_damaged_bytes)
+{
+  const std::pair<std::string, CSCD::Mesh_format> files[] = {
+      {off(cube_of_squares()), CSCD::Mesh_format::off}, {obj(cube_of_squares()), CSCD::Mesh_format::obj},
+      {ascii_ply(cube()), CSCD::Mesh_format::ply},      {binary_ply(cube(), true), CSCD::Mesh_format::ply},
+      {ascii_stl(cube()), CSCD::Mesh_format::stl},      {binary_stl(cube(), "text"), CSCD::Mesh_format::stl}};
+  std::mt19937 random(7);
+  const std::string alphabet = "0123456789 -.e\nf/v";
+  for (const auto& [content, format] : files) {
+    for (int i = 0; i < 400; ++i) {
+      std::string damaged = content;
+      for (int k = 0; k < 3; ++k) {
+        damaged[random() % damaged.size()] = k % 2 == 0 ? alphabet[random() % alphabet.size()] : char(random());
+      }
+      std::istringstream in(damaged);
+      Mesh mesh;
+      try {
+        CSCD::read_triangle_mesh(in, format, "input", mesh);
+        EXPECT_TRUE(CGAL::is_triangle_mesh(mesh)) << damaged;
+      } catch (const CSCD::File_error&) {
+        EXPECT_EQ(0u, num_vertices(mesh));
+      } catch (const CSCD::Input_error&) {
+        EXPECT_EQ(0u, num_vertices(mesh));
+      }
+    }
+  }
+}
+
+TEST(Read_triangle_mesh, refuses_files_that_cannot_be_opened)
+{
+  const Temporary_folder folder;
+  Mesh mesh;
+  for (const std::string& filename : {folder.file("missing.off"), folder.path().string() + ".off",
+                                      folder.write("mesh.xyz", "0 0 0\n"), folder.write("mesh", off(cube()))}) {
+    EXPECT_THROW(CSCD::read_triangle_mesh(filename, mesh), CSCD::File_error) << filename;
+  }
+  std::filesystem::create_directory(folder.file("folder.off"));
+  EXPECT_THROW(CSCD::read_triangle_mesh(folder.file("folder.off"), mesh), CSCD::File_error);
+}
+
+/// All meshes of CGAL's data are read, and those that CGAL itself reads as closed triangle meshes are read equally.
+TEST(Read_triangle_mesh, reads_the_meshes_of_cgal)
+{
+  const std::filesystem::path folder(CSCD_CGAL_DATA_DIR);
+  if (!std::filesystem::exists(folder)) {
+    GTEST_SKIP() << "CGAL's data (package libcgal-demo) is not there";
+  }
+  std::size_t number_of_equal_meshes = 0;
+  for (const char* name :
+       {"elephant.off", "eight.off", "knot1.off", "hand.off", "camel.off", "sphere.off", "cube_quad.off", "man.off",
+        "blobby-shuffled.off", "cheese.off", "sphere.stl", "pig.stl", "colored_tetra.ply"}) {
+    SCOPED_TRACE(name);
+    const std::string filename = (folder / name).string();
+    Mesh mesh;
+    CSCD::Mesh_repair_report report;
+    ASSERT_NO_THROW(report = CSCD::read_triangle_mesh(filename, mesh));
+    EXPECT_TRUE(CGAL::is_valid_polygon_mesh(mesh));
+    Mesh expected;
+    if (report.is_empty() && CGAL::IO::read_polygon_mesh(filename, expected) && CGAL::is_closed(expected)) {
+      ++number_of_equal_meshes;
+      EXPECT_EQ(num_vertices(expected), num_vertices(mesh));
+      EXPECT_EQ(num_faces(expected), num_faces(mesh));
+      EXPECT_NEAR(PMP::volume(expected), PMP::volume(mesh), 1e-12 * std::abs(PMP::volume(expected)));
+    }
+  }
+  EXPECT_GE(number_of_equal_meshes, 5u);
+}
+
+} // namespace

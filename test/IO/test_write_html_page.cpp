@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The text of the viewer page; what a browser makes of it is tested in test/page.
+
+#include "support/convert_shape.h"
+#include "support/shape_operations.h"
+#include "support/simple_shapes.h"
+#include <CSCD/IO/write_html_page.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Mean_curvature_flow_skeletonization.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <locale>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using Separators = std::vector<std::vector<Point>>;
+
+constexpr std::uint32_t none = CSCD::internal::html_page_none;
+
+Mesh box_at(const CSCD::test::Triple& offset)
+{
+  return CSCD::test::to_mesh<Mesh>(CSCD::test::translated(CSCD::test::box("box", {4, 2, 1}), offset));
+}
+
+/// Three arms, one of them of two edges: nodes 0-1-2 and from 2 to 3 and to 4. Site i belongs to node i % 5.
+Skeleton three_arms(const Mesh& mesh)
+{
+  Skeleton skeleton(5);
+  const auto place = mesh.point(Mesh::Vertex_index(0));
+  for (std::size_t i = 0; i < 5; ++i) {
+    skeleton[i].point = place + Kernel::Vector_3(0.25 * static_cast<double>(i), 0, 0);
+    skeleton[i].radius = 0.5;
+  }
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    skeleton[v.idx() % 5].vertices.push_back(v);
+  }
+  add_edge(0, 1, skeleton);
+  add_edge(1, 2, skeleton);
+  add_edge(2, 3, skeleton);
+  add_edge(2, 4, skeleton);
+  return skeleton;
+}
+
+template <class AnyMesh, class AnySkeleton>
+std::string page_of(const AnyMesh& mesh, const AnySkeleton& skeleton, const Separators& separators = {},
+                    const std::string& three_js = "", const std::string& title = "title")
+{
+  std::ostringstream out;
+  CSCD::write_html_page(out, mesh, skeleton, separators, three_js, title);
+  return out.str();
+}
+
+nlohmann::json data_of(const std::string& page)
+{
+  const std::string begin = "id=\"cscd-data\">";
+  const std::size_t first = page.find(begin) + begin.size();
+  return nlohmann::json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+std::string decode_base64(const std::string& text)
+{
+  const std::string alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int number_of_bits = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = (bits << 6) | static_cast<std::uint32_t>(alphabet.find(c));
+    number_of_bits += 6;
+    if (number_of_bits >= 8) {
+      number_of_bits -= 8;
+      bytes.push_back(static_cast<char>((bits >> number_of_bits) & 0xff));
+    }
+  }
+  return bytes;
+}
+
+template <class Number>
+std::vector<Number> array_of(const nlohmann::json& data, const std::string& name)
+{
+  const std::string bytes = decode_base64(data["arrays"][name][1]);
+  std::vector<Number> numbers(bytes.size() / sizeof(Number));
+  std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+  return numbers;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part)
+{
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+TEST(Encode_base64, agrees_with_rfc_4648)
+{
+  using CSCD::internal::encode_base64;
+  EXPECT_EQ(encode_base64(""), "");
+  EXPECT_EQ(encode_base64("f"), "Zg==");
+  EXPECT_EQ(encode_base64("fo"), "Zm8=");
+  EXPECT_EQ(encode_base64("foo"), "Zm9v");
+  EXPECT_EQ(encode_base64("foob"), "Zm9vYg==");
+  EXPECT_EQ(encode_base64("fooba"), "Zm9vYmE=");
+  EXPECT_EQ(encode_base64("foobar"), "Zm9vYmFy");
+  EXPECT_EQ(encode_base64("\xff\xfe\x80"), "//6A");
+}
+
+TEST(Write_html_page, tells_the_figures)
+{
+  const Mesh mesh = box_at({0, 0, 0});
+  const Separators separators{{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {Point(0, 0, 0), Point(1, 0, 0)}};
+  const nlohmann::json counts = data_of(page_of(mesh, three_arms(mesh), separators))["counts"];
+  EXPECT_EQ(counts["vertices"], num_vertices(mesh));
+  EXPECT_EQ(counts["triangles"], num_faces(mesh));
+  EXPECT_EQ(counts["nodes"], 5);
+  EXPECT_EQ(counts["edges"], 4);
+  EXPECT_EQ(counts["branches"], 3);
+  EXPECT_EQ(counts["tips"], 3);
+  EXPECT_EQ(counts["junctions"], 1);
+  EXPECT_EQ(counts["cycles"], 0);
+  EXPECT_EQ(counts["separators"], 2);
+}
+
+TEST(Write_html_page, keeps_positions_far_from_the_origin)
+{
+  const Mesh mesh = box_at({1e9, -2e9, 3e9});
+  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh)));
+  const auto frame = array_of<double>(data, "frame");
+  const auto positions = array_of<float>(data, "positions");
+  ASSERT_EQ(frame.size(), 4u);
+  ASSERT_EQ(positions.size(), 3 * num_vertices(mesh));
+  constexpr double rounding = 1e-6; // of coordinates between -1 and 1 to single precision, and of those near 1e9
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const float coordinate = positions[3 * v.idx() + i];
+      EXPECT_LE(std::abs(coordinate), 1);
+      EXPECT_NEAR(frame[i] + frame[3] * static_cast<double>(coordinate), mesh.point(v)[static_cast<int>(i)], rounding);
+    }
+  }
+  EXPECT_EQ(array_of<float>(data, "node_radii"), std::vector<float>(5, static_cast<float>(0.5 / frame[3])));
+}
+
+TEST(Write_html_page, survives_extreme_and_missing_extents)
+{
+  for (const double size : {1e-310, 1e-200, 1e200, 1.5e308}) {
+    Mesh mesh;
+    CGAL::make_triangle(Point(-size, 0, 0), Point(size, 0, 0), Point(0, size, 0), mesh);
+    const auto positions = array_of<float>(data_of(page_of(mesh, Skeleton())), "positions");
+    EXPECT_EQ(positions, (std::vector<float>{-1, -0.5, 0, 1, -0.5, 0, 0, 0.5, 0})) << size;
+  }
+  Skeleton one_node(1);
+  one_node[0].point = Point(7, 7, 7);
+  EXPECT_EQ(array_of<float>(data_of(page_of(Mesh(), one_node)), "node_positions"), (std::vector<float>{0, 0, 0}));
+  EXPECT_EQ(data_of(page_of(Mesh(), Skeleton()))["counts"]["nodes"], 0);
+}
+
+TEST(Write_html_page, says_what_belongs_to_which_branch)
+{
+  const Mesh mesh = box_at({0, 0, 0});
+  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh)));
+  const auto of_node = array_of<std::uint32_t>(data, "branch_of_node");
+  const auto of_edge = array_of<std::uint32_t>(data, "branch_of_edge");
+  ASSERT_EQ(of_node.size(), 5u);
+  ASSERT_EQ(of_edge.size(), 4u);
+  EXPECT_EQ(of_node[2], none);
+  EXPECT_EQ(of_node[0], of_node[1]);
+  EXPECT_EQ(of_edge[0], of_node[0]);
+  EXPECT_EQ(of_edge[1], of_node[0]);
+  EXPECT_EQ(of_edge[2], of_node[3]);
+  EXPECT_EQ(of_edge[3], of_node[4]);
+  EXPECT_NE(of_node[3], of_node[4]);
+  const auto of_vertex = array_of<std::uint32_t>(data, "node_of_vertex");
+  for (std::uint32_t v = 0; v < of_vertex.size(); ++v) {
+    EXPECT_EQ(of_vertex[v], v % 5);
+  }
+}
+
+TEST(Write_html_page, knows_cycles_and_lone_nodes)
+{
+  Skeleton skeleton(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    skeleton[i].point = Point(static_cast<double>(i), static_cast<double>(i * i), 0);
+  }
+  add_edge(0, 1, skeleton);
+  add_edge(1, 2, skeleton);
+  add_edge(2, 0, skeleton);
+  const nlohmann::json data = data_of(page_of(Mesh(), skeleton));
+  EXPECT_EQ(data["counts"]["cycles"], 1);
+  EXPECT_EQ(data["counts"]["branches"], 2);
+  const auto of_node = array_of<std::uint32_t>(data, "branch_of_node");
+  ASSERT_EQ(of_node.size(), 4u);
+  EXPECT_EQ(of_node[1], of_node[0]);
+  EXPECT_EQ(of_node[2], of_node[0]);
+  EXPECT_NE(of_node[3], of_node[0]);
+  EXPECT_EQ(array_of<std::uint32_t>(data, "branch_of_edge"), std::vector<std::uint32_t>(3, of_node[0]));
+}
+
+TEST(Write_html_page, lists_separators)
+{
+  const Mesh mesh = box_at({0, 0, 0});
+  const Separators separators{{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {}, {Point(2, 1, 1), Point(1, 0, 0)}};
+  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh), separators));
+  EXPECT_EQ(array_of<std::uint32_t>(data, "separator_offsets"), (std::vector<std::uint32_t>{0, 3, 3, 5}));
+  EXPECT_EQ(array_of<float>(data, "separator_points").size(), 15u);
+}
+
+TEST(Write_html_page, reads_other_meshes_and_cgals_skeleton)
+{
+  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+  Polyhedron mesh;
+  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
+  CGAL::Mean_curvature_flow_skeletonization<Polyhedron>::Skeleton skeleton(1);
+  skeleton[0].point = Point(0.1, 0.1, 0.1);
+  skeleton[0].vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
+  const nlohmann::json data = data_of(page_of(mesh, skeleton));
+  EXPECT_FALSE(data["arrays"].contains("node_radii"));
+  EXPECT_EQ(array_of<std::uint32_t>(data, "node_of_vertex"), (std::vector<std::uint32_t>(4, 0)));
+}
+
+TEST(Write_html_page, numbers_vertices_without_the_removed_ones)
+{
+  Mesh mesh;
+  mesh.remove_vertex(mesh.add_vertex(Point(9, 9, 9)));
+  const auto kept = mesh.add_vertex(Point(5, 5, 5));
+  const auto removed = mesh.add_vertex(Point(9, 9, 9));
+  CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), mesh);
+  mesh.remove_vertex(removed);
+  mesh.remove_vertex(kept);
+  const nlohmann::json data = data_of(page_of(mesh, Skeleton()));
+  EXPECT_EQ(data["counts"]["vertices"], 3);
+  for (const std::uint32_t v : array_of<std::uint32_t>(data, "triangles")) {
+    EXPECT_LT(v, 3u);
+  }
+}
+
+TEST(Write_html_page, escapes_foreign_text)
+{
+  const std::string plain = page_of(Mesh(), Skeleton());
+  const std::string page = page_of(Mesh(), Skeleton(), {}, "a = '</script><!--</SCRIPT>'; // c", "<b>\"&'</title>");
+  EXPECT_NE(page.find("<title>&lt;b&gt;&quot;&amp;&#39;&lt;/title&gt;</title>"), std::string::npos);
+  EXPECT_EQ(occurrences(page, "<b>\""), 0u);
+  EXPECT_EQ(occurrences(page, "</script"), occurrences(plain, "</script"));
+  EXPECT_EQ(occurrences(page, "</SCRIPT"), 0u);
+  EXPECT_EQ(occurrences(page, "<!--"), 0u);
+  EXPECT_EQ(occurrences(page, "; // c\n"), 1u);
+}
+
+TEST(Write_html_page, needs_no_other_file)
+{
+  const std::string page = page_of(Mesh(), Skeleton());
+  for (const char* reference : {"http:", "https:", " src=", "href=", "url(", "import ", "fetch(", "XMLHttpRequest"}) {
+    EXPECT_EQ(occurrences(page, reference), 0u) << reference;
+  }
+  EXPECT_EQ(occurrences(page, "default-src 'none'"), 1u);
+}
+
+TEST(Write_html_page, does_not_depend_on_the_locale)
+{
+  struct Grouped : std::numpunct<char>
+  {
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\1"; }
+  };
+  const Mesh mesh = box_at({0, 0, 0});
+  std::ostringstream out;
+  out.imbue(std::locale(std::locale::classic(), new Grouped));
+  CSCD::write_html_page(out, mesh, three_arms(mesh), Separators(), "", "title");
+  EXPECT_EQ(out.str(), page_of(mesh, three_arms(mesh)));
+}
+
+TEST(Write_html_page, reports_a_stream_that_fails)
+{
+  std::ostream closed(nullptr);
+  EXPECT_THROW(CSCD::write_html_page(closed, Mesh(), Skeleton(), Separators(), "", ""), CSCD::File_error);
+}
+
+TEST(Write_html_page, wants_triangles)
+{
+  Mesh mesh;
+  CGAL::make_quad(Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(0, 1, 0), mesh);
+  EXPECT_THROW(page_of(mesh, Skeleton()), CGAL::Precondition_exception);
+}
+
+} // namespace

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The search for separators: complete, bounded, and the same for any number of threads.
+
+#include "Separator/Levels_traits.h"
+#include "support/shapes.h"
+#include <CSCD/Selection/Separator_search.h>
+#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeletonization_report.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using CSCD::Separator;
+using CSCD::internal::Separator_search;
+using CSCD::test::Levels_traits;
+
+using Finder = CSCD::Local_separator_finder<Levels_traits>;
+
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+/// What a search finds.
+struct Findings
+{
+  std::vector<Separator> separators;
+  CSCD::Skeletonization_report report;
+  std::vector<double> progress;
+};
+
+template <class ConcurrencyTag>
+Findings search(const Levels_traits& traits, unsigned seed, unsigned number_of_threads, std::size_t most = no_limit)
+{
+  Findings findings;
+  Separator_search<ConcurrencyTag, Finder> separator_search(traits.levels(), seed, number_of_threads,
+                                                            [&] { return Finder(traits); });
+  separator_search(most, findings.separators, findings.report,
+                   [&](double fraction) { findings.progress.push_back(fraction); });
+  return findings;
+}
+
+void expect_equal(const Findings& a, const Findings& b)
+{
+  EXPECT_EQ(a.report.number_of_sources, b.report.number_of_sources);
+  EXPECT_EQ(a.report.number_of_bumps, b.report.number_of_bumps);
+  EXPECT_EQ(a.report.number_of_sources_without_cut, b.report.number_of_sources_without_cut);
+  EXPECT_EQ(a.report.number_of_plane_sections, b.report.number_of_plane_sections);
+  EXPECT_EQ(a.progress, b.progress);
+  ASSERT_EQ(a.separators.size(), b.separators.size());
+  for (std::size_t i = 0; i < a.separators.size(); ++i) {
+    const Separator& s = a.separators[i];
+    const Separator& t = b.separators[i];
+    ASSERT_EQ(s.source, t.source);
+    ASSERT_EQ(s.level, t.level);
+    ASSERT_EQ(s.length, t.length);
+    ASSERT_EQ(s.center, t.center);
+    ASSERT_EQ(s.planarity, t.planarity);
+    ASSERT_TRUE(std::equal(s.crossings.begin(), s.crossings.end(), t.crossings.begin(), t.crossings.end(),
+                           [](const auto& c, const auto& d) {
+                             return c.halfedge == d.halfedge && c.position == d.position;
+                           }));
+  }
+}
+
+TEST(Separator_search, covers_the_surface)
+{
+  const Levels_traits traits(CSCD::test::y_tube(0.12));
+  const Findings findings = search<CGAL::Sequential_tag>(traits, 0, 1);
+  EXPECT_GT(findings.separators.size(), 10u);
+  EXPECT_EQ(findings.separators.size(), findings.report.number_of_separators);
+  EXPECT_EQ(findings.report.number_of_sources, findings.report.number_of_separators + findings.report.number_of_bumps +
+                                                   findings.report.number_of_sources_without_cut);
+  EXPECT_EQ(findings.report.number_of_plane_sections + findings.report.number_of_straightened_loops,
+            findings.report.number_of_separators);
+  EXPECT_LT(findings.report.number_of_sources, traits.levels().finest().surface.number_of_vertices() / 4);
+  EXPECT_TRUE(std::is_sorted(findings.progress.begin(), findings.progress.end()));
+}
+
+TEST(Separator_search, answers_the_same_for_every_number_of_threads)
+{
+  for (const CSCD::test::Shape& shape : {CSCD::test::hand(0.12), CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1)}) {
+    SCOPED_TRACE(shape.name);
+    const Levels_traits traits(shape);
+    const Findings sequential = search<CGAL::Sequential_tag>(traits, 5, 0);
+    EXPECT_GT(sequential.separators.size(), 5u);
+    expect_equal(sequential, search<CGAL::Sequential_tag>(traits, 5, 0));
+    for (const unsigned number_of_threads : {1u, 2u, 3u}) {
+      SCOPED_TRACE(number_of_threads);
+      expect_equal(sequential, search<CGAL::Parallel_tag>(traits, 5, number_of_threads));
+    }
+  }
+}
+
+TEST(Separator_search, tries_no_more_sources_than_allowed_and_the_same_ones)
+{
+  const Levels_traits traits(CSCD::test::hand(0.12));
+  const Findings all = search<CGAL::Sequential_tag>(traits, 0, 1);
+  for (const std::size_t most : {std::size_t(0), std::size_t(1), std::size_t(20)}) {
+    const Findings some = search<CGAL::Sequential_tag>(traits, 0, 1, most);
+    EXPECT_LE(some.report.number_of_sources, most);
+    EXPECT_LE(some.separators.size(), most);
+    expect_equal(some, search<CGAL::Parallel_tag>(traits, 0, 2, most));
+    for (std::size_t i = 0; i < std::min(some.separators.size(), std::size_t(10)); ++i) {
+      EXPECT_EQ(some.separators[i].source, all.separators[i].source);
+    }
+  }
+}
+
+TEST(Separator_search, passes_on_what_the_progress_throws)
+{
+  const Levels_traits traits(CSCD::test::sphere(4));
+  Separator_search<CGAL::Parallel_tag, Finder> separator_search(traits.levels(), 0, 2, [&] { return Finder(traits); });
+  std::vector<Separator> separators;
+  CSCD::Skeletonization_report report;
+  EXPECT_THROW(separator_search(no_limit, separators, report, [](double) { throw std::runtime_error("stop"); }),
+               std::runtime_error);
+  EXPECT_LE(report.number_of_sources, 16u);
+}
+
+} // namespace

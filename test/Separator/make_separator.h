@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Separators made by hand: plane sections and circles around a vertex.
+
+#ifndef CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
+#define CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
+
+#include "Traits/to_surface.h"
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CSCD::test {
+
+/// The separator of `crossings`, with its measures.
+inline Separator make_separator(const CSCD::internal::Triangulated_surface& surface,
+                                std::vector<CSCD::internal::Edge_crossing> crossings)
+{
+  Separator separator;
+  separator.crossings = std::move(crossings);
+  std::vector<CSCD::internal::Vector_3> points;
+  CSCD::internal::crossing_points(surface, separator.crossings, points);
+  CSCD::internal::set_measures(separator, points);
+  separator.source = surface.origin(separator.crossings.front().halfedge);
+  return separator;
+}
+
+/// The cycle that the plane through `point` normal to `axis` cuts off `surface` and that comes nearest to `near`.
+inline Separator section_separator(const CSCD::internal::Triangulated_surface& surface,
+                                   const CSCD::internal::Vector_3& point, const CSCD::internal::Vector_3& axis,
+                                   const CSCD::internal::Vector_3& near)
+{
+  CSCD::internal::Plane_section section(surface);
+  Separator best;
+  double least = std::numeric_limits<double>::max();
+  for (CSCD::internal::Index face = 0; face < surface.number_of_faces(); ++face) {
+    double distance = std::numeric_limits<double>::max();
+    for (CSCD::internal::Index h = 3 * face; h < 3 * face + 3; ++h) {
+      distance = std::min(distance, (surface.point(surface.origin(h)) - near).norm());
+    }
+    if (distance < least && section.cut_at_face(face, axis, point, std::numeric_limits<double>::max())) {
+      least = distance;
+      best = make_separator(surface, section.crossings());
+    }
+  }
+  EXPECT_FALSE(best.crossings.empty()) << "the plane misses the surface";
+  return best;
+}
+
+/// The circle around `vertex` that crosses every edge there at `position` from the vertex. The vertex is on its right.
+inline Separator circle_separator(const CSCD::internal::Triangulated_surface& surface, CSCD::internal::Index vertex,
+                                  double position)
+{
+  std::vector<CSCD::internal::Edge_crossing> crossings;
+  for (const CSCD::internal::Index h : surface.outgoing(vertex)) {
+    crossings.push_back({h, position});
+  }
+  // A curve goes on into the face of the twin: clockwise.
+  std::reverse(crossings.begin(), crossings.end());
+  return make_separator(surface, std::move(crossings));
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Plane sections: known lengths, planes through vertices, edges and whole faces, and the axis of a limb.
+
+#include "Separator/is_closed_curve.h"
+#include "Traits/to_surface.h"
+#include "support/shapes.h"
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::Edge_crossing;
+using CSCD::internal::Index;
+using CSCD::internal::Plane_section;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vector_3;
+using CSCD::test::is_closed_curve;
+using CSCD::test::pi;
+
+constexpr double no_limit = std::numeric_limits<double>::max();
+
+/// Whether no edge is crossed twice.
+bool is_simple(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
+{
+  std::set<Index> edges;
+  for (const Edge_crossing& crossing : crossings) {
+    edges.insert(surface.edge(crossing.halfedge));
+  }
+  return edges.size() == crossings.size();
+}
+
+TEST(Plane_section, is_a_circle_on_a_tube)
+{
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
+  Plane_section section(surface);
+  const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
+  const double height = surface.point(vertex).x();
+  ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, no_limit));
+  EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
+  EXPECT_TRUE(is_simple(surface, section.crossings()));
+  EXPECT_NEAR(section.length(), 2 * pi, 0.01);
+  ASSERT_EQ(section.points().size(), section.crossings().size());
+  double length = 0;
+  for (std::size_t i = 0; i < section.points().size(); ++i) {
+    EXPECT_NEAR(section.points()[i].x(), height, 0.001);
+    length += (section.points()[(i + 1) % section.points().size()] - section.points()[i]).norm();
+  }
+  EXPECT_NEAR(section.length(), length, 1e-12);
+}
+
+TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
+{
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::tube(20, 1, 48, CSCD::test::Tube_end::flat));
+  Plane_section section(surface);
+  const Vector_3 axis = Vector_3(1, 1, 0).normalized();
+  const Vector_3 center(10, 0, 0);
+  const Index vertex = CSCD::test::nearest_vertex(surface, {10, 0, 1});
+  ASSERT_TRUE(section.cut_at_vertex(vertex, axis, no_limit));
+  // Half axes 1 and the square root of 2: the complete elliptic integral 4 sqrt(2) E(1/2).
+  EXPECT_NEAR(section.length(), 7.6404, 0.02);
+  for (const Vector_3& point : section.points()) {
+    EXPECT_NEAR(axis.dot(point - surface.point(vertex)), 0, 1e-3);
+  }
+}
+
+TEST(Plane_section, passes_beside_vertices_and_edges_that_lie_in_the_plane)
+{
+  // On a subdivided cube, this plane holds vertices and edges of the mesh, and no rounding occurs.
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::subdivided_cube(3));
+  Plane_section section(surface);
+  for (const double x : {0.125, 0.5, 0.875, 1.}) {
+    const Index vertex = CSCD::test::nearest_vertex(surface, {x, 0, 0.25});
+    ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, no_limit));
+    EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
+    EXPECT_TRUE(is_simple(surface, section.crossings()));
+    EXPECT_NEAR(section.length(), 4, 0.01);
+    for (const Edge_crossing& crossing : section.crossings()) {
+      EXPECT_GE(surface.point(surface.origin(crossing.halfedge)).x(), x);
+      EXPECT_LT(surface.point(surface.target(crossing.halfedge)).x(), x);
+    }
+  }
+}
+
+TEST(Plane_section, closes_for_every_vertex_and_every_axis)
+{
+  const std::vector<Vector_3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, Vector_3(1, 1, 0).normalized(),
+                                   Vector_3(1, 1, 1).normalized(), Vector_3(0.3, -0.5, 0.7).normalized()};
+  for (const CSCD::test::Shape& shape :
+       {CSCD::test::subdivided_cube(2), CSCD::test::beam(), CSCD::test::plate_with_hole(), CSCD::test::l_bracket(),
+        CSCD::test::tetrahedron(), CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.3, 1)}) {
+    SCOPED_TRACE(shape.name);
+    const Triangulated_surface surface = CSCD::test::to_surface(shape);
+    Plane_section section(surface);
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      for (const Vector_3& axis : axes) {
+        bool is_minimum = true;
+        for (const Index h : surface.outgoing(vertex)) {
+          is_minimum = is_minimum && axis.dot(surface.point(surface.target(h))) >= axis.dot(surface.point(vertex));
+        }
+        ASSERT_EQ(section.cut_at_vertex(vertex, axis, no_limit), !is_minimum);
+        if (!is_minimum) {
+          ASSERT_TRUE(is_closed_curve(surface, section.crossings()));
+          ASSERT_TRUE(is_simple(surface, section.crossings()));
+        }
+      }
+    }
+  }
+}
+
+TEST(Plane_section, through_a_face_follows_the_cycle_there)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 24));
+  Plane_section section(surface);
+  std::size_t on_one_side = 0;
+  std::size_t on_other_side = 0;
+  for (Index face = 0; face < surface.number_of_faces(); ++face) {
+    if (!section.cut_at_face(face, {1, 0, 0}, {0.01, 0, 0}, no_limit)) {
+      continue;
+    }
+    // The plane cuts the tube of the torus twice.
+    EXPECT_NEAR(section.length(), 2 * pi, 0.05);
+    double least = no_limit;
+    double most = -no_limit;
+    for (const Vector_3& point : section.points()) {
+      least = std::fmin(least, point.y());
+      most = std::fmax(most, point.y());
+    }
+    EXPECT_GT(least * most, 0);
+    EXPECT_EQ(surface.point(surface.origin(3 * face)).y() > 0, least > 0);
+    ++(least > 0 ? on_one_side : on_other_side);
+  }
+  EXPECT_GT(on_one_side, 24u);
+  EXPECT_GT(on_other_side, 24u);
+}
+
+TEST(Plane_section, is_given_up_when_it_gets_too_long)
+{
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
+  Plane_section section(surface);
+  const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
+  EXPECT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, 6.5));
+  EXPECT_FALSE(section.cut_at_vertex(vertex, {1, 0, 0}, 5));
+  EXPECT_FALSE(section.cut_at_vertex(vertex, {0, 0, 1}, 10)) << "along the tube";
+  EXPECT_FALSE(section.cut_at_face(0, {1, 0, 0}, {5, 0, 0}, no_limit)) << "the plane misses this face";
+}
+
+TEST(Plane_section, refuses_an_axis_that_is_no_number)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::cube());
+  Plane_section section(surface);
+  const Vector_3 nothing = Vector_3::Constant(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(section.cut_at_face(0, nothing, {0, 0, 0}, no_limit));
+}
+
+TEST(Plane_section, knows_the_axis_of_a_tube_and_of_a_cone)
+{
+  for (const CSCD::test::Shape& shape :
+       {CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat), CSCD::test::tapered_tube(10, 0.4, 1.2, 48)}) {
+    SCOPED_TRACE(shape.name);
+    const Triangulated_surface surface = CSCD::test::to_surface(shape);
+    Plane_section section(surface);
+    for (const Vector_3& tilted : {Vector_3(1, 0, 0), Vector_3(1, 0.3, 0), Vector_3(1, -0.2, 0.4)}) {
+      ASSERT_TRUE(section.cut_at_vertex(CSCD::test::nearest_vertex(surface, {5, 0, 1}), tilted.normalized(), no_limit));
+      EXPECT_GT(std::fabs(section.symmetry_axis().x()), std::cos(0.05));
+      EXPECT_NEAR(section.symmetry_axis().norm(), 1, 1e-9);
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The answers about the body are those that its known shape gives.
+
+#include "Traits/to_indexed_triangles.h"
+#include "support/shapes.h"
+#include <CSCD/Traits/Solid_queries.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <utility>
+
+namespace {
+
+using CSCD::internal::Index;
+using CSCD::internal::Solid_queries;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vector_3;
+
+Triangulated_surface compiled(const CSCD::test::Shape& shape)
+{
+  return Triangulated_surface(CSCD::test::to_indexed_triangles(shape));
+}
+
+Vector_3 random_vector(std::mt19937_64& random, double size)
+{
+  const double x = CSCD::test::random_signed_unit(random);
+  const double y = CSCD::test::random_signed_unit(random);
+  return size * Vector_3(x, y, CSCD::test::random_signed_unit(random));
+}
+
+TEST(Solid_queries, knows_the_cube)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(2));
+  const Solid_queries queries(surface);
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector_3 point = random_vector(random, 1) + Vector_3::Constant(0.5);
+    const Vector_3 clamped = point.cwiseMax(0).cwiseMin(1);
+    const bool is_inside = clamped == point;
+    ASSERT_EQ(queries.is_inside(point), is_inside) << point.transpose();
+    const auto nearest = queries.closest_point(point);
+    const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
+    const double distance = is_inside ? depth : (clamped - point).norm();
+    ASSERT_NEAR((nearest.point - point).norm(), distance, 1e-14) << point.transpose();
+    ASSERT_LT(nearest.face, surface.number_of_faces());
+  }
+}
+
+TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
+{
+  // Points of a grid, from which any direction of small integer slope meets edges and vertices.
+  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(3));
+  const Solid_queries queries(surface);
+  for (int x = -2; x <= 18; ++x) {
+    for (int y = -2; y <= 18; ++y) {
+      for (int z = -2; z <= 18; ++z) {
+        const Vector_3 point = Vector_3(x, y, z) / 16;
+        const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
+        if (depth != 0) {
+          ASSERT_EQ(queries.is_inside(point), depth > 0) << point.transpose();
+        }
+      }
+    }
+  }
+}
+
+TEST(Solid_queries, meets_edges_and_vertices_once)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(1));
+  const Solid_queries queries(surface);
+  for (const Vector_3& target : surface.points()) {
+    const Vector_3 center = Vector_3::Constant(0.5);
+    const auto hit = queries.first_hit(center, target - center);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->distance, (target - center).norm(), 1e-14);
+    EXPECT_TRUE(hit->point.isApprox(target, 1e-14));
+  }
+}
+
+TEST(Solid_queries, knows_the_sphere)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::sphere(4));
+  const Solid_queries queries(surface);
+  const double deviation = 0.004; // of the triangles from the sphere
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 1000; ++i) {
+    const Vector_3 point = random_vector(random, 1.2);
+    const double radius = point.norm();
+    if (std::abs(radius - 1) > deviation) {
+      ASSERT_EQ(queries.is_inside(point), radius < 1);
+    }
+    ASSERT_NEAR((queries.closest_point(point).point - point).norm(), std::abs(radius - 1), deviation);
+    const Vector_3 direction = random_vector(random, 3);
+    const auto hit = queries.first_hit(point, direction);
+    const double toward = point.dot(direction.normalized());
+    const double discriminant = toward * toward - point.squaredNorm() + 1;
+    if (radius < 1 - deviation) {
+      ASSERT_TRUE(hit);
+      ASSERT_NEAR(hit->point.norm(), 1, deviation);
+      ASSERT_NEAR((point + hit->distance * direction.normalized() - hit->point).norm(), 0, 1e-14);
+      ASSERT_NEAR(hit->distance, -toward + std::sqrt(discriminant), 0.05);
+    } else if (radius > 1 && (toward > 0 || discriminant < 0)) {
+      ASSERT_FALSE(hit);
+    }
+  }
+}
+
+TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));
+  const Solid_queries queries(surface);
+  std::mt19937_64 random(3);
+  for (int i = 0; i < 200; ++i) {
+    const Vector_3 point = random_vector(random, 4);
+    const double found = (queries.closest_point(point).point - point).norm();
+    // No point of a fine sample of the faces is nearer.
+    for (Index f = 0; f < surface.number_of_faces(); ++f) {
+      const Vector_3& a = surface.point(surface.origin(3 * f));
+      const Vector_3& b = surface.point(surface.origin(3 * f + 1));
+      const Vector_3& c = surface.point(surface.origin(3 * f + 2));
+      for (const Vector_3& sample : {a, Vector_3((a + b) / 2), Vector_3((a + b + c) / 3)}) {
+        ASSERT_LE(found, (sample - point).norm() + 1e-14);
+      }
+    }
+  }
+}
+
+TEST(Solid_queries, respects_a_cavity)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::hollow_sphere(3));
+  const Solid_queries queries(surface);
+  EXPECT_FALSE(queries.is_inside({0.1, 0.1, 0.1}));
+  EXPECT_TRUE(queries.is_inside({0.5, 0.5, 0.2}));
+  EXPECT_FALSE(queries.is_inside({1, 1, 1}));
+}
+
+TEST(Solid_queries, survives_faces_without_area)
+{
+  // A cube of which one face is split at a point of its diagonal, and a needle on an edge.
+  CSCD::test::Shape shape = CSCD::test::cube();
+  shape.points.push_back({0.5, 0, 0}); // on the edge between vertices 0 and 1
+  shape.triangles.erase(std::find(shape.triangles.begin(), shape.triangles.end(), CSCD::test::Triangle{0, 1, 5}));
+  shape.triangles.push_back({0, 8, 5});
+  shape.triangles.push_back({8, 1, 5});
+  shape.triangles.push_back({0, 1, 8}); // collinear
+  const Triangulated_surface surface = compiled(shape);
+  ASSERT_FALSE(surface.defect());
+  const Solid_queries queries(surface);
+  EXPECT_TRUE(queries.is_inside({0.5, 0.3, 0.4}));
+  EXPECT_FALSE(queries.is_inside({0.5, -0.3, -0.4}));
+  const Vector_3 below(0.5, -1, -1);
+  EXPECT_NEAR((queries.closest_point(below).point - Vector_3(0.5, 0, 0)).norm(), 0, 1e-14);
+}
+
+TEST(Solid_queries, answers_on_a_flat_body)
+{
+  CSCD::test::Shape pillow;
+  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
+  const Triangulated_surface surface = compiled(pillow);
+  const Solid_queries queries(surface);
+  EXPECT_FALSE(queries.is_inside({0.2, 0.2, 0.1}));
+  EXPECT_FALSE(queries.is_inside({0.2, 0.2, -0.1}));
+  EXPECT_NEAR((queries.closest_point({0.2, 0.2, 0.1}).point - Vector_3(0.2, 0.2, 0)).norm(), 0, 1e-14);
+  EXPECT_TRUE(queries.first_hit({0.2, 0.2, 0.1}, {0, 0, -1}));
+  EXPECT_FALSE(queries.first_hit({0.2, 0.2, 0.1}, {0, 0, 1}));
+}
+
+} // namespace

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// After bridging, every surface is a closed oriented manifold, and its own faces are as before.
+
+#include "Traits/to_indexed_triangles.h"
+#include "support/shapes.h"
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Traits/check_manifold.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::Index;
+using CSCD::internal::Indexed_triangles;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vector_3;
+using CSCD::test::Shape;
+
+struct Bridged
+{
+  explicit Bridged(Indexed_triangles input) : triangles(std::move(input))
+  {
+    const auto pairing = CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex; });
+    number_of_borders = CSCD::internal::bridge_borders(triangles, pairing);
+  }
+
+  Indexed_triangles triangles;
+  std::size_t number_of_borders = 0;
+};
+
+/// Bridges and compares; returns the surface.
+Triangulated_surface expect_closed(const Indexed_triangles& input, std::size_t number_of_borders, long euler_number,
+                                   std::size_t inserted = 0)
+{
+  Bridged bridged(input);
+  EXPECT_EQ(bridged.number_of_borders, number_of_borders);
+  EXPECT_EQ(bridged.triangles.points.size(), input.points.size() + inserted);
+  EXPECT_EQ(bridged.triangles.first_bridging_face, input.faces.size());
+  EXPECT_TRUE(std::equal(input.faces.begin(), input.faces.end(), bridged.triangles.faces.begin()));
+  Triangulated_surface surface(std::move(bridged.triangles));
+  EXPECT_FALSE(surface.defect());
+  EXPECT_EQ(long(surface.number_of_vertices()) - long(surface.number_of_faces() / 2), euler_number);
+  return surface;
+}
+
+TEST(bridge_borders, leaves_a_closed_surface_alone)
+{
+  const auto input = CSCD::test::to_indexed_triangles(CSCD::test::sphere(1));
+  expect_closed(input, 0, 2);
+}
+
+TEST(bridge_borders, closes_all_open_shapes)
+{
+  for (const auto& maker : CSCD::test::open_shapes()) {
+    const Shape shape = maker.make();
+    SCOPED_TRACE(shape.name);
+    const long euler_number = 2 * long(shape.number_of_components) - 2 * long(shape.genus);
+    expect_closed(CSCD::test::to_indexed_triangles(shape), shape.number_of_border_cycles, euler_number);
+  }
+}
+
+TEST(bridge_borders, makes_a_pillow_of_a_single_triangle)
+{
+  Indexed_triangles input{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 1};
+  const Triangulated_surface surface = expect_closed(input, 1, 2);
+  EXPECT_EQ(surface.number_of_faces(), 2u);
+  EXPECT_EQ(surface.degree(0), 2u);
+}
+
+TEST(bridge_borders, makes_a_flat_tetrahedron_of_two_triangles)
+{
+  Indexed_triangles input{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, 2};
+  const Triangulated_surface surface = expect_closed(input, 1, 2);
+  EXPECT_EQ(surface.number_of_faces(), 4u);
+  EXPECT_NE(surface.find_halfedge(1, 3), CSCD::internal::no_index) << "the diagonal that did not exist";
+}
+
+TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
+{
+  // Moebius' torus joins each two of its seven vertices; the faces around the last one are missing.
+  Indexed_triangles input;
+  for (Index i = 0; i < 7; ++i) {
+    for (const std::array<Index, 3>& face :
+         {std::array<Index, 3>{i, (i + 1) % 7, (i + 3) % 7}, std::array<Index, 3>{i, (i + 3) % 7, (i + 2) % 7}}) {
+      if (std::count(face.begin(), face.end(), 6u) == 0) {
+        input.faces.push_back(face);
+      }
+    }
+  }
+  for (Index i = 0; i < 6; ++i) {
+    input.points.emplace_back(i, i * i % 5, i * i * i % 7);
+  }
+  input.first_bridging_face = input.faces.size();
+  const Triangulated_surface surface = expect_closed(input, 1, 0, 1);
+  EXPECT_EQ(surface.degree(6), 6u);
+}
+
+TEST(bridge_borders, zips_a_slit_across)
+{
+  // A grid of 2 x n cells whose middle line is opened: the two sides of the slit are nearer to each other than to the
+  // next vertex of their own side.
+  const Index n = 12;
+  const double gap = 0.2;
+  Indexed_triangles input;
+  for (Index i = 0; i <= n; ++i) {
+    for (double y : {-1., -gap / 2, gap / 2, 1.}) {
+      input.points.emplace_back(i, i == 0 || i == n ? y / (std::abs(y) < 0.5 ? 1e3 : 1) : y, 0);
+    }
+  }
+  for (Index i = 0; i < n; ++i) {
+    for (Index row : {0u, 2u}) {
+      const Index a = 4 * i + row;
+      input.faces.push_back({a, a + 4, a + 5});
+      input.faces.push_back({a, a + 5, a + 1});
+    }
+  }
+  // Both ends are joined, so that the slit is a border cycle of its own.
+  for (Index i : {0u, n}) {
+    const Index a = 4 * i;
+    const Index tip = Index(input.points.size());
+    input.points.emplace_back(i == 0 ? -1. : n + 1., 0, 0);
+    if (i == 0) {
+      input.faces.insert(input.faces.end(), {{a, a + 1, tip}, {a + 1, a + 2, tip}, {a + 2, a + 3, tip}});
+    } else {
+      input.faces.insert(input.faces.end(), {{a + 1, a, tip}, {a + 2, a + 1, tip}, {a + 3, a + 2, tip}});
+    }
+  }
+  input.first_bridging_face = input.faces.size();
+  Bridged bridged(input);
+  EXPECT_EQ(bridged.number_of_borders, 2u);
+  std::size_t across = 0;
+  for (std::size_t f = input.faces.size(); f < bridged.triangles.faces.size(); ++f) {
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      longest = std::max(longest, (bridged.triangles.points[bridged.triangles.faces[f][k]] -
+                                   bridged.triangles.points[bridged.triangles.faces[f][(k + 1) % 3]])
+                                      .norm());
+    }
+    across += longest < 1.1;
+  }
+  EXPECT_GE(across, 2 * n) << "each cell of the slit is closed by two short triangles";
+}
+
+TEST(bridge_borders, fills_a_round_hole_evenly)
+{
+  const auto input = CSCD::test::to_indexed_triangles(CSCD::test::tube(10, 1, 64, CSCD::test::Tube_end::open));
+  const Triangulated_surface surface = expect_closed(input, 2, 2);
+  Index greatest_degree = 0;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    greatest_degree = std::max(greatest_degree, surface.degree(vertex));
+  }
+  EXPECT_LE(greatest_degree, 4u + 2 * 6u) << "a corner is cut off at most once in each of log2(64) rounds";
+}
+
+} // namespace

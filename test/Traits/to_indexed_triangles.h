@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A test shape in the form in which the library checks and completes its input.
+
+#ifndef CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
+#define CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
+
+#include "support/Shape.h"
+#include <CSCD/Traits/Indexed_triangles.h>
+
+namespace CSCD::test {
+
+inline internal::Indexed_triangles to_indexed_triangles(const Shape& shape)
+{
+  internal::Indexed_triangles result;
+  for (const Triple& p : shape.points) {
+    result.points.emplace_back(p[0], p[1], p[2]);
+  }
+  for (const Triangle& t : shape.triangles) {
+    result.faces.push_back({internal::Index(t[0]), internal::Index(t[1]), internal::Index(t[2])});
+  }
+  result.first_bridging_face = result.faces.size();
+  return result;
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A test shape compiled as the finest level, or as all levels, without any change of numbers or coordinates.
+
+#ifndef CSCD_TEST_TRAITS_TO_SURFACE_H
+#define CSCD_TEST_TRAITS_TO_SURFACE_H
+
+#include "Traits/to_indexed_triangles.h"
+#include "support/Shape.h"
+#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+
+namespace CSCD::test {
+
+inline CSCD::internal::Triangulated_surface to_surface(const Shape& shape)
+{
+  return CSCD::internal::Triangulated_surface(to_indexed_triangles(shape));
+}
+
+inline CSCD::internal::Surface_levels to_levels(const Shape& shape)
+{
+  return CSCD::internal::Surface_levels(to_surface(shape));
+}
+
+/// The vertex of `surface` that is nearest to `point`.
+inline CSCD::internal::Index nearest_vertex(const CSCD::internal::Triangulated_surface& surface,
+                                            const CSCD::internal::Vector_3& point)
+{
+  CSCD::internal::Index nearest = 0;
+  for (CSCD::internal::Index vertex = 1; vertex < surface.number_of_vertices(); ++vertex) {
+    if ((surface.point(vertex) - point).norm() < (surface.point(nearest) - point).norm()) {
+      nearest = vertex;
+    }
+  }
+  return nearest;
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_TRAITS_TO_SURFACE_H

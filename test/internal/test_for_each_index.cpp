@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The loop over indices, sequential and parallel.
+
+#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/for_each_index.h>
+
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::For_each_index;
+using CSCD::internal::Index;
+
+/// Knows whether two threads use it at once.
+struct Worker
+{
+  std::atomic<bool>* is_busy;
+};
+
+template <class ConcurrencyTag>
+class For_each_index_test : public testing::Test
+{
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+using Tags = testing::Types<CGAL::Sequential_tag, CGAL::Parallel_tag>;
+#else
+using Tags = testing::Types<CGAL::Sequential_tag>;
+#endif
+TYPED_TEST_SUITE(For_each_index_test, Tags);
+
+TYPED_TEST(For_each_index_test, calls_once_for_each_index_with_a_worker_of_its_own)
+{
+  for (const unsigned number_of_threads : {1u, 2u, 3u}) {
+    std::vector<std::atomic<bool>> is_busy(64);
+    std::atomic<std::size_t> number_of_workers{0};
+    std::atomic<bool> is_shared{false};
+    For_each_index<TypeParam, Worker> for_each([&] { return Worker{&is_busy.at(number_of_workers++)}; },
+                                               number_of_threads);
+    EXPECT_LE(for_each.number_of_threads(), number_of_threads);
+    EXPECT_GE(for_each.number_of_threads(), 1u);
+    for (const Index size : {Index(0), Index(1), Index(16), Index(500)}) {
+      std::vector<std::atomic<int>> calls(size);
+      for_each(size, [&](Index i, Worker& worker) {
+        is_shared = is_shared || worker.is_busy->exchange(true);
+        ++calls[i];
+        *worker.is_busy = false;
+      });
+      for (const std::atomic<int>& count : calls) {
+        EXPECT_EQ(count, 1);
+      }
+    }
+    EXPECT_FALSE(is_shared);
+  }
+}
+
+TYPED_TEST(For_each_index_test, passes_on_what_is_thrown)
+{
+  For_each_index<TypeParam, int> for_each([] { return 0; }, 2);
+  EXPECT_THROW(for_each(100, [](Index i, int&) { return i == 50 ? throw std::runtime_error("stop") : void(); }),
+               std::runtime_error);
+  std::atomic<int> calls{0};
+  for_each(10, [&](Index, int&) { ++calls; });
+  EXPECT_EQ(calls, 10);
+}
+
+TYPED_TEST(For_each_index_test, chooses_the_number_of_threads_itself)
+{
+  const For_each_index<TypeParam, int> for_each([] { return 0; }, 0);
+  EXPECT_GE(for_each.number_of_threads(), 1u);
+}
+
+} // namespace

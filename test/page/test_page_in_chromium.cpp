@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Loads the viewer page in headless Chromium and lets it test itself: with `#selftest` in its address the page works
+// all its switches, compares the pixels before and after, and writes what it found into an element of that name.
+// Skipped where there is no Chromium or where three.js was not found when this was built.
+
+#include "support/convert_shape.h"
+#include "support/simple_shapes.h"
+#include <CSCD/IO/write_html_page.h>
+#include <CSCD/Skeleton_graph.h>
+
+#include <CGAL/Mean_curvature_flow_skeletonization.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <three_js_source.h>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using Separators = std::vector<std::vector<Point>>;
+
+/// What a shell command writes to its standard output.
+std::string output_of(const std::string& command)
+{
+  std::string output;
+  std::array<char, 4096> buffer{};
+  std::FILE* pipe = popen(command.c_str(), "r");
+  for (std::size_t count = 1; pipe != nullptr && count > 0;) {
+    count = std::fread(buffer.data(), 1, buffer.size(), pipe);
+    output.append(buffer.data(), count);
+  }
+  if (pipe != nullptr) {
+    pclose(pipe);
+  }
+  return output;
+}
+
+/// The command for Chromium; empty if there is none.
+std::string chromium()
+{
+  const std::string path = output_of("command -v chromium || command -v chromium-browser || command -v google-chrome");
+  return path.substr(0, path.find('\n'));
+}
+
+class Page_in_chromium : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    m_chromium = chromium();
+    if (m_chromium.empty()) {
+      GTEST_SKIP() << "Chromium is not installed (package chromium)";
+    }
+    if (CSCD::three_js_source().empty()) {
+      GTEST_SKIP() << "three.js was not found when this test was built (package libjs-three)";
+    }
+    std::string name = (std::filesystem::temp_directory_path() / "cscd-page-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    m_folder = name;
+  }
+
+  void TearDown() override
+  {
+    if (!m_folder.empty()) {
+      std::filesystem::remove_all(m_folder);
+    }
+  }
+
+  template <class AnySkeleton>
+  void write_page(const Mesh& mesh, const AnySkeleton& skeleton, const Separators& separators,
+                  const std::string& three_js)
+  {
+    std::ofstream out(m_folder / "page.html", std::ios::binary);
+    CSCD::write_html_page(out, mesh, skeleton, separators, three_js, "A page <to> be \"tested\" & seen");
+  }
+
+  /// What the page found out about itself, and its title.
+  /// Graphics are computed in software, so that the test runs on machines without display and graphics card; network
+  /// services of the browser are off. The time limit is many times what it takes.
+  std::string self_test() const
+  {
+    const std::string command =
+        "timeout 120 " + m_chromium +
+        " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist"
+        " --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic"
+        " --disable-dev-shm-usage --window-size=640,420 --virtual-time-budget=5000 --user-data-dir='" +
+        (m_folder / "profile").string() + "' --dump-dom 'file://" + (m_folder / "page.html").string() +
+        "#selftest' 2>/dev/null";
+    const std::string dom = output_of(command);
+    const std::string begin = "<pre id=\"selftest\">";
+    const std::size_t first = dom.find(begin);
+    return first == std::string::npos
+               ? "no self test in the page; the browser gave " + std::to_string(dom.size()) + " characters"
+               : dom.substr(first + begin.size(), dom.find("</pre>", first) - first - begin.size());
+  }
+
+  std::filesystem::path m_folder;
+  std::string m_chromium;
+};
+
+Mesh limb()
+{
+  return CSCD::test::to_mesh<Mesh>(CSCD::test::box("limb", {4, 1, 1}));
+}
+
+/// A fork along the box `limb()`; all nodes have the same radius.
+template <class AnySkeleton>
+AnySkeleton fork_in(const Mesh& mesh)
+{
+  const std::vector<Point> points{Point(-1.6, 0, 0),    Point(-0.8, 0, 0),    Point(0, 0, 0),
+                                  Point(0.8, 0.3, 0.2), Point(1.6, 0.3, 0.3), Point(1.6, -0.3, -0.3)};
+  const Point low = mesh.point(*mesh.vertices().begin());
+  Kernel::Vector_3 to_middle(0, 0, 0);
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    to_middle = to_middle + (mesh.point(v) - low) / static_cast<double>(num_vertices(mesh));
+  }
+  AnySkeleton skeleton(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    skeleton[i].point = low + to_middle + (points[i] - CGAL::ORIGIN);
+  }
+  std::size_t next = 0;
+  for (const Mesh::Vertex_index v : mesh.vertices()) {
+    skeleton[next++ % points.size()].vertices.push_back(v);
+  }
+  for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {2, 3}, {3, 4}, {2, 5}}) {
+    add_edge(a, b, skeleton);
+  }
+  return skeleton;
+}
+
+Separators girdles_of(const Skeleton& skeleton)
+{
+  Separators separators;
+  for (const std::size_t i : {std::size_t{0}, std::size_t{1}}) {
+    const Point p = skeleton[i].point;
+    separators.push_back({p + Kernel::Vector_3(0, 0.5, 0.5), p + Kernel::Vector_3(0, -0.5, 0.5),
+                          p + Kernel::Vector_3(0, -0.5, -0.5), p + Kernel::Vector_3(0, 0.5, -0.5)});
+  }
+  return separators;
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+TEST_F(Page_in_chromium, draws_and_all_switches_work)
+{
+  const Mesh mesh = limb();
+  Skeleton skeleton = fork_in<Skeleton>(mesh);
+  for (std::size_t i = 0; i < num_vertices(skeleton); ++i) {
+    skeleton[i].radius = 0.4;
+  }
+  write_page(mesh, skeleton, girdles_of(skeleton), CSCD::three_js_source());
+  const std::string result = self_test();
+  EXPECT_TRUE(contains(result, "selftest passed")) << result;
+  EXPECT_FALSE(contains(result, "failed")) << result;
+  for (const char* name : {"surface", "skeleton", "nodes", "balls", "separators", "colour"}) {
+    EXPECT_TRUE(contains(result, std::string("ok switch ") + name + ":")) << name << '\n' << result;
+  }
+}
+
+TEST_F(Page_in_chromium, does_without_radii_and_separators)
+{
+  using Cgal_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
+  const Mesh mesh = limb();
+  write_page(mesh, fork_in<Cgal_skeleton>(mesh), {}, CSCD::three_js_source());
+  const std::string result = self_test();
+  EXPECT_TRUE(contains(result, "selftest passed")) << result;
+  EXPECT_TRUE(contains(result, "absent balls")) << result;
+  EXPECT_TRUE(contains(result, "absent separators")) << result;
+}
+
+TEST_F(Page_in_chromium, tells_what_went_wrong)
+{
+  const Mesh mesh = limb();
+  write_page(mesh, fork_in<Skeleton>(mesh), {}, "");
+  const std::string without_three = self_test();
+  EXPECT_TRUE(contains(without_three, "written without three.js")) << without_three;
+  EXPECT_FALSE(contains(without_three, "selftest passed")) << without_three;
+
+  const std::string complaint = "\nconsole.error('a complaint');";
+  const std::string access = "\nnew Image().src = 'file:///picture.png';";
+  write_page(mesh, fork_in<Skeleton>(mesh), {}, CSCD::three_js_source() + complaint + access);
+  const std::string with_errors = self_test();
+  EXPECT_TRUE(contains(with_errors, "failed error: a complaint")) << with_errors;
+  EXPECT_TRUE(contains(with_errors, "content security policy")) << with_errors;
+  EXPECT_FALSE(contains(with_errors, "selftest passed")) << with_errors;
+}
+
+} // namespace

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the program cscd as its users see it: arguments, exit status, messages, files.
+
+#include "IO/mesh_files.h"
+#include "support/Temporary_folder.h"
+#include <CSCD/version.h>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+
+/// A torus, whose skeleton is one cycle.
+Mesh_file_content torus()
+{
+  constexpr std::size_t around = 60;
+  constexpr std::size_t across = 24;
+  constexpr double pi = 3.141592653589793;
+  Mesh_file_content mesh;
+  for (std::size_t i = 0; i < around; ++i) {
+    for (std::size_t j = 0; j < across; ++j) {
+      const double u = 2 * pi * double(i) / double(around);
+      const double v = 2 * pi * double(j) / double(across);
+      mesh.points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
+      const std::size_t a = i * across + j;
+      const std::size_t b = (i + 1) % around * across + j;
+      const std::size_t c = (i + 1) % around * across + (j + 1) % across;
+      const std::size_t d = i * across + (j + 1) % across;
+      mesh.polygons.push_back({a, b, c});
+      mesh.polygons.push_back({a, c, d});
+    }
+  }
+  return mesh;
+}
+
+struct Outcome
+{
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+class Cscd : public testing::Test
+{
+protected:
+  /// Runs the program in the test's folder, in a shell: arguments may redirect.
+  Outcome run(const std::string& arguments)
+  {
+    const std::string command = "cd '" + m_folder.path().string() + "' && '" CSCD_PROGRAM "' " + arguments + " > '" +
+                                m_streams.file("out") + "' 2> '" + m_streams.file("err") + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(m_streams.file("out")),
+            read_file(m_streams.file("err"))};
+  }
+
+  std::string content(const std::string& name) const { return read_file(m_folder.file(name)); }
+  std::ptrdiff_t number_of_files() const
+  {
+    return std::distance(std::filesystem::directory_iterator(m_folder.path()), std::filesystem::directory_iterator());
+  }
+
+  /// Expects a refusal in one line that holds all `parts`.
+  void expect_refusal(const std::string& arguments, int status, const std::vector<std::string>& parts)
+  {
+    SCOPED_TRACE(arguments);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(status, outcome.status);
+    EXPECT_EQ("", outcome.out);
+    EXPECT_EQ(0u, outcome.err.rfind("cscd: ", 0)) << outcome.err;
+    EXPECT_EQ(1, std::count(outcome.err.begin(), outcome.err.end(), '\n')) << outcome.err;
+    for (const std::string& part : parts) {
+      EXPECT_NE(std::string::npos, outcome.err.find(part)) << part << " in " << outcome.err;
+    }
+  }
+
+  Temporary_folder m_folder;
+
+private:
+  Temporary_folder m_streams;
+};
+
+/// Whether `text` holds a graph of GEL of one cycle.
+bool is_graph_of_a_cycle(const std::string& text)
+{
+  std::istringstream in(text);
+  std::size_t number_of_nodes = 0;
+  std::size_t number_of_edges = 0;
+  for (std::string line; std::getline(in, line);) {
+    number_of_nodes += line.rfind("n ", 0) == 0 ? 1 : 0;
+    number_of_edges += line.rfind("c ", 0) == 0 ? 1 : 0;
+  }
+  return number_of_nodes >= 3 && number_of_nodes == number_of_edges;
+}
+
+TEST_F(Cscd, help_begins_with_examples)
+{
+  for (const char* arguments : {"--help", "-h", "skeletonize --help"}) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(0, outcome.status);
+    EXPECT_EQ(0u, outcome.out.rfind("Examples:\n", 0)) << outcome.out;
+    EXPECT_EQ("", outcome.err);
+  }
+  EXPECT_NE(std::string::npos, run("skeletonize --help").out.find("--separators"));
+}
+
+TEST_F(Cscd, tells_its_version)
+{
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_EQ("cscd " CSCD_VERSION "\n", outcome.out);
+}
+
+TEST_F(Cscd, refuses_bad_usage)
+{
+  m_folder.write("torus.off", off(torus()));
+  expect_refusal("", 1, {"subcommand", "--help"});
+  expect_refusal("skeletonise torus.off", 1, {"--help"});
+  expect_refusal("skeletonize", 1, {"INPUT"});
+  expect_refusal("skeletonize torus.off --bad", 1, {"--bad"});
+  expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
+  expect_refusal("skeletonize torus.off -o", 1, {"--output"});
+  expect_refusal("skeletonize torus.off --method published", 1, {"--method", "published"});
+  expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
+  expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
+  expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
+  expect_refusal("skeletonize torus.off --separators -5", 1, {"--separators"});
+  expect_refusal("skeletonize torus.off --format xyz", 1, {"--format", "xyz"});
+  expect_refusal("skeletonize torus.off -o torus.graph -o torus.doc", 1, {"torus.doc", ".graph .json", "--help"});
+  expect_refusal("skeletonize - < torus.off", 1, {"--format"});
+  EXPECT_EQ(1, number_of_files());
+}
+
+TEST_F(Cscd, refuses_bad_input)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("empty.off", "");
+  m_folder.write("truncated.off", off(torus()).substr(0, 3000));
+  m_folder.write("points.ply", ply_header({cube().points, {}}, "ascii") + "0 0 0\n");
+  m_folder.write("torus.xyz", "0 0 0\n");
+  m_folder.write("flat.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n");
+  expect_refusal("skeletonize missing.off -o a.graph", 2, {"missing.off: cannot be opened", "; check"});
+  expect_refusal("skeletonize empty.off -o a.graph", 2, {"empty.off: the file is empty; "});
+  expect_refusal("skeletonize truncated.off -o a.graph", 2, {"truncated.off", "; "});
+  expect_refusal("skeletonize points.ply -o a.graph", 2, {"points.ply", "; "});
+  expect_refusal("skeletonize torus.xyz -o a.graph", 2, {"torus.xyz", ".off .obj .ply .stl"});
+  expect_refusal("skeletonize flat.off -o a.graph", 2, {"flat.off"});
+  expect_refusal("skeletonize . -o a.graph", 2, {"."});
+  expect_refusal("skeletonize - --format off -o a.graph < empty.off", 2, {"standard input", "; "});
+  expect_refusal("skeletonize torus.off --format stl -o a.graph", 2, {"torus.off", "STL"});
+  EXPECT_EQ(6, number_of_files());
+}
+
+TEST_F(Cscd, refuses_outputs_that_cannot_be_written)
+{
+  m_folder.write("torus.off", off(torus()));
+  expect_refusal("skeletonize torus.off -o missing/a.graph", 2, {"missing/a.graph: cannot be written", "; check"});
+  expect_refusal("skeletonize torus.off --report missing/a.json", 2, {"missing/a.json: cannot be written"});
+  expect_refusal("skeletonize torus.off --html missing/a.html", 2, {"missing/a.html: cannot be written"});
+  EXPECT_EQ(1, number_of_files());
+}
+
+TEST_F(Cscd, notices_a_full_standard_output)
+{
+  if (!std::filesystem::exists("/dev/full")) {
+    GTEST_SKIP() << "there is no /dev/full";
+  }
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(2, run("skeletonize torus.off -o - > /dev/full; exit $? ; :").status);
+}
+
+TEST_F(Cscd, writes_all_formats_at_once)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome outcome =
+      run("skeletonize torus.off -o t.graph -o t.json -o t.obj --output t.ply -o t.polylines.txt -o t.swc -o t.vtp "
+          "-o t.dot -o t.graphml --report r.json");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ("", outcome.err);
+  EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
+  EXPECT_EQ(11, number_of_files());
+  for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp", "t.dot", "t.graphml"}) {
+    EXPECT_LT(100u, content(name).size()) << name;
+  }
+}
+
+TEST_F(Cscd, prints_a_summary)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome outcome = run("skeletonize torus.off");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\nskeleton: ", 0)) << outcome.out;
+  EXPECT_NE(std::string::npos, outcome.out.find("1 component, 1 cycle, 0 tips, 0 junctions\ntime: ")) << outcome.out;
+  EXPECT_EQ(3, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
+  EXPECT_EQ("", outcome.err); // no progress bar, as this is no terminal
+  EXPECT_EQ(1, number_of_files());
+}
+
+TEST_F(Cscd, writes_to_standard_output)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome outcome = run("skeletonize torus.off -o - -o t.graph");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_TRUE(is_graph_of_a_cycle(outcome.out));
+  EXPECT_EQ(content("t.graph"), outcome.out);
+}
+
+TEST_F(Cscd, reads_standard_input_in_all_formats)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("torus.obj", obj(torus()));
+  m_folder.write("torus.ply", binary_ply(torus(), true));
+  m_folder.write("torus.stl", binary_stl(torus(), "solid"));
+  for (const std::string format : {"off", "obj", "ply", "stl"}) {
+    const Outcome outcome = run("skeletonize - --format " + format + " -o - < torus." + format);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_EQ("", outcome.err);
+    EXPECT_TRUE(is_graph_of_a_cycle(outcome.out)) << format;
+  }
+}
+
+TEST_F(Cscd, says_what_it_repaired)
+{
+  Mesh_file_content mesh = torus();
+  std::reverse(mesh.polygons[7].begin(), mesh.polygons[7].end());
+  mesh.polygons.push_back(mesh.polygons[9]);
+  m_folder.write("torus.off", off(mesh));
+  const Outcome outcome = run("skeletonize torus.off -o t.graph --report r.json");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_NE(std::string::npos, outcome.err.find("cscd: torus.off: 1 degenerate or duplicate face removed\n"));
+  EXPECT_NE(std::string::npos, outcome.err.find("cscd: torus.off: 1 face turned to agree with its neighbours\n"));
+  EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
+  EXPECT_EQ(2u, nlohmann::json::parse(content("r.json")).at("repairs").size());
+}
+
+TEST_F(Cscd, quiet_says_nothing)
+{
+  Mesh_file_content mesh = torus();
+  std::reverse(mesh.polygons[7].begin(), mesh.polygons[7].end());
+  m_folder.write("torus.off", off(mesh));
+  for (const std::string flag : {"--quiet", "-q"}) {
+    const Outcome outcome = run("skeletonize torus.off -o t.graph " + flag);
+    EXPECT_EQ(0, outcome.status);
+    EXPECT_EQ("", outcome.out);
+    EXPECT_EQ("", outcome.err);
+  }
+  expect_refusal("skeletonize missing.off -q", 2, {"missing.off"}); // but errors are told
+}
+
+TEST_F(Cscd, reports_as_json)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0, run("skeletonize torus.off --seed 5 --threads 1 --report r.json -o t.json").status);
+  const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+  const nlohmann::json skeleton = nlohmann::json::parse(content("t.json"));
+  EXPECT_EQ(CSCD_VERSION, report.at("version"));
+  EXPECT_EQ("torus.off", report.at("input"));
+  EXPECT_EQ("local", report.at("method"));
+  EXPECT_EQ(5, report.at("seed"));
+  EXPECT_EQ(1, report.at("number_of_threads"));
+  EXPECT_TRUE(report.at("repairs").empty());
+  EXPECT_TRUE(report.at("warnings").is_array());
+  EXPECT_EQ(1440, report.at("number_of_sites"));
+  EXPECT_EQ(1, report.at("genus"));
+  EXPECT_EQ(1, report.at("betti_number"));
+  EXPECT_EQ(1, report.at("number_of_surface_components"));
+  EXPECT_EQ(1, report.at("number_of_skeleton_components"));
+  EXPECT_EQ(skeleton.at("nodes").size(), report.at("number_of_nodes"));
+  EXPECT_EQ(skeleton.at("edges").size(), report.at("number_of_edges"));
+  EXPECT_EQ(0, report.at("number_of_tips"));
+  EXPECT_EQ(0, report.at("number_of_junctions"));
+  for (const char* key :
+       {"number_of_isolated_vertices", "number_of_bridged_borders", "number_of_inserted_vertices",
+        "number_of_degenerate_faces", "number_of_levels", "number_of_sources", "number_of_sources_without_cut",
+        "number_of_bumps", "number_of_separators", "number_of_plane_sections", "number_of_straightened_loops",
+        "number_of_packed_separators", "number_of_handle_cuts", "number_of_nodes_outside", "number_of_edges_outside"}) {
+    EXPECT_TRUE(report.contains(key) && report[key].is_number_unsigned()) << key;
+  }
+  for (const char* stage : {"compile surface", "find separators", "pack separators", "build skeleton"}) {
+    EXPECT_GT(report.at("seconds").at(stage), 0) << stage;
+  }
+}
+
+TEST_F(Cscd, sites_of_all_nodes_are_all_vertices)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0, run("skeletonize torus.off -o t.json").status);
+  std::size_t number_of_sites = 0;
+  const nlohmann::json skeleton = nlohmann::json::parse(content("t.json"));
+  for (const nlohmann::json& node : skeleton.at("nodes")) {
+    number_of_sites += node.at("number_of_sites").get<std::size_t>();
+    EXPECT_NEAR(1, node.at("radius").get<double>(), 0.1);
+  }
+  EXPECT_EQ(1440u, number_of_sites);
+}
+
+TEST_F(Cscd, answer_does_not_depend_on_the_number_of_threads)
+{
+  m_folder.write("torus.off", off(torus()));
+  const std::string one = run("skeletonize torus.off --threads 1 -o -").out;
+  EXPECT_TRUE(is_graph_of_a_cycle(one));
+  EXPECT_EQ(one, run("skeletonize torus.off --threads 2 -o -").out);
+  EXPECT_EQ(one, run("skeletonize torus.off -o -").out);
+}
+
+TEST_F(Cscd, number_of_sources_can_be_bounded)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0, run("skeletonize torus.off --separators 3 --report r.json").status);
+  const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+  EXPECT_LE(report.at("number_of_sources"), 3);
+  EXPECT_EQ(1, report.at("betti_number"));
+}
+
+TEST_F(Cscd, writes_a_page_with_all_in_it)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome outcome = run("skeletonize torus.off --html t.html");
+  if (outcome.status == 1 && outcome.err.find("built without three.js") != std::string::npos) {
+    GTEST_SKIP() << "three.js (package libjs-three) is not there";
+  }
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  const std::string page = content("t.html");
+  EXPECT_EQ(0u, page.rfind("<!DOCTYPE html>", 0)) << page.substr(0, 100);
+  EXPECT_LT(500000u, page.size()); // three.js is inside
+  EXPECT_EQ(std::string::npos, page.find("<script src"));
+  EXPECT_NE(std::string::npos, page.find("torus.off"));
+  EXPECT_NE(std::string::npos, page.find("OrbitControls = function"));
+}
+
+} // namespace

@@ -1,0 +1,64 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: a part under
+# sanitizers, then all. Takes no arguments; may be run again.
+
+set -euo pipefail
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$source_dir"
+# A compiler takes up to 1 GB: not more of them than memory allows.
+gigabytes=$(awk '/MemAvailable/ { print int($2 / 1024 / 1024) }' /proc/meminfo)
+jobs=$(nproc)
+if ((jobs > gigabytes && gigabytes > 0)); then
+  jobs=$gigabytes
+fi
+
+# shellcheck source=cmake/install_packages.sh
+source cmake/install_packages.sh
+install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format clang-tidy ccache
+
+declare -A seconds=()
+step()
+{
+  local name=$1
+  shift
+  echo "== $name"
+  local begin=$SECONDS
+  "$@"
+  seconds[$name]=$((SECONDS - begin))
+}
+
+# build_preset <preset> [<option of the build>...]
+build_preset()
+{
+  local preset=$1
+  shift
+  cmake --preset "$preset" --log-level=WARNING >/dev/null
+  cmake --build --preset "$preset" --parallel "$jobs" "$@"
+}
+
+# The options of the cache are written out: an earlier run of examples/run.sh may have left them off.
+configure_release()
+{
+  cmake --preset release -DCSCD_BUILD_TESTS=ON -DCSCD_BUILD_EXAMPLES=ON -DCSCD_BUILD_BENCHMARKS=ON >/dev/null
+}
+
+step "configure" configure_release
+step "format" cmake --build --preset release --target format_check
+step "build" cmake --build --preset release --parallel "$jobs"
+step "build for the address sanitizer" build_preset asan-ubsan
+step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
+step "build for the thread sanitizer" build_preset tsan
+step "tests under the thread sanitizer" ctest --preset tsan --parallel "$jobs"
+step "clang-tidy" build_preset tidy
+
+echo "Seconds up to here:"
+for name in "${!seconds[@]}"; do
+  printf '%6d %s\n' "${seconds[$name]}" "$name"
+done | sort --numeric-sort --reverse
+
+echo "== all tests, slow ones included"
+ctest --preset release --parallel "$jobs"

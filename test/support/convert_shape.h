@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a shape to a mesh of any type, and back.
+
+#ifndef CSCD_TEST_SUPPORT_CONVERT_SHAPE_H
+#define CSCD_TEST_SUPPORT_CONVERT_SHAPE_H
+
+#include "Shape.h"
+
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::test {
+
+/// The mesh of `shape`, its vertices and faces in the same order.
+/// \tparam Mesh a model of `MutableFaceGraph` with an internal vertex point map
+template <class Mesh>
+Mesh to_mesh(const Shape& shape)
+{
+  using Vertex_point_map = typename boost::property_map<Mesh, CGAL::vertex_point_t>::type;
+  using Point = typename boost::property_traits<Vertex_point_map>::value_type;
+  std::vector<Point> points;
+  for (const Triple& p : shape.points) {
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  Mesh mesh;
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, shape.triangles, mesh);
+  return mesh;
+}
+
+/// The vertices of `mesh` in their order.
+template <class Mesh>
+std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor> vertices_in_order(const Mesh& mesh)
+{
+  const auto range = vertices(mesh);
+  return {range.begin(), range.end()};
+}
+
+template <class Point>
+Triple to_triple(const Point& p)
+{
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+}
+
+/// Points and triangles of `mesh`, which must have triangles only; what is known of a shape is not filled in.
+template <class Mesh>
+Shape to_shape(const Mesh& mesh)
+{
+  Shape shape;
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  const auto number = get(CGAL::dynamic_vertex_property_t<std::size_t>(), mesh);
+  for (const auto v : vertices(mesh)) {
+    put(number, v, shape.points.size());
+    shape.points.push_back(to_triple(get(point_map, v)));
+  }
+  for (const auto f : faces(mesh)) {
+    Triangle triangle{};
+    std::size_t k = 0;
+    for (const auto v : vertices_around_face(halfedge(f, mesh), mesh)) {
+      triangle[k++ % 3] = get(number, v);
+    }
+    shape.triangles.push_back(triangle);
+  }
+  return shape;
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_SUPPORT_CONVERT_SHAPE_H

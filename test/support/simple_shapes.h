@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shapes made directly from few vertices: platonic bodies, spheres, discs, and bodies of few huge triangles as CAD
+// programs write them.
+
+#ifndef CSCD_TEST_SUPPORT_SIMPLE_SHAPES_H
+#define CSCD_TEST_SUPPORT_SIMPLE_SHAPES_H
+
+#include "Shape.h"
+#include "shape_operations.h"
+#include "swept_shapes.h"
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::test {
+
+inline Shape tetrahedron()
+{
+  Shape shape;
+  shape.name = "tetrahedron";
+  shape.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  shape.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  return shape;
+}
+
+/// A box of 12 triangles, one corner in the origin.
+inline Shape box(const std::string& name, const Triple& size)
+{
+  Shape shape;
+  shape.name = name;
+  for (std::size_t i = 0; i < 8; ++i) {
+    shape.points.push_back({(i & 1) != 0 ? size[0] : 0, (i & 2) != 0 ? size[1] : 0, (i & 4) != 0 ? size[2] : 0});
+  }
+  shape.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  return shape;
+}
+
+inline Shape cube()
+{
+  return box("cube", {1, 1, 1});
+}
+
+inline Shape subdivided_cube(std::size_t times)
+{
+  Shape shape = midpoint_subdivided(cube(), times);
+  shape.name = "subdivided cube";
+  return shape;
+}
+
+/// A long box of 12 huge triangles.
+inline Shape beam()
+{
+  Shape shape = box("beam", {20, 1, 1});
+  shape.centreline = {{{0.5, 0.5, 0.5}, {19.5, 0.5, 0.5}, 0.5, 0.5}};
+  return shape;
+}
+
+/// The icosahedron, subdivided `times` times and its vertices moved to the unit sphere.
+inline Shape sphere(std::size_t times)
+{
+  const double g = (1 + std::sqrt(5.0)) / 2;
+  Shape shape;
+  shape.points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
+                  {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  shape.triangles = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                     {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
+                     {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}};
+  shape = midpoint_subdivided(shape, times);
+  for (Triple& p : shape.points) {
+    p = unit(p);
+  }
+  shape.name = "sphere";
+  return shape;
+}
+
+/// A sphere stretched along the axes.
+inline Shape ellipsoid(const Triple& half_axes, std::size_t times)
+{
+  Shape shape = moved(sphere(times), [&](const Triple& p) {
+    return Triple{half_axes[0] * p[0], half_axes[1] * p[1], half_axes[2] * p[2]};
+  });
+  shape.name = "ellipsoid";
+  return shape;
+}
+
+/// A ball with a ball-shaped cavity: two surfaces, one within the other.
+inline Shape hollow_sphere(std::size_t times)
+{
+  return merged("hollow sphere", {sphere(times), reversed(scaled(sphere(times), 0.5))});
+}
+
+/// A flat open disc in the plane z = 0.
+inline Shape flat_disc(std::size_t rings, std::size_t around)
+{
+  Shape shape;
+  shape.name = "flat disc";
+  for (std::size_t i = 1; i <= rings; ++i) {
+    internal::add_ring(shape, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, static_cast<double>(i) / static_cast<double>(rings),
+                       around);
+  }
+  for (std::size_t i = 0; i + 1 < rings; ++i) {
+    internal::join_rings(shape, (i + 1) * around, i * around, around);
+  }
+  internal::add_fan(shape, 0, {0, 0, 0}, true, around);
+  shape.number_of_border_cycles = 1;
+  return shape;
+}
+
+/// A cone with one vertex of `valence` triangles at either end.
+inline Shape double_cone(std::size_t valence)
+{
+  Shape shape;
+  shape.name = "double cone";
+  internal::add_ring(shape, {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, valence);
+  internal::add_fan(shape, 0, {4, 0, 0}, true, valence);
+  internal::add_fan(shape, 0, {-4, 0, 0}, false, valence);
+  return shape;
+}
+
+namespace internal {
+
+/// The body over a plane polygon mesh: bottom at z = 0, top at z = height, a wall under each edge of one triangle only.
+inline Shape extruded(const std::string& name, const std::vector<std::pair<double, double>>& corners,
+                      const std::vector<Triangle>& faces, double height)
+{
+  Shape shape;
+  shape.name = name;
+  const std::size_t n = corners.size();
+  for (const double z : {0.0, height}) {
+    for (const auto& [x, y] : corners) {
+      shape.points.push_back({x, y, z});
+    }
+  }
+  std::vector<std::vector<bool>> has_edge(n, std::vector<bool>(n, false));
+  for (const Triangle& t : faces) {
+    shape.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
+    shape.triangles.push_back({t[0], t[2], t[1]});
+    for (std::size_t k = 0; k < 3; ++k) {
+      has_edge[t[k]][t[(k + 1) % 3]] = true;
+    }
+  }
+  for (std::size_t a = 0; a < n; ++a) {
+    for (std::size_t b = 0; b < n; ++b) {
+      if (has_edge[a][b] && !has_edge[b][a]) {
+        shape.triangles.push_back({a, b, b + n});
+        shape.triangles.push_back({a, b + n, a + n});
+      }
+    }
+  }
+  return shape;
+}
+
+} // namespace internal
+
+/// An L-shaped bracket of 20 triangles.
+inline Shape l_bracket()
+{
+  return internal::extruded("L-bracket", {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 1);
+}
+
+/// A square plate with a square hole through it: 32 triangles, genus 1.
+inline Shape plate_with_hole()
+{
+  Shape shape = internal::extruded("plate with hole",
+                                   {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {3, 3}, {7, 3}, {7, 7}, {3, 7}},
+                                   {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}},
+                                   1);
+  shape.genus = 1;
+  return shape;
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_SUPPORT_SIMPLE_SHAPES_H

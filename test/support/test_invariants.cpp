@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The invariants notice what they are there for: a skeleton made by hand passes, and fails once it is spoilt.
+
+#include "support/Centreline_error.h"
+#include "support/Inside_count.h"
+#include "support/Skeleton_comparison.h"
+#include "support/Surface_facts.h"
+#include "support/invariants.h"
+#include "support/shapes.h"
+
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_report.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::test::Violations;
+
+/// A capsule with its exact skeleton: a row of nodes on the axis, each with the vertices that are nearest to it.
+class Invariants : public testing::Test
+{
+protected:
+  Invariants()
+      : m_shape(CSCD::test::capsule(length, 1, 16)), m_mesh(CSCD::test::to_mesh<Mesh>(m_shape)), m_skeleton(nodes)
+  {
+    for (std::size_t i = 0; i < nodes; ++i) {
+      m_skeleton[i].point = Point(length * static_cast<double>(i) / (nodes - 1), 0, 0);
+      m_skeleton[i].radius = 1;
+      if (i > 0) {
+        add_edge(i - 1, i, m_skeleton);
+      }
+    }
+    for (const Mesh::Vertex_index v : m_mesh.vertices()) {
+      const double x = std::min(length, std::max(0.0, m_mesh.point(v).x()));
+      m_skeleton[static_cast<std::size_t>(x / length * (nodes - 1) + 0.5)].vertices.push_back(v);
+    }
+    m_report.number_of_sites = m_mesh.number_of_vertices();
+    m_report.number_of_surface_components = 1;
+    m_report.number_of_nodes = nodes;
+    m_report.number_of_edges = nodes - 1;
+    m_report.number_of_skeleton_components = 1;
+    m_report.number_of_tips = 2;
+  }
+
+  Violations violations() const { return CSCD::test::violated_invariants(m_mesh, m_skeleton, m_report); }
+
+  static constexpr std::size_t nodes = 9;
+  static constexpr double length = 8;
+  CSCD::test::Shape m_shape;
+  Mesh m_mesh;
+  Skeleton m_skeleton;
+  CSCD::Skeletonization_report m_report;
+};
+
+TEST_F(Invariants, hold_for_an_exact_skeleton)
+{
+  EXPECT_EQ(violations(), Violations{});
+  EXPECT_EQ(CSCD::test::count_inside(m_mesh, m_skeleton).fraction_of_nodes_inside(), 1);
+  EXPECT_EQ(CSCD::test::count_inside(m_mesh, m_skeleton).fraction_of_length_inside(), 1);
+  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).largest_of_nodes, 1e-12);
+  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).largest_gap, 1e-12);
+}
+
+TEST_F(Invariants, notice_a_vertex_without_node)
+{
+  m_skeleton[3].vertices.pop_back();
+  EXPECT_EQ(violations().size(), 1u);
+}
+
+TEST_F(Invariants, notice_a_vertex_with_two_nodes)
+{
+  m_skeleton[3].vertices.push_back(m_skeleton[4].vertices.front());
+  EXPECT_EQ(violations().size(), 1u);
+}
+
+TEST_F(Invariants, notice_a_wrong_cycle)
+{
+  add_edge(0, 8, m_skeleton);
+  EXPECT_FALSE(violations().empty());
+}
+
+TEST_F(Invariants, notice_a_double_edge_and_a_loop)
+{
+  add_edge(0, 1, m_skeleton);
+  EXPECT_FALSE(CSCD::test::violations_of_graph(m_skeleton).empty());
+  remove_edge(0, 1, m_skeleton);
+  EXPECT_TRUE(CSCD::test::violations_of_graph(m_skeleton).empty());
+  add_edge(2, 2, m_skeleton);
+  EXPECT_FALSE(CSCD::test::violations_of_graph(m_skeleton).empty());
+}
+
+TEST_F(Invariants, notice_a_broken_skeleton)
+{
+  remove_edge(4, 5, m_skeleton);
+  EXPECT_FALSE(violations().empty());
+}
+
+TEST_F(Invariants, notice_bad_numbers)
+{
+  m_skeleton[2].radius = 0;
+  m_skeleton[3].point = Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  EXPECT_EQ(CSCD::test::violations_of_graph(m_skeleton).size(), 2u);
+}
+
+TEST_F(Invariants, notice_a_report_that_lies)
+{
+  m_report.number_of_tips = 3;
+  m_report.number_of_isolated_vertices = 1;
+  EXPECT_EQ(violations().size(), 2u);
+}
+
+TEST_F(Invariants, notice_nodes_outside)
+{
+  m_skeleton[4].point = Point(4, 1.5, 0);
+  const CSCD::test::Inside_count count = CSCD::test::count_inside(m_mesh, m_skeleton);
+  EXPECT_EQ(count.number_of_nodes_outside, 1u);
+  EXPECT_LT(count.fraction_of_length_inside(), 1);
+  EXPECT_NEAR(CSCD::test::centreline_error(m_shape, m_skeleton).largest_of_nodes, 1.5, 1e-12);
+}
+
+TEST_F(Invariants, notice_a_gap_and_a_wrong_radius)
+{
+  m_skeleton[8].point = Point(7, 0, 0);
+  m_skeleton[4].radius = 1.5;
+  const CSCD::test::Centreline_error error = CSCD::test::centreline_error(m_shape, m_skeleton);
+  EXPECT_NEAR(error.largest_gap, 1, 1e-12);
+  EXPECT_NEAR(error.largest_of_radii, 0.5, 1e-12);
+}
+
+TEST_F(Invariants, comparison_ignores_names_only)
+{
+  const CSCD::test::Plain_skeleton a = CSCD::test::plain(m_mesh, m_skeleton);
+  CSCD::test::Plain_skeleton b = a;
+  std::reverse(b.points.begin(), b.points.end());
+  std::reverse(b.sites.begin(), b.sites.end());
+  EXPECT_FALSE(a == b);
+  EXPECT_EQ(CSCD::test::difference(a, b, 1e-9), "");
+
+  b = a;
+  b.points[3][1] += 1e-3;
+  EXPECT_NE(CSCD::test::difference(a, b, 1e-4), "");
+  EXPECT_EQ(CSCD::test::difference(a, b, 1e-2), "");
+
+  b = a;
+  std::swap(b.sites[3].front(), b.sites[4].front());
+  EXPECT_NE(CSCD::test::difference(a, b, 1e-9), "");
+
+  b = a;
+  b.edges[3] = {0, 8};
+  EXPECT_NE(CSCD::test::difference(a, b, 1e-9), "");
+
+  b = a;
+  b.points[4] = b.points[3];
+  EXPECT_NE(CSCD::test::difference(a, b, 10), "");
+}
+
+TEST(Inside_count, knows_a_cavity)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::hollow_sphere(2));
+  Skeleton skeleton(2);
+  skeleton[0].point = Point(0, 0, 0.75);
+  skeleton[1].point = Point(0, 0, 0);
+  EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, 1u);
+}
+
+TEST(Surface_facts, count_isolated_vertices_and_borders)
+{
+  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::with_small_holes(CSCD::test::torus(3, 1, 16), 3, 1));
+  mesh.add_vertex(Point(0, 0, 0));
+  const CSCD::test::Surface_facts facts = CSCD::test::surface_facts(mesh);
+  EXPECT_EQ(facts.number_of_isolated_vertices, 1u);
+  EXPECT_EQ(facts.number_of_sites, mesh.number_of_vertices() - 1);
+  EXPECT_EQ(facts.number_of_border_cycles, 3u);
+  EXPECT_EQ(facts.genus, 1u);
+}
+
+} // namespace

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The generated shapes are what they claim to be: otherwise the other tests prove nothing.
+
+#include "support/Surface_facts.h"
+#include "support/convert_shape.h"
+#include "support/shapes.h"
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+void expect_is_as_declared(const CSCD::test::Shape& shape)
+{
+  ASSERT_TRUE(CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(shape.triangles));
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
+  ASSERT_EQ(mesh.number_of_faces(), shape.triangles.size());
+  const CSCD::test::Surface_facts facts = CSCD::test::surface_facts(mesh);
+  EXPECT_EQ(facts.number_of_components, shape.number_of_components);
+  EXPECT_EQ(facts.genus, shape.genus);
+  EXPECT_EQ(facts.number_of_border_cycles, shape.number_of_border_cycles);
+  EXPECT_EQ(facts.number_of_isolated_vertices, 0u);
+  if (shape.is_closed()) {
+    EXPECT_GT(CGAL::Polygon_mesh_processing::volume(mesh), 0) << "triangles face inwards";
+  }
+  for (const auto f : mesh.faces()) {
+    EXPECT_GT(CGAL::Polygon_mesh_processing::face_area(f, mesh), 0);
+  }
+}
+
+TEST(Shapes, are_as_declared)
+{
+  for (const std::vector<CSCD::test::Shape_maker>& list :
+       {CSCD::test::shapes_with_known_skeleton(), CSCD::test::hard_closed_shapes(), CSCD::test::open_shapes()}) {
+    for (const CSCD::test::Shape_maker& maker : list) {
+      SCOPED_TRACE(maker.name);
+      expect_is_as_declared(maker.make());
+    }
+  }
+  expect_is_as_declared(CSCD::test::hollow_sphere(3));
+}
+
+TEST(Shapes, surface_keeps_its_distance_from_the_centreline)
+{
+  // A limb's fillets and the coarse grid shift the surface by parts of the radius.
+  const double tolerance = 0.35;
+  for (const CSCD::test::Shape_maker& maker : CSCD::test::shapes_with_known_skeleton()) {
+    SCOPED_TRACE(maker.name);
+    const CSCD::test::Shape shape = maker.make();
+    ASSERT_FALSE(shape.centreline.empty());
+    for (const CSCD::test::Triple& p : shape.points) {
+      double nearest = std::numeric_limits<double>::max();
+      for (const CSCD::test::Centreline_segment& segment : shape.centreline) {
+        nearest = std::min(nearest, CSCD::test::distance(segment, p) / CSCD::test::radius_near(segment, p));
+      }
+      ASSERT_LT(nearest, 1 + tolerance);
+    }
+  }
+}
+
+TEST(Shape_operations, renumbering_keeps_points_and_topology)
+{
+  const CSCD::test::Shape shape = CSCD::test::y_tube(0.3);
+  const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(shape, 3);
+  expect_is_as_declared(other.shape);
+  ASSERT_EQ(other.shape.points.size(), shape.points.size());
+  for (std::size_t v = 0; v < shape.points.size(); ++v) {
+    EXPECT_EQ(other.shape.points[other.new_number[v]], shape.points[v]);
+  }
+  EXPECT_NE(other.shape.points, shape.points);
+}
+
+TEST(Shape_operations, conversion_and_back_changes_nothing)
+{
+  const CSCD::test::Shape shape = CSCD::test::l_bracket();
+  const CSCD::test::Shape other = CSCD::test::to_shape(CSCD::test::to_mesh<Mesh>(shape));
+  EXPECT_EQ(other.points, shape.points);
+  EXPECT_EQ(other.triangles.size(), shape.triangles.size());
+}
+
+} // namespace

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Named parameters chain in any order, are read as CGAL's are, and are understood by CGAL's own functions.
+
+#include <CSCD/Named_parameters.h>
+
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <type_traits>
+
+namespace {
+
+using CSCD::parameters::choose_parameter;
+using CSCD::parameters::get_parameter;
+using CSCD::parameters::get_parameter_reference;
+namespace own = CSCD::internal_np;
+namespace cgal = CGAL::internal_np;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+
+template <class NamedParameters>
+void expect_seed_threads_sources(const NamedParameters& np)
+{
+  EXPECT_EQ(get_parameter(np, cgal::random_seed), 7u);
+  EXPECT_EQ(get_parameter(np, own::number_of_threads), 2);
+  EXPECT_EQ(get_parameter(np, own::maximum_number_of_sources), 100L);
+  EXPECT_TRUE((CSCD::parameters::is_default_parameter<NamedParameters, cgal::visitor_t>::value));
+  EXPECT_FALSE((CSCD::parameters::is_default_parameter<NamedParameters, own::number_of_threads_t>::value));
+}
+
+TEST(Named_parameters, Chain_in_any_order)
+{
+  namespace p = CSCD::parameters;
+  expect_seed_threads_sources(p::random_seed(7u).number_of_threads(2).maximum_number_of_sources(100L));
+  expect_seed_threads_sources(p::random_seed(7u).maximum_number_of_sources(100L).number_of_threads(2));
+  expect_seed_threads_sources(p::number_of_threads(2).random_seed(7u).maximum_number_of_sources(100L));
+  expect_seed_threads_sources(p::number_of_threads(2).maximum_number_of_sources(100L).random_seed(7u));
+  expect_seed_threads_sources(p::maximum_number_of_sources(100L).random_seed(7u).number_of_threads(2));
+  expect_seed_threads_sources(p::maximum_number_of_sources(100L).number_of_threads(2).random_seed(7u));
+}
+
+TEST(Named_parameters, Default_when_not_given)
+{
+  const int fallback = 5;
+  const auto none = CSCD::parameters::default_values();
+  EXPECT_EQ(choose_parameter(get_parameter(none, own::number_of_threads), fallback), 5);
+  const auto seed = CSCD::parameters::random_seed(7u);
+  EXPECT_EQ(choose_parameter(get_parameter(seed, own::number_of_threads), fallback), 5);
+  const auto threads = none.number_of_threads(3);
+  EXPECT_EQ(choose_parameter(get_parameter(threads, own::number_of_threads), fallback), 3);
+}
+
+// As CGAL's functions take them: the three parameters of the chain are deduced, from the front of the chain.
+template <class T, class Tag, class Base>
+int number_of_threads_by_deduction(const CGAL::Named_function_parameters<T, Tag, Base>& np)
+{
+  return get_parameter(np, own::number_of_threads);
+}
+
+TEST(Named_parameters, Deduced_as_chain_of_cgal)
+{
+  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::number_of_threads(4)), 4);
+  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::number_of_threads(4).random_seed(7u).verbose(true)), 4);
+  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::verbose(true).number_of_threads(4).random_seed(7u)), 4);
+}
+
+struct Counter
+{
+  int number_of_calls = 0;
+};
+
+TEST(Named_parameters, Reference_wrapper_gives_the_object)
+{
+  Counter counter;
+  const auto np = CSCD::parameters::visitor(std::ref(counter)).number_of_threads(2);
+  static_assert(std::is_same_v<decltype(get_parameter_reference(np, cgal::visitor)), Counter&>);
+  ++get_parameter_reference(np, cgal::visitor).number_of_calls;
+  EXPECT_EQ(counter.number_of_calls, 1);
+
+  const auto combined = CSCD::parameters::combine(CGAL::parameters::random_seed(7u), np);
+  ++get_parameter_reference(combined, cgal::visitor).number_of_calls;
+  EXPECT_EQ(counter.number_of_calls, 2);
+}
+
+struct Not_copyable : Counter
+{
+  Not_copyable() = default;
+  Not_copyable(const Not_copyable&) = delete;
+  Not_copyable& operator=(const Not_copyable&) = delete;
+};
+
+TEST(Named_parameters, What_cannot_be_copied_is_referred_to)
+{
+  const Not_copyable visitor;
+  const auto np = CSCD::parameters::visitor(visitor).number_of_threads(2);
+  const Not_copyable& seen = get_parameter(np, cgal::visitor);
+  EXPECT_EQ(&seen, &visitor);
+  const Not_copyable& seen_in_combined = get_parameter(CSCD::parameters::combine(np), cgal::visitor);
+  EXPECT_EQ(&seen_in_combined, &visitor);
+}
+
+TEST(Named_parameters, Combine_joins_chains_of_cgal_with_own)
+{
+  namespace p = CSCD::parameters;
+  expect_seed_threads_sources(
+      p::combine(CGAL::parameters::random_seed(7u), p::number_of_threads(2).maximum_number_of_sources(100L)));
+  expect_seed_threads_sources(
+      p::combine(p::number_of_threads(2), CGAL::parameters::random_seed(7u), p::maximum_number_of_sources(100L)));
+  expect_seed_threads_sources(p::combine(CGAL::parameters::random_seed(7u).verbose(true), p::number_of_threads(2))
+                                  .maximum_number_of_sources(100L));
+  expect_seed_threads_sources(
+      p::combine(CGAL::parameters::default_values(),
+                 p::combine(p::default_values(), CGAL::parameters::verbose(true).random_seed(7u)).number_of_threads(2),
+                 p::maximum_number_of_sources(100L)));
+}
+
+TEST(Named_parameters, Nothing_is_added_to_the_values)
+{
+  struct Three_longs
+  {
+    long values[3];
+  };
+  const auto np = CSCD::parameters::random_seed(7L).number_of_threads(2L).maximum_number_of_sources(100L);
+  EXPECT_EQ(sizeof(np), sizeof(Three_longs));
+}
+
+Mesh unit_triangle()
+{
+  Mesh mesh;
+  mesh.add_face(mesh.add_vertex(Point(0, 0, 0)), mesh.add_vertex(Point(1, 0, 0)), mesh.add_vertex(Point(0, 1, 0)));
+  return mesh;
+}
+
+TEST(Named_parameters, Functions_of_cgal_take_own_chains)
+{
+  Mesh mesh = unit_triangle();
+  const auto doubled = mesh.add_property_map<Mesh::Vertex_index, Point>("v:doubled").first;
+  for (const auto v : vertices(mesh)) {
+    doubled[v] = Point(2 * mesh.point(v).x(), 2 * mesh.point(v).y(), 2 * mesh.point(v).z());
+  }
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  EXPECT_DOUBLE_EQ(PMP::area(mesh), 0.5);
+  EXPECT_DOUBLE_EQ(PMP::area(mesh, CSCD::parameters::vertex_point_map(doubled)), 2);
+  EXPECT_DOUBLE_EQ(PMP::area(mesh, CSCD::parameters::vertex_point_map(doubled).number_of_threads(2)), 2);
+  EXPECT_DOUBLE_EQ(PMP::area(mesh, CSCD::parameters::number_of_threads(2).vertex_point_map(doubled).verbose(true)), 2);
+  EXPECT_DOUBLE_EQ(PMP::area(mesh, CSCD::parameters::combine(CGAL::parameters::vertex_point_map(doubled),
+                                                             CSCD::parameters::number_of_threads(2))),
+                   2);
+}
+
+TEST(Named_parameters, Overloaded_functions_of_cgal_take_own_chains)
+{
+  Mesh mesh = unit_triangle();
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const auto np = CSCD::parameters::number_of_threads(2).verbose(false);
+  EXPECT_DOUBLE_EQ(PMP::face_area(*faces(mesh).begin(), mesh, np), 0.5);
+  EXPECT_DOUBLE_EQ(PMP::area(faces(mesh), mesh, np), 0.5);
+  EXPECT_EQ(PMP::stitch_borders(mesh, np), 0u);
+  EXPECT_TRUE(PMP::triangulate_faces(mesh, np));
+  PMP::reverse_face_orientations(mesh);
+  const auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
+  PMP::compute_vertex_normals(mesh, normals, np);
+  EXPECT_DOUBLE_EQ(normals[*vertices(mesh).begin()].z(), -1);
+}
+
+template <class NamedParameters>
+void use_seed_and_threads(const NamedParameters& /* np */)
+{
+  CSCD::internal::check_named_parameters<NamedParameters, cgal::random_seed_t, own::number_of_threads_t>();
+}
+
+TEST(Named_parameters, Used_ones_are_accepted_from_any_chain)
+{
+  use_seed_and_threads(CSCD::parameters::default_values());
+  use_seed_and_threads(CGAL::parameters::default_values());
+  use_seed_and_threads(CGAL::parameters::random_seed(7u));
+  use_seed_and_threads(CSCD::parameters::number_of_threads(2));
+  use_seed_and_threads(CSCD::parameters::number_of_threads(2).random_seed(7u));
+  use_seed_and_threads(
+      CSCD::parameters::combine(CGAL::parameters::random_seed(7u), CSCD::parameters::number_of_threads(2)));
+}
+
+} // namespace

@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Degenerate and hostile meshes: each gives a skeleton with all invariants, or an Input_error that names the element.
+
+#include "support/Inside_count.h"
+#include "support/invariants.h"
+#include "support/shapes.h"
+
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::test::Shape;
+using CSCD::test::Triple;
+using CSCD::test::Violations;
+// Of std::array, which argument-dependent look-up does not find.
+using CSCD::test::operator+;
+using CSCD::test::operator-;
+using CSCD::test::operator*;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Expects a skeleton with all invariants; returns the report.
+CSCD::Skeletonization_report expect_skeleton(const Mesh& mesh)
+{
+  Skeleton skeleton;
+  CSCD::Skeletonization_report report;
+  EXPECT_NO_THROW(report = CSCD::extract_curve_skeleton(mesh, skeleton));
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{});
+  EXPECT_GT(num_vertices(skeleton), 0u);
+  return report;
+}
+
+CSCD::Skeletonization_report expect_skeleton(const Shape& shape)
+{
+  return expect_skeleton(CSCD::test::to_mesh<Mesh>(shape));
+}
+
+/// Expects an Input_error with all of `words` in its message, and the output as it was.
+void expect_refused(const Mesh& mesh, const std::vector<std::string>& words)
+{
+  Skeleton skeleton(1);
+  skeleton[0].point = Point(1, 2, 3);
+  try {
+    CSCD::extract_curve_skeleton(mesh, skeleton);
+    ADD_FAILURE() << "accepted";
+  } catch (const CSCD::Input_error& error) {
+    for (const std::string& word : words) {
+      EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+    }
+  }
+  ASSERT_EQ(num_vertices(skeleton), 1u);
+  EXPECT_EQ(skeleton[0].point, Point(1, 2, 3));
+}
+
+void expect_refused(const Shape& shape, const std::vector<std::string>& words)
+{
+  expect_refused(CSCD::test::to_mesh<Mesh>(shape), words);
+}
+
+/// Expects either.
+void expect_skeleton_or_refused(const Shape& shape)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
+  Skeleton skeleton;
+  try {
+    const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(mesh, skeleton);
+    EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{});
+  } catch (const CSCD::Input_error& error) {
+    EXPECT_FALSE(std::string(error.what()).empty());
+  }
+}
+
+Shape triangles(const std::vector<Triple>& points, const std::vector<CSCD::test::Triangle>& faces)
+{
+  Shape shape;
+  shape.points = points;
+  shape.triangles = faces;
+  return shape;
+}
+
+//
+// Too little
+//
+
+TEST(Degenerate_input, empty_mesh)
+{
+  expect_refused(Mesh(), {"no faces"});
+}
+
+TEST(Degenerate_input, isolated_vertices_only)
+{
+  Mesh mesh;
+  for (int i = 0; i < 10; ++i) {
+    mesh.add_vertex(Point(i, i * i, 0));
+  }
+  expect_refused(mesh, {"no faces"});
+}
+
+TEST(Degenerate_input, isolated_vertices_beside_a_surface)
+{
+  Mesh mesh;
+  mesh.add_vertex(Point(100, 0, 0));
+  mesh += CSCD::test::to_mesh<Mesh>(CSCD::test::capsule(8, 1, 16));
+  // Not even its coordinates matter.
+  mesh.add_vertex(Point(not_a_number, 0, 0));
+  EXPECT_EQ(expect_skeleton(mesh).number_of_isolated_vertices, 2u);
+}
+
+TEST(Degenerate_input, one_triangle)
+{
+  expect_skeleton(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
+}
+
+TEST(Degenerate_input, two_triangles)
+{
+  expect_skeleton(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}));
+}
+
+TEST(Degenerate_input, one_triangle_seen_from_both_sides)
+{
+  const Mesh pillow =
+      CSCD::test::to_mesh<Mesh>(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}));
+  expect_skeleton(pillow);
+}
+
+TEST(Degenerate_input, removed_elements_that_are_not_collected)
+{
+  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::capsule(8, 1, 16));
+  mesh += CSCD::test::to_mesh<Mesh>(CSCD::test::translated(CSCD::test::cube(), {20, 0, 0}));
+  const Mesh::Vertex_index first_of_cube(static_cast<Mesh::size_type>(mesh.number_of_vertices() - 8));
+  CGAL::Polygon_mesh_processing::keep_largest_connected_components(mesh, 1);
+  ASSERT_TRUE(mesh.has_garbage());
+  ASSERT_TRUE(mesh.is_removed(first_of_cube));
+  EXPECT_EQ(expect_skeleton(mesh).number_of_surface_components, 1u);
+}
+
+//
+// Bad coordinates
+//
+
+TEST(Degenerate_input, coordinates_that_are_not_finite)
+{
+  for (const double bad : {not_a_number, infinity, -infinity}) {
+    SCOPED_TRACE(bad);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Shape shape = CSCD::test::capsule(8, 1, 16);
+      shape.points[17][axis] = bad;
+      expect_refused(shape, {"vertex 17", "finite"});
+    }
+  }
+}
+
+TEST(Degenerate_input, all_points_equal)
+{
+  Shape shape = CSCD::test::sphere(1);
+  for (Triple& p : shape.points) {
+    p = {3, 4, 5};
+  }
+  expect_refused(shape, {"same point"});
+}
+
+TEST(Degenerate_input, all_points_on_a_line)
+{
+  Shape shape = CSCD::test::sphere(2);
+  for (Triple& p : shape.points) {
+    p = {p[0], 2 * p[0], -p[0]};
+  }
+  expect_skeleton_or_refused(shape);
+}
+
+TEST(Degenerate_input, all_points_in_a_plane)
+{
+  Shape shape = CSCD::test::capsule(8, 1, 24);
+  for (Triple& p : shape.points) {
+    p[2] = 0;
+  }
+  expect_skeleton_or_refused(shape);
+}
+
+TEST(Degenerate_input, one_component_of_several_is_a_point)
+{
+  Shape dot = CSCD::test::sphere(1);
+  for (Triple& p : dot.points) {
+    p = {20, 0, 0};
+  }
+  expect_skeleton_or_refused(CSCD::test::merged("", {CSCD::test::capsule(8, 1, 24), dot}));
+}
+
+TEST(Degenerate_input, faces_without_area)
+{
+  Shape shape = CSCD::test::capsule(8, 1, 24);
+  // Needles: two neighbours on a ring coincide.
+  for (std::size_t v = 48; v < 240; v += 24) {
+    shape.points[v + 1] = shape.points[v];
+  }
+  const CSCD::Skeletonization_report report = expect_skeleton(shape);
+  EXPECT_GT(report.number_of_degenerate_faces, 0u);
+}
+
+TEST(Degenerate_input, faces_almost_without_area)
+{
+  Shape shape = CSCD::test::y_tube(0.2);
+  for (std::size_t t = 0; t < shape.triangles.size(); t += 7) {
+    const CSCD::test::Triangle& triangle = shape.triangles[t];
+    shape.points[triangle[0]] = shape.points[triangle[1]] + 1e-12 * (shape.points[triangle[0]] - shape.points[triangle[1]]);
+  }
+  expect_skeleton(shape);
+}
+
+TEST(Degenerate_input, many_points_in_one_place)
+{
+  Shape shape = CSCD::test::y_tube(0.2);
+  const std::size_t n = shape.points.size();
+  for (std::size_t v = 0; v < n / 3; ++v) {
+    shape.points[v] = shape.points[0];
+  }
+  expect_skeleton(shape);
+}
+
+TEST(Degenerate_input, coordinates_on_a_coarse_grid)
+{
+  Shape shape = CSCD::test::y_tube(0.1);
+  for (Triple& p : shape.points) {
+    for (double& coordinate : p) {
+      coordinate = std::round(coordinate / 0.2) * 0.2;
+    }
+  }
+  expect_skeleton(shape);
+}
+
+TEST(Degenerate_input, huge_and_tiny_coordinates)
+{
+  for (const double scale : {1e-200, 1e-30, 1e30, 1e200}) {
+    SCOPED_TRACE(scale);
+    expect_skeleton(CSCD::test::scaled(CSCD::test::y_tube(0.2), scale));
+  }
+  expect_refused(CSCD::test::scaled(CSCD::test::y_tube(0.2), 1e300), {"extent", "scale"});
+  expect_refused(CSCD::test::scaled(CSCD::test::y_tube(0.2), 1e-300), {"extent", "scale"});
+}
+
+TEST(Degenerate_input, coordinates_of_a_map)
+{
+  const CSCD::Skeletonization_report report =
+      expect_skeleton(CSCD::test::translated(CSCD::test::y_tube(0.15), {4.5e5, 5.4e6, 300}));
+  EXPECT_EQ(report.number_of_tips, 3u);
+}
+
+TEST(Degenerate_input, coordinates_of_which_few_digits_remain)
+{
+  // The body is a millionth of a millionth of its distance from the origin.
+  expect_skeleton_or_refused(CSCD::test::translated(CSCD::test::y_tube(0.15), {1e12, 1e12, 1e12}));
+  expect_skeleton_or_refused(CSCD::test::translated(CSCD::test::y_tube(0.15), {1e15, 1e15, 1e15}));
+}
+
+//
+// Bad topology
+//
+
+TEST(Degenerate_input, face_with_four_sides)
+{
+  Mesh mesh;
+  std::vector<Mesh::Vertex_index> v;
+  for (const Triple& p : CSCD::test::cube().points) {
+    v.push_back(mesh.add_vertex(Point(p[0], p[1], p[2])));
+  }
+  mesh.add_face(v[0], v[2], v[3]);
+  mesh.add_face(v[0], v[3], v[1]);
+  mesh.add_face(v[4], v[5], v[7], v[6]);
+  expect_refused(mesh, {"face 2", "4 sides", "triangulate"});
+}
+
+TEST(Degenerate_input, pinched_vertex_of_an_open_surface)
+{
+  Mesh bow_tie;
+  std::vector<Mesh::Vertex_index> v;
+  for (const Point& p : {Point(0, 0, 0), Point(1, 0, 0), Point(1, 1, 0), Point(-1, 0, 0), Point(-1, -1, 0)}) {
+    v.push_back(bow_tie.add_vertex(p));
+  }
+  bow_tie.add_face(v[0], v[1], v[2]);
+  bow_tie.add_face(v[0], v[3], v[4]);
+  expect_refused(bow_tie, {"vertex 0", "pinched", "duplicate"});
+}
+
+TEST(Degenerate_input, pinched_vertex_of_a_closed_surface)
+{
+  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tetrahedron());
+  mesh += CSCD::test::to_mesh<Mesh>(CSCD::test::translated(CSCD::test::tetrahedron(), {2, 2, 2}));
+  const Mesh::Vertex_index kept(0);
+  const Mesh::Vertex_index dropped(7);
+  for (const Mesh::Halfedge_index h : halfedges_around_target(halfedge(dropped, mesh), mesh)) {
+    set_target(h, kept, mesh);
+  }
+  mesh.set_halfedge(dropped, Mesh::null_halfedge());
+  expect_refused(mesh, {"vertex 0", "pinched"});
+}
+
+TEST(Degenerate_input, inside_out)
+{
+  const CSCD::Skeletonization_report turned = expect_skeleton(CSCD::test::reversed(CSCD::test::y_tube(0.15)));
+  EXPECT_EQ(turned.number_of_tips, 3u);
+  EXPECT_EQ(turned.number_of_junctions, 1u);
+  EXPECT_EQ(turned.number_of_nodes_outside, 0u);
+}
+
+TEST(Degenerate_input, components_of_either_orientation)
+{
+  const Shape shape = CSCD::test::merged(
+      "", {CSCD::test::y_tube(0.2), CSCD::test::reversed(CSCD::test::translated(CSCD::test::y_tube(0.2), {10, 0, 0}))});
+  const CSCD::Skeletonization_report report = expect_skeleton(shape);
+  EXPECT_EQ(report.number_of_tips, 6u);
+  EXPECT_EQ(report.number_of_nodes_outside, 0u);
+}
+
+TEST(Degenerate_input, surface_within_a_surface)
+{
+  // Each gets a skeleton of its own; those in the cavity are not inside the body, and the report does not hide it.
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::hollow_sphere(3));
+  Skeleton skeleton;
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(mesh, skeleton);
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{});
+  EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, report.number_of_nodes_outside);
+}
+
+TEST(Degenerate_input, many_components)
+{
+  std::vector<Shape> parts;
+  for (std::size_t i = 0; i < 500; ++i) {
+    parts.push_back(CSCD::test::translated(CSCD::test::tetrahedron(), {5.0 * static_cast<double>(i), 0, 0}));
+  }
+  EXPECT_EQ(expect_skeleton(CSCD::test::merged("", parts)).number_of_surface_components, 500u);
+}
+
+TEST(Degenerate_input, components_of_very_different_size)
+{
+  const Shape shape = CSCD::test::merged("", {CSCD::test::capsule(8, 1, 24),
+                                              CSCD::test::translated(CSCD::test::scaled(CSCD::test::y_tube(0.2), 1e-6),
+                                                                     {20, 0, 0})});
+  EXPECT_EQ(expect_skeleton(shape).number_of_surface_components, 2u);
+}
+
+TEST(Degenerate_input, border_that_is_almost_everything)
+{
+  // Every other face of a body is missing, wherever that leaves no pinched vertex.
+  expect_skeleton(CSCD::test::with_small_holes(CSCD::test::y_tube(0.15), 100000, 1));
+  expect_skeleton(CSCD::test::with_small_holes(CSCD::test::torus(3, 1, 24), 100000, 2));
+}
+
+//
+// Bad geometry
+//
+
+TEST(Degenerate_input, needle)
+{
+  const CSCD::Skeletonization_report report =
+      expect_skeleton(CSCD::test::swept_shape("needle", CSCD::test::sampled_segment({0, 0, 0}, {1000, 0, 0}, 1000),
+                                              std::vector<double>(1000, 0.05), 8, CSCD::test::Tube_end::flat));
+  EXPECT_EQ(report.number_of_tips, 2u);
+  expect_skeleton(CSCD::test::box("needle", {1e6, 1, 1}));
+  expect_skeleton(CSCD::test::box("plate", {1e4, 1e4, 1}));
+  expect_skeleton(CSCD::test::box("foil", {1, 1, 1e-9}));
+}
+
+TEST(Degenerate_input, surface_that_cuts_itself)
+{
+  // The limbs of a star folded through each other.
+  Shape shape = CSCD::test::star(5, 3, 0.35, 0.12);
+  for (Triple& p : shape.points) {
+    p[1] = std::fabs(p[1]);
+  }
+  expect_skeleton(shape);
+  shape = CSCD::test::torus(1, 2, 24); // a spindle torus
+  expect_skeleton(shape);
+}
+
+TEST(Degenerate_input, two_bodies_in_the_same_place)
+{
+  const Shape shape = CSCD::test::y_tube(0.2);
+  expect_skeleton(CSCD::test::merged("", {shape, shape}));
+}
+
+TEST(Degenerate_input, noise_as_large_as_the_edges)
+{
+  for (const double amplitude : {0.5, 1.0, 3.0}) {
+    SCOPED_TRACE(amplitude);
+    expect_skeleton(CSCD::test::noisy(CSCD::test::y_tube(0.15), amplitude, 1));
+  }
+}
+
+TEST(Degenerate_input, points_anywhere)
+{
+  for (std::size_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    expect_skeleton(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 100, seed));
+  }
+}
+
+TEST(Degenerate_input, triangles_of_very_different_size)
+{
+  // One corner subdivided again and again.
+  Shape shape = CSCD::test::tetrahedron();
+  for (int i = 0; i < 40; ++i) {
+    const CSCD::test::Triangle t = shape.triangles.back();
+    const std::size_t centre = shape.points.size();
+    shape.points.push_back(0.98 * shape.points[t[0]] + 0.01 * shape.points[t[1]] + 0.01 * shape.points[t[2]]);
+    shape.triangles.back() = {t[1], t[2], centre};
+    shape.triangles.push_back({t[2], t[0], centre});
+    shape.triangles.push_back({t[0], t[1], centre});
+  }
+  expect_skeleton(shape);
+}
+
+TEST(Degenerate_input, vertices_with_very_many_faces)
+{
+  expect_skeleton(CSCD::test::double_cone(200));
+  expect_skeleton(CSCD::test::double_cone(10000));
+}
+
+} // namespace

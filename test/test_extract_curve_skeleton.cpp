@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The whole pipeline on generated shapes with known answers, and what the entry point promises.
+
+#include "support/Centreline_error.h"
+#include "support/Inside_count.h"
+#include "support/invariants.h"
+#include "support/name_of_shape.h"
+#include "support/shapes.h"
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::test::Shape;
+using CSCD::test::Shape_maker;
+using CSCD::test::Violations;
+namespace parameters = CSCD::parameters;
+
+/// A shape, its mesh and what the pipeline makes of it.
+class Skeletonized_shape : public testing::TestWithParam<Shape_maker>
+{
+protected:
+  Skeletonized_shape()
+      : m_shape(GetParam().make()), m_mesh(CSCD::test::to_mesh<Mesh>(m_shape)),
+        m_report(CSCD::extract_curve_skeleton(m_mesh, m_skeleton))
+  {
+  }
+
+  Shape m_shape;
+  Mesh m_mesh;
+  Skeleton m_skeleton;
+  CSCD::Skeletonization_report m_report;
+};
+
+class Closed_shape : public Skeletonized_shape
+{
+};
+
+TEST_P(Closed_shape, satisfies_the_invariants)
+{
+  EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, m_report), Violations{});
+  EXPECT_EQ(m_report.number_of_bridged_borders, 0u);
+  EXPECT_EQ(m_report.betti_number, m_shape.genus);
+}
+
+TEST_P(Closed_shape, has_its_skeleton_inside)
+{
+  const CSCD::test::Inside_count count = CSCD::test::count_inside(m_mesh, m_skeleton);
+  EXPECT_EQ(count.number_of_nodes_outside, m_report.number_of_nodes_outside);
+  EXPECT_EQ(count.number_of_nodes_outside, 0u) << "of " << count.number_of_nodes;
+  EXPECT_GE(count.fraction_of_length_inside(), 0.999);
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Closed_shape, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
+                         CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(Hard, Closed_shape, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
+                         CSCD::test::name_of_shape);
+
+class Known_skeleton : public Skeletonized_shape
+{
+};
+
+TEST_P(Known_skeleton, has_the_known_tips_and_junctions)
+{
+  EXPECT_EQ(m_report.number_of_tips, m_shape.number_of_tips);
+  EXPECT_EQ(m_report.number_of_junctions, m_shape.number_of_junctions);
+}
+
+TEST_P(Known_skeleton, follows_the_known_centreline)
+{
+  const CSCD::test::Centreline_error error = CSCD::test::centreline_error(m_shape, m_skeleton);
+  // All in units of the local radius. The axis of a limb ends where its cap begins; a skeleton may go on into the cap
+  // or stop short of it by about a radius.
+  EXPECT_LT(error.mean_of_nodes, 0.1);
+  EXPECT_LT(error.largest_of_nodes, 1);
+  EXPECT_LT(error.largest_gap, 1.5);
+  EXPECT_LT(error.largest_of_radii, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Known_skeleton, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
+                         CSCD::test::name_of_shape);
+
+class Open_shape : public Skeletonized_shape
+{
+};
+
+TEST_P(Open_shape, satisfies_the_invariants)
+{
+  EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, m_report), Violations{});
+  EXPECT_EQ(m_report.number_of_bridged_borders, m_shape.number_of_border_cycles);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
+
+/// What the entry point promises, on one shape.
+class Extract_curve_skeleton : public testing::Test
+{
+protected:
+  Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  Skeleton m_skeleton;
+};
+
+TEST_F(Extract_curve_skeleton, replaces_what_was_in_the_output)
+{
+  const auto old = add_vertex(m_skeleton);
+  m_skeleton[old].vertices.push_back(*m_mesh.vertices().begin());
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
+  EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
+}
+
+TEST_F(Extract_curve_skeleton, leaves_the_mesh_alone)
+{
+  const Shape before = CSCD::test::to_shape(m_mesh);
+  CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
+  const Shape after = CSCD::test::to_shape(m_mesh);
+  EXPECT_EQ(before.points, after.points);
+  EXPECT_EQ(before.triangles, after.triangles);
+  EXPECT_EQ(m_mesh.properties<Mesh::Vertex_index>().size(), Mesh().properties<Mesh::Vertex_index>().size());
+}
+
+TEST_F(Extract_curve_skeleton, keeps_the_invariants_for_every_seed)
+{
+  for (unsigned int seed = 0; seed < 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::random_seed(seed));
+    EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
+    EXPECT_EQ(report.number_of_tips, 3u);
+    EXPECT_EQ(report.number_of_junctions, 1u);
+  }
+}
+
+TEST_F(Extract_curve_skeleton, keeps_to_the_maximum_number_of_sources)
+{
+  for (const std::size_t maximum : {std::size_t(1), std::size_t(10), std::size_t(100)}) {
+    SCOPED_TRACE(maximum);
+    const auto report =
+        CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::maximum_number_of_sources(maximum));
+    EXPECT_LE(report.number_of_sources, maximum);
+    EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
+  }
+}
+
+TEST_F(Extract_curve_skeleton, reads_points_from_the_map_it_is_given)
+{
+  const auto [map, is_new] = m_mesh.add_property_map<Mesh::Vertex_index, Point>("v:elsewhere");
+  for (const Mesh::Vertex_index v : m_mesh.vertices()) {
+    map[v] = m_mesh.point(v) + Kernel::Vector_3(1000, 0, 0);
+  }
+  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::vertex_point_map(map));
+  ASSERT_GT(num_vertices(m_skeleton), 0u);
+  for (std::size_t node = 0; node < num_vertices(m_skeleton); ++node) {
+    EXPECT_GT(m_skeleton[node].point.x(), 900);
+  }
+}
+
+TEST_F(Extract_curve_skeleton, tells_what_it_did)
+{
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
+  EXPECT_GT(report.number_of_sources, 0u);
+  EXPECT_GT(report.number_of_separators, 0u);
+  EXPECT_GT(report.number_of_packed_separators, 0u);
+  EXPECT_LE(report.number_of_packed_separators, report.number_of_separators);
+  EXPECT_GE(report.number_of_levels, 1u);
+  EXPECT_EQ(report.number_of_threads, 1u);
+  EXPECT_EQ(report.number_of_degenerate_faces, 0u);
+  for (const double seconds : report.seconds) {
+    EXPECT_GT(seconds, 0);
+  }
+}
+
+/// Writes down what it hears, and stops the work when a stage has got this far.
+struct Recording_visitor : CSCD::Default_skeletonization_visitor
+{
+  struct Record
+  {
+    std::vector<CSCD::Skeletonization_stage> begun;
+    std::vector<CSCD::Skeletonization_stage> ended;
+    std::vector<std::vector<double>> fractions;
+    std::size_t number_of_questions = 0;
+  };
+
+  explicit Recording_visitor(Record& record, std::size_t questions_until_stop = 0)
+      : m_record(&record), m_questions_until_stop(questions_until_stop)
+  {
+  }
+
+  void on_stage_begin(CSCD::Skeletonization_stage stage)
+  {
+    m_record->begun.push_back(stage);
+    m_record->fractions.emplace_back();
+  }
+  void on_stage_end(CSCD::Skeletonization_stage stage) { m_record->ended.push_back(stage); }
+  void progress(double fraction) { m_record->fractions.back().push_back(fraction); }
+  bool go_further() { return ++m_record->number_of_questions != m_questions_until_stop; }
+
+private:
+  Record* m_record;
+  std::size_t m_questions_until_stop; ///< 0: never
+};
+
+TEST_F(Extract_curve_skeleton, tells_its_visitor_of_each_stage_once_in_order)
+{
+  Recording_visitor::Record record;
+  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::visitor(Recording_visitor(record)));
+  const std::vector<CSCD::Skeletonization_stage> all{
+      CSCD::Skeletonization_stage::compile_surface, CSCD::Skeletonization_stage::find_separators,
+      CSCD::Skeletonization_stage::pack_separators, CSCD::Skeletonization_stage::build_skeleton};
+  EXPECT_EQ(record.begun, all);
+  EXPECT_EQ(record.ended, all);
+  for (const std::vector<double>& fractions : record.fractions) {
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    for (const double fraction : fractions) {
+      EXPECT_GE(fraction, 0);
+      EXPECT_LE(fraction, 1);
+    }
+  }
+}
+
+TEST_F(Extract_curve_skeleton, stops_when_its_visitor_says_so_and_leaves_the_output_alone)
+{
+  Recording_visitor::Record whole;
+  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::visitor(Recording_visitor(whole)));
+  ASSERT_GT(whole.number_of_questions, 0u);
+  for (const std::size_t question : {std::size_t(1), whole.number_of_questions}) {
+    SCOPED_TRACE(question);
+    Skeleton skeleton(1);
+    skeleton[0].point = Point(1, 2, 3);
+    Recording_visitor::Record record;
+    const auto stopped = parameters::visitor(Recording_visitor(record, question));
+    EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, stopped), CSCD::Cancelled_error);
+    EXPECT_EQ(record.number_of_questions, question) << "asked again after it said no";
+    ASSERT_EQ(num_vertices(skeleton), 1u);
+    EXPECT_EQ(skeleton[0].point, Point(1, 2, 3));
+  }
+}
+
+/// Fails when a stage begins.
+struct Throwing_visitor : CSCD::Default_skeletonization_visitor
+{
+  explicit Throwing_visitor(CSCD::Skeletonization_stage stage) : m_stage(stage) {}
+
+  void on_stage_begin(CSCD::Skeletonization_stage stage) const
+  {
+    if (stage == m_stage) {
+      throw std::string(CSCD::name(stage));
+    }
+  }
+
+private:
+  CSCD::Skeletonization_stage m_stage;
+};
+
+TEST_F(Extract_curve_skeleton, passes_on_what_its_visitor_throws_and_leaves_the_output_alone)
+{
+  for (const auto stage : {CSCD::Skeletonization_stage::compile_surface, CSCD::Skeletonization_stage::find_separators,
+                           CSCD::Skeletonization_stage::pack_separators, CSCD::Skeletonization_stage::build_skeleton}) {
+    SCOPED_TRACE(CSCD::name(stage));
+    Skeleton skeleton(2);
+    add_edge(0, 1, skeleton);
+    EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, parameters::visitor(Throwing_visitor(stage))),
+                 std::string);
+    EXPECT_EQ(num_vertices(skeleton), 2u);
+    EXPECT_EQ(num_edges(skeleton), 1u);
+  }
+}
+
+} // namespace

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What must not change the skeleton: the pose and the unit of the input, the order and the type of its storage, the
+// number of threads, the type of the output.
+
+#include "support/Similarity.h"
+#include "support/Skeleton_comparison.h"
+#include "support/invariants.h"
+#include "support/name_of_shape.h"
+#include "support/shapes.h"
+
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Mean_curvature_flow_skeletonization.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Linear_cell_complex =
+    CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper<2, 3, CGAL::Linear_cell_complex_traits<3, Kernel>>::type;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Shape;
+using CSCD::test::Shape_maker;
+using CSCD::test::Similarity;
+using CSCD::test::Violations;
+namespace parameters = CSCD::parameters;
+
+/// Distances that may be due to rounding, relative to the diagonal of the bounding box.
+constexpr double relative_tolerance = 1e-6;
+
+template <class AnyMesh>
+using Skeleton_of = CSCD::Skeleton_graph<
+    typename boost::property_traits<typename boost::property_map<AnyMesh, CGAL::vertex_point_t>::type>::value_type,
+    typename boost::graph_traits<AnyMesh>::vertex_descriptor>;
+
+template <class ConcurrencyTag, class AnyMesh, class NamedParameters>
+Plain_skeleton skeletonize(const AnyMesh& mesh, const NamedParameters& named_parameters)
+{
+  Skeleton_of<AnyMesh> skeleton;
+  CSCD::extract_curve_skeleton<ConcurrencyTag>(mesh, skeleton, named_parameters);
+  return CSCD::test::plain(mesh, skeleton);
+}
+
+template <class AnyMesh = Mesh>
+Plain_skeleton skeletonize(const Shape& shape)
+{
+  return skeletonize<CGAL::Sequential_tag>(CSCD::test::to_mesh<AnyMesh>(shape), parameters::random_seed(0));
+}
+
+Plain_skeleton moved(Plain_skeleton skeleton, const Similarity& motion)
+{
+  for (CSCD::test::Triple& p : skeleton.points) {
+    p = motion(p);
+  }
+  return skeleton;
+}
+
+/// Bodies without symmetry: in a symmetric one, rounding decides between equals.
+std::vector<Shape_maker> asymmetric_shapes()
+{
+  using namespace CSCD::test;
+  return {{"noisy_y_tube", [] { return noisy(y_tube(0.2), 0.05, 1); }},
+          {"noisy_double_torus", [] { return noisy(double_torus(0.2), 0.05, 2); }},
+          {"noisy_hand", [] { return noisy(hand(0.2), 0.05, 3); }},
+          {"noisy_chain", [] { return noisy(chain_of_rings(3, 12), 0.05, 4); }},
+          {"noisy_sphere", [] { return noisy(sphere(3), 0.05, 5); }},
+          {"noisy_capsule_with_holes", [] { return with_small_holes(noisy(capsule(8, 1, 24), 0.05, 6), 5, 7); }}};
+}
+
+class Invariance : public testing::TestWithParam<Shape_maker>
+{
+protected:
+  void expect_equivariant(const Similarity& motion) const
+  {
+    const Shape other = CSCD::test::moved(m_shape, motion, motion.scale);
+    const double tolerance = relative_tolerance * diagonal(other);
+    EXPECT_EQ(difference(moved(skeletonize(m_shape), motion), skeletonize(other), tolerance), "");
+  }
+
+  Shape m_shape = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(Asymmetric, Invariance, testing::ValuesIn(asymmetric_shapes()), CSCD::test::name_of_shape);
+
+TEST_P(Invariance, under_moves)
+{
+  expect_equivariant(Similarity{1, {0, 0, 1}, 0, {10, -20, 30}});
+  // As far away, relative to its size, as a building in metres in a map's coordinates.
+  expect_equivariant(Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}});
+}
+
+TEST_P(Invariance, under_rotations)
+{
+  for (const double angle : {1e-3, CSCD::test::pi / 2, 2.0}) {
+    SCOPED_TRACE(angle);
+    expect_equivariant(Similarity{1, CSCD::test::unit({1, 2, 3}), angle, {0, 0, 0}});
+    expect_equivariant(Similarity{1, {0, 1, 0}, angle, {1, 2, 3}});
+  }
+}
+
+TEST_P(Invariance, under_scalings)
+{
+  for (const double scale : {1e-100, 1e-6, 0.001, 25.4, 1e6, 1e100}) {
+    SCOPED_TRACE(scale);
+    expect_equivariant(Similarity{scale, {0, 0, 1}, 0, {0, 0, 0}});
+  }
+}
+
+TEST_P(Invariance, under_scalings_by_powers_of_two_to_the_last_bit)
+{
+  const Similarity doubling{2, {0, 0, 1}, 0, {0, 0, 0}};
+  EXPECT_EQ(moved(skeletonize(m_shape), doubling), skeletonize(CSCD::test::scaled(m_shape, 2)));
+}
+
+TEST_P(Invariance, from_run_to_run)
+{
+  EXPECT_EQ(skeletonize(m_shape), skeletonize(m_shape));
+}
+
+TEST_P(Invariance, under_the_number_of_threads)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
+  const Plain_skeleton expected = skeletonize<CGAL::Sequential_tag>(mesh, parameters::random_seed(5));
+#ifdef CGAL_LINKED_WITH_TBB
+  // More threads than there may be cores: they take turns at any point of their work.
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
+  for (const std::size_t number_of_threads : {1, 2, 4}) {
+    SCOPED_TRACE(number_of_threads);
+    EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(
+                            mesh, parameters::random_seed(5).number_of_threads(number_of_threads)));
+  }
+#endif
+  EXPECT_EQ(expected, skeletonize<CGAL::Parallel_if_available_tag>(mesh, parameters::random_seed(5)));
+}
+
+TEST_P(Invariance, under_the_type_of_the_mesh)
+{
+  const Plain_skeleton expected = skeletonize(m_shape);
+  EXPECT_EQ(expected, skeletonize<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(m_shape));
+  EXPECT_EQ(expected, skeletonize<Polyhedron>(m_shape));
+  const double tolerance = relative_tolerance * diagonal(m_shape);
+  // A cell complex iterates its faces, hence the sums over them, in another order.
+  EXPECT_EQ(difference(expected, skeletonize<Linear_cell_complex>(m_shape), tolerance), "");
+}
+
+TEST_P(Invariance, under_the_type_of_the_skeleton)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
+  CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
+  const CSCD::Skeletonization_report report =
+      CSCD::extract_curve_skeleton(mesh, skeleton, parameters::random_seed(0));
+  EXPECT_EQ(skeletonize(m_shape), CSCD::test::plain(mesh, skeleton));
+  EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{});
+}
+
+TEST_P(Invariance, holds_the_invariants_on_every_type_of_mesh)
+{
+  const Polyhedron polyhedron = CSCD::test::to_mesh<Polyhedron>(m_shape);
+  Skeleton_of<Polyhedron> skeleton;
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(polyhedron, skeleton);
+  EXPECT_EQ(CSCD::test::violated_invariants(polyhedron, skeleton, report), Violations{});
+
+  const Linear_cell_complex complex = CSCD::test::to_mesh<Linear_cell_complex>(m_shape);
+  Skeleton_of<Linear_cell_complex> other;
+  const CSCD::Skeletonization_report other_report = CSCD::extract_curve_skeleton(complex, other);
+  EXPECT_EQ(CSCD::test::violated_invariants(complex, other, other_report), Violations{});
+}
+
+/// Symmetry is no excuse where the pose stays.
+class Renumbering : public testing::TestWithParam<Shape_maker>
+{
+};
+
+TEST_P(Renumbering, changes_names_only)
+{
+  const Shape shape = GetParam().make();
+  const double tolerance = relative_tolerance * diagonal(shape);
+  const Plain_skeleton skeleton = skeletonize(shape);
+  const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(shape, 1);
+  Plain_skeleton expected = skeleton;
+  for (std::vector<std::size_t>& sites : expected.sites) {
+    for (std::size_t& site : sites) {
+      site = other.new_number[site];
+    }
+    std::sort(sites.begin(), sites.end());
+  }
+  EXPECT_EQ(difference(expected, skeletonize(other.shape), tolerance), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Asymmetric, Renumbering, testing::ValuesIn(asymmetric_shapes()), CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(Known, Renumbering, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
+                         CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(Hard, Renumbering, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
+                         CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(Open, Renumbering, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
+
+} // namespace
