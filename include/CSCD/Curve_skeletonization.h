@@ -39,6 +39,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -82,6 +83,8 @@ public:
     m_report.number_of_degenerate_faces = traits.number_of_degenerate_faces();
     m_report.number_of_levels = traits.levels().size();
     m_report.genus = traits.genus();
+    m_report.seconds[static_cast<std::size_t>(Skeletonization_stage::compile_surface)] = traits.seconds_to_compile();
+    warn_of_input();
   }
   explicit Curve_skeletonization(Traits&&) = delete;
 
@@ -227,6 +230,34 @@ private:
     m_visitor.on_stage_end(stage);
   }
 
+  void warn_of_input()
+  {
+    const auto warn = [this](std::size_t count, const char* what) {
+      if (count > 0) {
+        m_report.warnings.push_back(std::to_string(count) + ' ' + what);
+      }
+    };
+    warn(m_report.number_of_isolated_vertices, "vertices without a face: they belong to no node");
+    warn(m_report.number_of_bridged_borders, "borders: bridged by faces without weight");
+    warn(m_report.number_of_degenerate_faces, "faces with (nearly) no area");
+    warn(m_traits.number_of_reversed_components(), "components that looked inwards: turned");
+  }
+
+  void warn_of_skeleton()
+  {
+    m_report.warnings.clear();
+    warn_of_input();
+    if (m_report.betti_number != m_report.genus) {
+      m_report.warnings.push_back("the skeleton has " + std::to_string(m_report.betti_number) +
+                                  " independent cycles, the surface " + std::to_string(m_report.genus) + " handles");
+    }
+    if (m_report.number_of_nodes_outside + m_report.number_of_edges_outside > 0) {
+      m_report.warnings.push_back(std::to_string(m_report.number_of_nodes_outside) + " nodes and " +
+                                  std::to_string(m_report.number_of_edges_outside) +
+                                  " edges are not wholly inside the body");
+    }
+  }
+
   std::vector<double> weights() const
   {
     std::vector<double> result;
@@ -320,6 +351,7 @@ private:
       m_report.number_of_tips += draft.degree(node) == 1 ? 1 : 0;
       m_report.number_of_junctions += draft.is_junction(node) ? 1 : 0;
     }
+    warn_of_skeleton();
   }
 
   const Traits& m_traits;

@@ -88,12 +88,13 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
                                    internal_np::separator_weight_t>();
   check_triangle_mesh<TriangleMesh>();
 
+  // A copy of the visitor, or a reference where it was given as one.
   Default_skeletonization_visitor default_visitor;
-  auto& given_visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
-  using Given_visitor = std::remove_reference_t<decltype(given_visitor)>;
-  std::conditional_t<std::is_const_v<Given_visitor>, std::remove_const_t<Given_visitor>, Given_visitor&> visitor =
-      given_visitor;
-  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     Default_skeletonization_visitor>::reference;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  using Visitor_reference = std::remove_reference_t<Visitor>&;
+  check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
 
   const auto point_map =
       choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
@@ -104,11 +105,12 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
 
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
   using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor&> skeletonization(traits, Policies{std::move(weight)}, visitor);
-  skeletonization.set_random_seed(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u))
-      .set_number_of_threads(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u))
-      .set_maximum_number_of_sources(choose_parameter(get_parameter(np, internal_np::maximum_number_of_sources),
-                                                      std::numeric_limits<std::size_t>::max()));
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)}, visitor);
+  // Any integer type will do for a number.
+  skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
+      .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))
+      .set_maximum_number_of_sources(std::size_t(choose_parameter(
+          get_parameter(np, internal_np::maximum_number_of_sources), std::numeric_limits<std::size_t>::max())));
   return skeletonization.template operator()<ConcurrencyTag>(skeleton);
 }
 

@@ -81,7 +81,8 @@ private:
     if (!(mean_radius > 0)) {
       return;
     }
-    const int parts = std::min(int((to.position - from.position).norm() / (part_length * mean_radius)), most_parts) + 1;
+    const double length = (to.position - from.position).norm();
+    const int parts = int(std::min(length / (part_length * mean_radius), double(most_parts))) + 1;
     Index last = a;
     for (int i = 1; i < parts; ++i) {
       const double along = double(i) / parts;

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <mutex>
 #include <optional>
@@ -60,7 +61,12 @@ public:
   /// Compiles `mesh`, which is not referred to later; near linear.
   /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges or
   ///        vertices where it is no oriented manifold, coordinates that are not finite, or no extent or area
-  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map) { compile(mesh, point_map); }
+  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    compile(mesh, point_map);
+    m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
   /// The descriptors of the sites would refer to a mesh that is gone.
   explicit Triangle_mesh_traits(TriangleMesh&&) = delete;
@@ -170,6 +176,9 @@ public:
   }
   /// @}
 
+  /// The wall-clock seconds that the constructor took.
+  double seconds_to_compile() const { return m_seconds_to_compile; }
+
 private:
   void compile(const TriangleMesh& mesh, const VertexPointMap& point_map)
   {
@@ -203,6 +212,7 @@ private:
   std::size_t m_number_of_inserted_vertices = 0;
   std::size_t m_number_of_degenerate_faces = 0;
   std::size_t m_number_of_reversed_components = 0;
+  double m_seconds_to_compile = 0;
   mutable std::once_flag m_queries_built;
   mutable std::optional<internal::Solid_queries> m_queries;
 };

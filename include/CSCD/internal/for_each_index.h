@@ -57,10 +57,10 @@ class For_each_index<ConcurrencyTag, Worker, std::enable_if_t<std::is_convertibl
 {
 public:
   /// \param make_worker makes the worker of a thread when it first needs one
-  /// \param number_of_threads 0: as many as there are cores
+  /// \param number_of_threads 0: as many as there are cores; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(number_of_threads == 0 ? unsigned(tbb::info::default_concurrency()) : number_of_threads),
+      : m_number_of_threads(bounded(number_of_threads, unsigned(tbb::info::default_concurrency()))),
         m_arena(int(m_number_of_threads)), m_workers(std::move(make_worker))
   {
   }
@@ -77,6 +77,11 @@ public:
   unsigned number_of_threads() const { return m_number_of_threads; }
 
 private:
+  static unsigned bounded(unsigned asked, unsigned available)
+  {
+    return asked == 0 ? available : std::min(asked, available);
+  }
+
   unsigned m_number_of_threads;
   tbb::task_arena m_arena;
   tbb::enumerable_thread_specific<Worker> m_workers;

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Surface traits with no more than the pipeline and the local policies ask for, and without any type of a mesh.
+
+#ifndef CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
+#define CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
+
+#include "Point_archetype.h"
+#include "Triangle_mesh_archetype.h"
+
+#include "support/Shape.h"
+
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+namespace CSCD::test {
+
+/// A shape, its sites named by what is neither a number nor comparable.
+class Skeletonization_traits_archetype
+{
+public:
+  using Point = Point_archetype;
+  using Site_descriptor = Triangle_mesh_archetype::Vertex;
+  using Index = internal::Index;
+  using Vector_3 = internal::Vector_3;
+
+  explicit Skeletonization_traits_archetype(const Shape& shape)
+      : m_mesh(shape), m_traits(m_mesh, Vertex_point_map_archetype(m_mesh))
+  {
+  }
+  Skeletonization_traits_archetype(const Skeletonization_traits_archetype&) = delete;
+  Skeletonization_traits_archetype& operator=(const Skeletonization_traits_archetype&) = delete;
+  ~Skeletonization_traits_archetype() = default;
+
+  /// \name SkeletonizationTraits
+  /// @{
+  Index number_of_sites() const { return m_traits.number_of_sites(); }
+  Vector_3 point(Index site) const { return m_traits.point(site); }
+  double weight(Index site) const { return m_traits.weight(site); }
+  Vector_3 normal(Index site) const { return m_traits.normal(site); }
+  auto neighbors(Index site) const { return m_traits.neighbors(site); }
+  Index number_of_triangles() const { return m_traits.number_of_triangles(); }
+  std::array<Index, 3> triangle(Index face) const { return m_traits.triangle(face); }
+  /// @}
+
+  /// \name What leads back to the input
+  /// @{
+  bool is_input_site(Index site) const { return m_traits.is_input_site(site); }
+  Site_descriptor descriptor(Index site) const { return m_traits.descriptor(site); }
+  Point to_input_point(const Vector_3& p) const { return m_traits.to_input_point(p); }
+  double to_input_length(double length) const { return m_traits.to_input_length(length); }
+  std::size_t number_of_input_sites() const { return m_traits.number_of_input_sites(); }
+  std::size_t number_of_isolated_vertices() const { return m_traits.number_of_isolated_vertices(); }
+  std::size_t number_of_components() const { return m_traits.number_of_components(); }
+  std::size_t number_of_bridged_borders() const { return m_traits.number_of_bridged_borders(); }
+  std::size_t number_of_inserted_vertices() const { return m_traits.number_of_inserted_vertices(); }
+  std::size_t number_of_degenerate_faces() const { return m_traits.number_of_degenerate_faces(); }
+  std::size_t genus() const { return m_traits.genus(); }
+  double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
+  /// @}
+
+  /// \name What the local policies and the placement of nodes ask for
+  /// @{
+  const internal::Surface_levels& levels() const { return m_traits.levels(); }
+  const internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
+  bool is_inside(const Vector_3& p) const { return m_traits.is_inside(p); }
+  internal::Surface_point closest_point(const Vector_3& p) const { return m_traits.closest_point(p); }
+  std::optional<internal::Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  {
+    return m_traits.first_hit(origin, direction);
+  }
+  /// @}
+
+private:
+  Triangle_mesh_archetype m_mesh;
+  Triangle_mesh_traits<Triangle_mesh_archetype, Vertex_point_map_archetype> m_traits;
+};
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H

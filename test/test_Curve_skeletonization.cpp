@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pipeline step by step: its answer, its parameters, its visitor, its report.
+
+#include "support/convert_shape.h"
+#include "support/shapes.h"
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits>;
+using Skeleton = Skeletonization::Skeleton;
+
+void expect_equal(const Skeleton& a, const Skeleton& b)
+{
+  ASSERT_EQ(num_vertices(a), num_vertices(b));
+  ASSERT_EQ(num_edges(a), num_edges(b));
+  for (std::size_t node = 0; node < num_vertices(a); ++node) {
+    EXPECT_EQ(a[node].point, b[node].point);
+    EXPECT_EQ(a[node].radius, b[node].radius);
+    EXPECT_EQ(a[node].vertices, b[node].vertices);
+  }
+  for (auto [e, f] = std::make_pair(edges(a).first, edges(b).first); e != edges(a).second; ++e, ++f) {
+    EXPECT_EQ(source(*e, a), source(*f, b));
+    EXPECT_EQ(target(*e, a), target(*f, b));
+  }
+}
+
+class Curve_skeletonization : public testing::Test
+{
+protected:
+  Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
+  Traits m_traits{m_mesh};
+};
+
+TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
+{
+  Skeletonization steps(m_traits);
+  Skeleton stepwise;
+  EXPECT_EQ(steps.find_separators(), steps.separators().size());
+  EXPECT_EQ(steps.pack_separators(), steps.packed_separators().size());
+  steps.convert_to_skeleton(stepwise);
+  Skeleton whole;
+  Skeletonization all(m_traits);
+  all(whole);
+  expect_equal(stepwise, whole);
+  Skeleton free_function;
+  CSCD::extract_curve_skeleton(m_mesh, free_function);
+  expect_equal(stepwise, free_function);
+  Skeleton parallel;
+  all.operator()<CGAL::Parallel_tag>(parallel);
+  expect_equal(stepwise, parallel);
+}
+
+TEST_F(Curve_skeletonization, writes_the_same_again_over_what_was_there)
+{
+  Skeletonization skeletonization(m_traits);
+  Skeleton first;
+  skeletonization(first);
+  Skeleton second(5);
+  skeletonization.convert_to_skeleton(second);
+  expect_equal(first, second);
+}
+
+TEST_F(Curve_skeletonization, starts_afresh_when_separators_are_sought_again)
+{
+  Skeletonization skeletonization(m_traits);
+  skeletonization.set_maximum_number_of_sources(60);
+  const std::size_t first = skeletonization.find_separators();
+  const std::size_t sources = skeletonization.report().number_of_sources;
+  ASSERT_GT(first, 0u);
+  EXPECT_EQ(skeletonization.find_separators(), first);
+  EXPECT_EQ(skeletonization.report().number_of_sources, sources);
+  EXPECT_EQ(skeletonization.report().number_of_separators, skeletonization.separators().size());
+}
+
+TEST_F(Curve_skeletonization, remembers_its_parameters)
+{
+  Skeletonization skeletonization(m_traits);
+  EXPECT_EQ(skeletonization.random_seed(), 0u);
+  skeletonization.set_random_seed(3).set_number_of_threads(2).set_maximum_number_of_sources(30);
+  EXPECT_EQ(skeletonization.random_seed(), 3u);
+  EXPECT_EQ(skeletonization.number_of_threads(), 2u);
+  EXPECT_EQ(skeletonization.maximum_number_of_sources(), 30u);
+  skeletonization.find_separators();
+  EXPECT_LE(skeletonization.report().number_of_sources, 30u);
+  EXPECT_GT(skeletonization.report().number_of_sources, 0u);
+}
+
+TEST_F(Curve_skeletonization, packs_some_of_what_it_found)
+{
+  Skeletonization skeletonization(m_traits);
+  skeletonization.find_separators();
+  skeletonization.pack_separators();
+  const auto& packed = skeletonization.packed_separators();
+  EXPECT_EQ(std::set(packed.begin(), packed.end()).size(), packed.size());
+  for (const auto i : packed) {
+    ASSERT_LT(i, skeletonization.separators().size());
+  }
+}
+
+TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)
+{
+  Skeletonization skeletonization(m_traits);
+  skeletonization.find_separators();
+  for (const CSCD::Separator& separator : skeletonization.separators()) {
+    const std::vector<Point> polyline = skeletonization.polyline(separator);
+    ASSERT_EQ(polyline.size(), separator.crossings.size());
+    double length = 0;
+    for (std::size_t i = 0; i < polyline.size(); ++i) {
+      length += std::sqrt(CGAL::squared_distance(polyline[i], polyline[(i + 1) % polyline.size()]));
+    }
+    EXPECT_NEAR(length, m_traits.to_input_length(separator.length), 1e-9);
+  }
+}
+
+TEST_F(Curve_skeletonization, wants_its_stages_in_order)
+{
+  Skeletonization skeletonization(m_traits);
+  Skeleton skeleton;
+  EXPECT_THROW(skeletonization.convert_to_skeleton(skeleton), CGAL::Precondition_exception);
+  EXPECT_THROW(skeletonization.packed_separators(), CGAL::Precondition_exception);
+}
+
+TEST_F(Curve_skeletonization, without_separators_still_gives_a_node)
+{
+  Skeletonization skeletonization(m_traits);
+  Skeleton skeleton;
+  EXPECT_EQ(skeletonization.pack_separators(), 0u);
+  skeletonization.convert_to_skeleton(skeleton);
+  ASSERT_GE(num_vertices(skeleton), 1u);
+  EXPECT_EQ(num_edges(skeleton), num_vertices(skeleton) - 1);
+}
+
+TEST_F(Curve_skeletonization, reports_what_it_gives)
+{
+  for (const CSCD::test::Shape& shape :
+       {CSCD::test::y_tube(0.15), CSCD::test::double_torus(0.15), CSCD::test::chain_of_rings(3, 16)}) {
+    SCOPED_TRACE(shape.name);
+    const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
+    const Traits traits(mesh);
+    Skeletonization skeletonization(traits);
+    Skeleton skeleton;
+    const CSCD::Skeletonization_report& report = skeletonization(skeleton);
+    EXPECT_EQ(report.number_of_sites, shape.points.size());
+    EXPECT_EQ(report.number_of_surface_components, shape.number_of_components);
+    EXPECT_EQ(report.number_of_skeleton_components, shape.number_of_components);
+    EXPECT_EQ(report.genus, shape.genus);
+    EXPECT_EQ(report.betti_number, shape.genus);
+    EXPECT_EQ(report.number_of_nodes, num_vertices(skeleton));
+    EXPECT_EQ(report.number_of_edges, num_edges(skeleton));
+    EXPECT_EQ(report.number_of_separators, skeletonization.separators().size());
+    EXPECT_EQ(report.number_of_packed_separators, skeletonization.packed_separators().size());
+    EXPECT_EQ(report.number_of_levels, traits.levels().size());
+    std::size_t tips = 0;
+    std::size_t junctions = 0;
+    std::size_t sites = 0;
+    for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+      tips += degree(node, skeleton) == 1 ? 1u : 0u;
+      junctions += degree(node, skeleton) >= 3 ? 1u : 0u;
+      sites += skeleton[node].vertices.size();
+      EXPECT_GT(skeleton[node].radius, 0);
+    }
+    EXPECT_EQ(report.number_of_tips, tips);
+    EXPECT_EQ(report.number_of_junctions, junctions);
+    EXPECT_EQ(sites, shape.points.size());
+    EXPECT_EQ(report.number_of_nodes_outside, 0u);
+  }
+}
+
+/// Writes down what it hears, and wants to stop at the question number `last`.
+struct Recorder : CSCD::Default_skeletonization_visitor
+{
+  void on_stage_begin(CSCD::Skeletonization_stage stage) { begun.push_back(stage); }
+  void on_stage_end(CSCD::Skeletonization_stage stage) { ended.push_back(stage); }
+  void progress(double fraction)
+  {
+    is_monotone = is_monotone && (begun.size() > number_of_stages_heard || fraction >= last_fraction);
+    number_of_stages_heard = begun.size();
+    last_fraction = fraction;
+  }
+  bool go_further() { return ++questions != last; }
+
+  std::size_t last = 0;
+  std::size_t questions = 0;
+  std::vector<CSCD::Skeletonization_stage> begun;
+  std::vector<CSCD::Skeletonization_stage> ended;
+  std::size_t number_of_stages_heard = 0;
+  double last_fraction = 0;
+  bool is_monotone = true;
+};
+
+using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies<Traits>, Recorder&>;
+
+TEST_F(Curve_skeletonization, tells_its_visitor_of_its_stages)
+{
+  Recorder recorder;
+  Visited_skeletonization skeletonization(m_traits, {}, recorder);
+  Skeleton skeleton;
+  skeletonization(skeleton);
+  const std::vector<CSCD::Skeletonization_stage> stages{CSCD::Skeletonization_stage::find_separators,
+                                                        CSCD::Skeletonization_stage::pack_separators,
+                                                        CSCD::Skeletonization_stage::build_skeleton};
+  EXPECT_EQ(recorder.begun, stages);
+  EXPECT_EQ(recorder.ended, stages);
+  EXPECT_TRUE(recorder.is_monotone);
+  EXPECT_EQ(recorder.last_fraction, 1);
+}
+
+TEST_F(Curve_skeletonization, leaves_the_output_alone_whenever_it_is_cancelled)
+{
+  Recorder recorder;
+  Visited_skeletonization whole(m_traits, {}, recorder);
+  Skeleton skeleton;
+  whole(skeleton);
+  for (std::size_t last = 1; last <= recorder.questions; ++last) {
+    SCOPED_TRACE(last);
+    Recorder stopper;
+    stopper.last = last;
+    Visited_skeletonization skeletonization(m_traits, {}, stopper);
+    Skeleton untouched(1);
+    untouched[0].radius = 42;
+    EXPECT_THROW(skeletonization(untouched), CSCD::Cancelled_error);
+    EXPECT_EQ(stopper.questions, last);
+    ASSERT_EQ(num_vertices(untouched), 1u);
+    EXPECT_EQ(untouched[0].radius, 42);
+  }
+}
+
+} // namespace
