@@ -62,7 +62,7 @@ CSCD::test::Shape make_knot(std::int64_t number_of_vertices)
 /// Five limbs; its sizes are those of repeated subdivision.
 CSCD::test::Shape make_star(std::int64_t number_of_vertices)
 {
-  CSCD::test::Shape shape = CSCD::test::star(5, 3, 0.35, 0.12);
+  CSCD::test::Shape shape = CSCD::test::star(5, 3, 0.35, 0.22);
   while (2 * std::int64_t(shape.points.size()) < number_of_vertices) {
     shape = CSCD::test::midpoint_subdivided(shape);
   }
@@ -70,6 +70,9 @@ CSCD::test::Shape make_star(std::int64_t number_of_vertices)
 }
 
 constexpr Sized_shape shapes[] = {{"torus", make_torus}, {"knot", make_knot}, {"star", make_star}};
+
+/// Numbers of vertices to aim at.
+constexpr std::int64_t sizes[] = {3125, 12500, 50000, 200000, 800000};
 
 /// A skeletonization ready for any of its stages.
 struct Prepared
@@ -166,11 +169,12 @@ bool register_benchmarks()
   for (const Stage& stage : stages) {
     for (const Sized_shape& shape : shapes) {
       const std::string name = std::string(stage.name) + '/' + shape.name;
-      benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) { run(state, stage, shape); })
-          ->RangeMultiplier(4)
-          ->Range(3125, 800000)
-          ->Unit(benchmark::kMillisecond)
-          ->Complexity();
+      auto* registered =
+          benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) { run(state, stage, shape); });
+      for (const std::int64_t size : sizes) {
+        registered->Arg(size);
+      }
+      registered->Unit(benchmark::kMillisecond)->Complexity();
     }
   }
   return true;

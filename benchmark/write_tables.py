@@ -65,6 +65,10 @@ def both(ours, mcf, key, form):
     return f"{form(ours[key])} / {form(mcf[key]) if mcf else '–'}"
 
 
+def wall_times(one, two):
+    return " / ".join(f"{seconds(run, 'real_time'):.3f}" if run else "–" for run in (one, two))
+
+
 def mesh_table(medians):
     rows = []
     for mesh, ours, two, mcf in meshes_of(medians):
@@ -72,7 +76,7 @@ def mesh_table(medians):
             mesh,
             count(ours["vertices"]),
             f"{seconds(ours):.3f}",
-            f"{seconds(ours, 'real_time'):.3f} / {seconds(two, 'real_time'):.3f}",
+            wall_times(ours, two),
             f"{seconds(mcf):.2f}" if mcf else "–",
             f"{seconds(ours) / seconds(mcf):.3f}" if mcf else "–",
             both(ours, mcf, "megabytes", count),
@@ -100,28 +104,31 @@ def growth_table(medians):
     names = [name for name in medians if name.startswith("growing/") and name.endswith("/CSCD")]
     rows = []
     for name in names:
-        one, two = medians[name], medians[name + "_2_threads"]
+        one, two = medians[name], medians.get(name + "_2_threads")
         rows.append([
             count(one["vertices"]),
             f"{seconds(one):.3f}",
             f"{1e6 * seconds(one) / one['vertices']:.2f}",
-            f"{seconds(one, 'real_time'):.3f} / {seconds(two, 'real_time'):.3f}",
+            wall_times(one, two),
             count(one["megabytes"]),
         ])
-    exponent = growth_exponent([(medians[name]["vertices"], seconds(medians[name])) for name in names])
+    points = [(medians[name]["vertices"], seconds(medians[name])) for name in names]
+    exponent = growth_exponent(points)
     table = markdown(["vertices", "CPU s", "µs a vertex", "wall s, 1 / 2 threads", "MB"], rows)
-    return f"{table}\n\nOver the whole range, CPU time grows as the number of vertices to the power {exponent:.2f}."
+    steps = ", ".join(f"{growth_exponent(pair):.2f}" for pair in zip(points, points[1:]))
+    return (f"{table}\n\nOver the whole range, CPU time grows as the number of vertices to the power {exponent:.2f};\n"
+            f"from one size to the next, {steps}.")
 
 
 def stage_table(medians):
-    stages = {}
+    stages, sizes = {}, {}
     for name, run in medians.items():
-        stage, shape, _ = name.split("/", 2)
+        stage, shape, size = name.split("/")
+        sizes.setdefault(size, f"about {count(int(size))}")
         stages.setdefault((stage, shape), []).append((run["vertices"], run["cpu_time"]))
-    sizes = [f"{count(size)}" for size, _ in next(iter(stages.values()))]
     rows = [[f"{stage}, {shape}"] + [f"{milliseconds:.1f}" for _, milliseconds in points]
             + [f"{growth_exponent(points):.2f}"] for (stage, shape), points in stages.items()]
-    return markdown(["stage, shape"] + [f"about {size}" for size in sizes] + ["exponent"], rows)
+    return markdown(["stage, shape", *sizes.values(), "exponent"], rows)
 
 
 def circumstances(context, repetitions):
@@ -133,11 +140,12 @@ def circumstances(context, repetitions):
     commit = output("git", "rev-parse", "--short", "HEAD")
     if output("git", "status", "--porcelain", "--", "include", "benchmark"):
         commit += " with local changes"
-    load = context.get("load_avg") or ["unknown"]
-    return (f"Made by `benchmark/run.sh {repetitions}` on {context['date'][:10]} at commit {commit}: medians of "
-            f"{repetitions} repetitions, Release build, {output('c++', '--version').splitlines()[0]}, "
+    load = context.get("load_avg") or [math.nan]
+    runs = "one run" if repetitions == "1" else f"medians of {repetitions} runs"
+    return (f"Made by `benchmark/run.sh {repetitions}` on {context['date'][:10]} at commit {commit}: {runs}, "
+            f"Release build, {output('c++', '--version').splitlines()[0]}, "
             f"{processor.group(1) if processor else 'unknown processor'}, {context['num_cpus']} cores, "
-            f"load average {load[0]} at the start.")
+            f"load average {load[0]:.1f} at the start.")
 
 
 def replace_between_markers(path, tables):

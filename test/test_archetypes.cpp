@@ -10,7 +10,6 @@
 #include "archetypes/Triangle_mesh_archetype.h"
 #include "archetypes/Visitor_archetype.h"
 #include "support/shapes.h"
-
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/concepts.h>
@@ -67,11 +66,11 @@ TEST(Archetypes, of_all_that_the_free_function_takes)
   Visitor_archetype visitor;
   std::size_t number_of_weights = 0;
   Skeleton_archetype skeleton;
-  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(
-      mesh, skeleton,
-      CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh))
-          .visitor(std::ref(visitor))
-          .separator_weight(CSCD::test::Separator_weight_archetype(number_of_weights)));
+  const CSCD::Skeletonization_report report =
+      CSCD::extract_curve_skeleton(mesh, skeleton,
+                                   CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh))
+                                       .visitor(std::ref(visitor))
+                                       .separator_weight(CSCD::test::Separator_weight_archetype(number_of_weights)));
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(num_vertices(skeleton), report.number_of_nodes);
   EXPECT_EQ(num_edges(skeleton), report.number_of_edges);

@@ -6,7 +6,6 @@
 #include "support/Inside_count.h"
 #include "support/invariants.h"
 #include "support/shapes.h"
-
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -137,8 +136,7 @@ TEST(Degenerate_input, two_triangles)
 
 TEST(Degenerate_input, one_triangle_seen_from_both_sides)
 {
-  const Mesh pillow =
-      CSCD::test::to_mesh<Mesh>(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}));
+  const Mesh pillow = CSCD::test::to_mesh<Mesh>(triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}));
   expect_skeleton(pillow);
 }
 
@@ -221,7 +219,8 @@ TEST(Degenerate_input, faces_almost_without_area)
   Shape shape = CSCD::test::y_tube(0.2);
   for (std::size_t t = 0; t < shape.triangles.size(); t += 7) {
     const CSCD::test::Triangle& triangle = shape.triangles[t];
-    shape.points[triangle[0]] = shape.points[triangle[1]] + 1e-12 * (shape.points[triangle[0]] - shape.points[triangle[1]]);
+    shape.points[triangle[0]] =
+        shape.points[triangle[1]] + 1e-12 * (shape.points[triangle[0]] - shape.points[triangle[1]]);
   }
   expect_skeleton(shape);
 }
@@ -351,9 +350,9 @@ TEST(Degenerate_input, many_components)
 
 TEST(Degenerate_input, components_of_very_different_size)
 {
-  const Shape shape = CSCD::test::merged("", {CSCD::test::capsule(8, 1, 24),
-                                              CSCD::test::translated(CSCD::test::scaled(CSCD::test::y_tube(0.2), 1e-6),
-                                                                     {20, 0, 0})});
+  const Shape shape =
+      CSCD::test::merged("", {CSCD::test::capsule(8, 1, 24),
+                              CSCD::test::translated(CSCD::test::scaled(CSCD::test::y_tube(0.2), 1e-6), {20, 0, 0})});
   EXPECT_EQ(expect_skeleton(shape).number_of_surface_components, 2u);
 }
 

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What must not change the skeleton: the pose and the unit of the input, the order and the type of its storage, the
-// number of threads, the type of the output.
+// type of the output.
 
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
-
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -19,12 +18,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
-#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
 #include <algorithm>
 #include <cstddef>
@@ -43,7 +38,6 @@ using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
 using CSCD::test::Similarity;
 using CSCD::test::Violations;
-namespace parameters = CSCD::parameters;
 
 /// Distances that may be due to rounding, relative to the diagonal of the bounding box.
 constexpr double relative_tolerance = 1e-6;
@@ -53,18 +47,13 @@ using Skeleton_of = CSCD::Skeleton_graph<
     typename boost::property_traits<typename boost::property_map<AnyMesh, CGAL::vertex_point_t>::type>::value_type,
     typename boost::graph_traits<AnyMesh>::vertex_descriptor>;
 
-template <class ConcurrencyTag, class AnyMesh, class NamedParameters>
-Plain_skeleton skeletonize(const AnyMesh& mesh, const NamedParameters& named_parameters)
-{
-  Skeleton_of<AnyMesh> skeleton;
-  CSCD::extract_curve_skeleton<ConcurrencyTag>(mesh, skeleton, named_parameters);
-  return CSCD::test::plain(mesh, skeleton);
-}
-
 template <class AnyMesh = Mesh>
 Plain_skeleton skeletonize(const Shape& shape)
 {
-  return skeletonize<CGAL::Sequential_tag>(CSCD::test::to_mesh<AnyMesh>(shape), parameters::random_seed(0));
+  const AnyMesh mesh = CSCD::test::to_mesh<AnyMesh>(shape);
+  Skeleton_of<AnyMesh> skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  return CSCD::test::plain(mesh, skeleton);
 }
 
 Plain_skeleton moved(Plain_skeleton skeleton, const Similarity& motion)
@@ -132,27 +121,6 @@ TEST_P(Invariance, under_scalings_by_powers_of_two_to_the_last_bit)
   EXPECT_EQ(moved(skeletonize(m_shape), doubling), skeletonize(CSCD::test::scaled(m_shape, 2)));
 }
 
-TEST_P(Invariance, from_run_to_run)
-{
-  EXPECT_EQ(skeletonize(m_shape), skeletonize(m_shape));
-}
-
-TEST_P(Invariance, under_the_number_of_threads)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
-  const Plain_skeleton expected = skeletonize<CGAL::Sequential_tag>(mesh, parameters::random_seed(5));
-#ifdef CGAL_LINKED_WITH_TBB
-  // More threads than there may be cores: they take turns at any point of their work.
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 4);
-  for (const std::size_t number_of_threads : {1, 2, 4}) {
-    SCOPED_TRACE(number_of_threads);
-    EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(
-                            mesh, parameters::random_seed(5).number_of_threads(number_of_threads)));
-  }
-#endif
-  EXPECT_EQ(expected, skeletonize<CGAL::Parallel_if_available_tag>(mesh, parameters::random_seed(5)));
-}
-
 TEST_P(Invariance, under_the_type_of_the_mesh)
 {
   const Plain_skeleton expected = skeletonize(m_shape);
@@ -167,8 +135,7 @@ TEST_P(Invariance, under_the_type_of_the_skeleton)
 {
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
   CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
-  const CSCD::Skeletonization_report report =
-      CSCD::extract_curve_skeleton(mesh, skeleton, parameters::random_seed(0));
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(mesh, skeleton);
   EXPECT_EQ(skeletonize(m_shape), CSCD::test::plain(mesh, skeleton));
   EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{});
 }

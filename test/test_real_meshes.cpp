@@ -7,7 +7,6 @@
 #include "support/Surface_facts.h"
 #include "support/invariants.h"
 #include "support/real_meshes.h"
-
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

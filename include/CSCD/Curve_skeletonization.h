@@ -19,6 +19,7 @@
 #include <CSCD/Skeleton/Skeleton_draft.h>
 #include <CSCD/Skeleton/Surface_regions.h>
 #include <CSCD/Skeleton/center_junctions.h>
+#include <CSCD/Skeleton/drop_overshoots.h>
 #include <CSCD/Skeleton/make_simple.h>
 #include <CSCD/Skeleton/merge_junctions.h>
 #include <CSCD/Skeleton/smooth_branches.h>
@@ -27,13 +28,11 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
-
-#include <boost/graph/connected_components.hpp>
-#include <boost/graph/graph_traits.hpp>
 
 #include <chrono>
 #include <cstddef>
@@ -303,6 +302,7 @@ private:
     internal::make_simple(draft);
     internal::merge_junctions(draft);
     internal::center_junctions(m_traits, draft);
+    internal::drop_overshoots(draft);
     internal::Branch_refinement<Traits>(m_traits, draft)();
     internal::smooth_branches(draft);
     internal::Inside_repair<Traits> repair(m_traits, draft);
@@ -317,32 +317,40 @@ private:
   OutputSkeleton make_graph(const internal::Skeleton_draft& draft)
   {
     const internal::Site_assignment<Traits> assignment(m_traits, m_packing->cut_graph(), draft);
-    OutputSkeleton result(draft.size());
+    OutputSkeleton result;
+    std::vector<decltype(add_vertex(result))> vertex;
+    vertex.reserve(draft.size());
     for (Index node = 0; node < draft.size(); ++node) {
-      auto& vertex = result[boost::vertex(node, result)];
-      vertex.point = m_traits.to_input_point(draft[node].position);
+      vertex.push_back(add_vertex(result));
+      auto& bundle = result[vertex[node]];
+      bundle.point = m_traits.to_input_point(draft[node].position);
       if constexpr (has_radius_v<OutputSkeleton>) {
-        vertex.radius = m_traits.to_input_length(assignment.radius(node));
+        bundle.radius = m_traits.to_input_length(assignment.radius(node));
       }
     }
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
       if (m_traits.is_input_site(site)) {
-        result[boost::vertex(assignment.node(site), result)].vertices.push_back(m_traits.descriptor(site));
+        result[vertex[assignment.node(site)]].vertices.push_back(m_traits.descriptor(site));
       }
     }
-    draft.for_each_edge([&](Index a, Index b) { add_edge(boost::vertex(a, result), boost::vertex(b, result), result); });
-    count(draft, result);
+    draft.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
+    count(draft);
     return result;
   }
 
-  template <class OutputSkeleton>
-  void count(const internal::Skeleton_draft& draft, const OutputSkeleton& skeleton)
+  void count(const internal::Skeleton_draft& draft)
   {
-    std::vector<int> component(num_vertices(skeleton));
-    m_report.number_of_nodes = num_vertices(skeleton);
-    m_report.number_of_edges = num_edges(skeleton);
-    m_report.number_of_skeleton_components = std::size_t(boost::connected_components(
-        skeleton, boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, skeleton))));
+    internal::Disjoint_sets components(draft.size());
+    m_report.number_of_nodes = draft.size();
+    m_report.number_of_edges = 0;
+    draft.for_each_edge([&](Index a, Index b) {
+      ++m_report.number_of_edges;
+      components.join(a, b);
+    });
+    m_report.number_of_skeleton_components = 0;
+    for (Index node = 0; node < draft.size(); ++node) {
+      m_report.number_of_skeleton_components += components.find(node) == node ? 1 : 0;
+    }
     m_report.betti_number =
         m_report.number_of_edges + m_report.number_of_skeleton_components - m_report.number_of_nodes;
     m_report.number_of_tips = 0;

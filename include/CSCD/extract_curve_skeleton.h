@@ -23,6 +23,20 @@
 #include <utility>
 
 namespace CSCD {
+namespace internal {
+
+/// The point map that `np` gives, else that of the mesh; a mesh whose map is given need not have one of its own.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
+    return get(CGAL::vertex_point, mesh);
+  } else {
+    return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  }
+}
+
+} // namespace internal
 
 /// extracts the curve skeleton of a triangle mesh.
 ///
@@ -96,8 +110,7 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   using Visitor_reference = std::remove_reference_t<Visitor>&;
   check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
 
-  const auto point_map =
-      choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, mesh));
+  const auto point_map = internal::vertex_point_map(mesh, np);
   visitor.on_stage_begin(Skeletonization_stage::compile_surface);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
   const Traits traits(mesh, point_map);

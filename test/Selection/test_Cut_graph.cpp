@@ -46,10 +46,7 @@ struct Cut_surface
     cut_graph.cut(arrangement);
   }
 
-  int euler_number() const
-  {
-    return int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2);
-  }
+  int euler_number() const { return int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2); }
 
   /// First Betti number of the graph of pieces and separators.
   std::size_t betti_number(std::size_t number_of_components) const
@@ -163,8 +160,7 @@ TEST(Cut_graph, of_an_uncut_surface_is_one_piece)
 
 TEST(Cut_graph, of_a_tube_is_a_path)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   std::vector<Separator> separators;
   const std::vector<double> places{2.03, 5.04, 7.55};
   for (double x : places) {
@@ -186,8 +182,7 @@ TEST(Cut_graph, of_a_tube_is_a_path)
 
 TEST(Cut_graph, knows_slices_without_vertices)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 6, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 6, CSCD::test::Tube_end::flat));
   std::vector<Separator> separators;
   const double first = 5.05;
   const double step = 0.01;

@@ -37,8 +37,7 @@ protected:
     return section_separator(m_surface, {x, 0, 0}, axis.normalized(), {x, 0, 1});
   }
 
-  Triangulated_surface m_surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 12, CSCD::test::Tube_end::flat));
+  Triangulated_surface m_surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 12, CSCD::test::Tube_end::flat));
   Separator_arrangement m_arrangement{m_surface};
 };
 
@@ -51,8 +50,7 @@ TEST_F(Separator_arrangement_test, takes_parallels_however_close)
   }
   EXPECT_EQ(m_arrangement.points().size(), m_arrangement.chords().size());
   for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
-    for (Index chord = m_arrangement.first_chord(face); chord != no_index;
-         chord = m_arrangement.chords()[chord].next) {
+    for (Index chord = m_arrangement.first_chord(face); chord != no_index; chord = m_arrangement.chords()[chord].next) {
       EXPECT_EQ(m_arrangement.chords()[chord].face, face);
     }
   }

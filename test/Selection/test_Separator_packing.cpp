@@ -37,8 +37,7 @@ protected:
     return section_separator(m_tube, {x, 0, 0}, axis.normalized(), {x, 0, 1});
   }
 
-  Triangulated_surface m_tube =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
 };
 
 TEST_F(Separator_packing_test, keeps_what_is_disjoint_by_increasing_weight)

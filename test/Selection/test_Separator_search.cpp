@@ -65,10 +65,9 @@ void expect_equal(const Findings& a, const Findings& b)
     ASSERT_EQ(s.length, t.length);
     ASSERT_EQ(s.center, t.center);
     ASSERT_EQ(s.planarity, t.planarity);
-    ASSERT_TRUE(std::equal(s.crossings.begin(), s.crossings.end(), t.crossings.begin(), t.crossings.end(),
-                           [](const auto& c, const auto& d) {
-                             return c.halfedge == d.halfedge && c.position == d.position;
-                           }));
+    ASSERT_TRUE(
+        std::equal(s.crossings.begin(), s.crossings.end(), t.crossings.begin(), t.crossings.end(),
+                   [](const auto& c, const auto& d) { return c.halfedge == d.halfedge && c.position == d.position; }));
   }
 }
 
@@ -88,7 +87,8 @@ TEST(Separator_search, covers_the_surface)
 
 TEST(Separator_search, answers_the_same_for_every_number_of_threads)
 {
-  for (const CSCD::test::Shape& shape : {CSCD::test::hand(0.12), CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1)}) {
+  for (const CSCD::test::Shape& shape :
+       {CSCD::test::hand(0.12), CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1)}) {
     SCOPED_TRACE(shape.name);
     const Levels_traits traits(shape);
     const Findings sequential = search<CGAL::Sequential_tag>(traits, 5, 0);

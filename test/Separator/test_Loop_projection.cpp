@@ -69,8 +69,7 @@ TEST(Loop_projection, is_connected_simple_and_hardly_longer)
 
 TEST(Loop_projection, on_the_finest_level_is_the_loop_itself)
 {
-  const Surface_levels levels =
-      CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   Vertex_loop loop;
   for (Index k = 0; k < 24; ++k) {
     loop.push_back(10 * 24 + k);
@@ -83,8 +82,7 @@ TEST(Loop_projection, on_the_finest_level_is_the_loop_itself)
 
 TEST(Loop_projection, of_few_far_vertices_is_joined_by_shortest_paths)
 {
-  const Surface_levels levels =
-      CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   // A level is only asked for the numbers of its vertices.
   Surface_level corners_only(CSCD::test::to_surface(CSCD::test::tetrahedron()));
   const Index ring = 10 * 24;
@@ -100,8 +98,7 @@ TEST(Loop_projection, of_few_far_vertices_is_joined_by_shortest_paths)
 
 TEST(Loop_projection, refuses_there_and_back)
 {
-  const Surface_levels levels =
-      CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   Surface_level two_vertices(CSCD::test::to_surface(CSCD::test::tetrahedron()));
   two_vertices.finest_vertex = {240, 243, 246, 0};
   Loop_projection project(levels);

@@ -43,8 +43,7 @@ bool is_simple(const Triangulated_surface& surface, const std::vector<Edge_cross
 
 TEST(Plane_section, is_a_circle_on_a_tube)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
   Plane_section section(surface);
   const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
   const double height = surface.point(vertex).x();
@@ -63,8 +62,7 @@ TEST(Plane_section, is_a_circle_on_a_tube)
 
 TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(20, 1, 48, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(20, 1, 48, CSCD::test::Tube_end::flat));
   Plane_section section(surface);
   const Vector_3 axis = Vector_3(1, 1, 0).normalized();
   const Vector_3 center(10, 0, 0);
@@ -97,8 +95,12 @@ TEST(Plane_section, passes_beside_vertices_and_edges_that_lie_in_the_plane)
 
 TEST(Plane_section, closes_for_every_vertex_and_every_axis)
 {
-  const std::vector<Vector_3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, Vector_3(1, 1, 0).normalized(),
-                                   Vector_3(1, 1, 1).normalized(), Vector_3(0.3, -0.5, 0.7).normalized()};
+  const std::vector<Vector_3> axes{{1, 0, 0},
+                                   {0, 1, 0},
+                                   {0, 0, -1},
+                                   Vector_3(1, 1, 0).normalized(),
+                                   Vector_3(1, 1, 1).normalized(),
+                                   Vector_3(0.3, -0.5, 0.7).normalized()};
   for (const CSCD::test::Shape& shape :
        {CSCD::test::subdivided_cube(2), CSCD::test::beam(), CSCD::test::plate_with_hole(), CSCD::test::l_bracket(),
         CSCD::test::tetrahedron(), CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.3, 1)}) {
@@ -149,8 +151,7 @@ TEST(Plane_section, through_a_face_follows_the_cycle_there)
 
 TEST(Plane_section, is_given_up_when_it_gets_too_long)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
   Plane_section section(surface);
   const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
   EXPECT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, 6.5));

@@ -141,8 +141,7 @@ TEST(Straightening, keeps_closed_curves_on_rough_surfaces_and_shortens_them)
 
 TEST(Straightening, takes_out_what_goes_through_an_edge_and_straight_back)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   std::vector<Edge_crossing> crossings = ring_with_detours(surface, 24, 24);
   const std::size_t size = crossings.size();
   const Index inserted = surface.next(surface.twin(crossings[5].halfedge));

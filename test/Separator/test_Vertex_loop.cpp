@@ -79,8 +79,7 @@ TEST(Vertex_loop, traced_from_a_front_is_simple_and_closed)
 
 TEST(Push_off, crosses_what_leaves_the_loop_to_the_left)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   Vertex_loop loop = middle_ring(24);
   std::set<Index> crossed_targets;
   for (const bool is_reversed : {false, true}) {
@@ -111,8 +110,7 @@ TEST(Push_off, crosses_what_leaves_the_loop_to_the_left)
 
 TEST(Push_off, refuses_what_is_no_loop)
 {
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   std::vector<Edge_crossing> crossings;
   Vertex_loop gap = middle_ring(24);
   gap.erase(gap.begin() + 5);

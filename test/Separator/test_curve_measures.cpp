@@ -34,7 +34,8 @@ TEST(curve_measures, of_a_square)
 TEST(curve_measures, do_not_depend_on_how_finely_a_curve_is_sampled)
 {
   const Polygon_measures coarse = measure_polygon({{0, 0, 0}, {4, 0, 1}, {0, 3, 0}});
-  const Polygon_measures fine = measure_polygon({{0, 0, 0}, {1, 0, 0.25}, {2, 0, 0.5}, {4, 0, 1}, {0, 3, 0}, {0, 1, 0}});
+  const Polygon_measures fine =
+      measure_polygon({{0, 0, 0}, {1, 0, 0.25}, {2, 0, 0.5}, {4, 0, 1}, {0, 3, 0}, {0, 1, 0}});
   EXPECT_NEAR(coarse.length, fine.length, 1e-12);
   EXPECT_LT((coarse.center - fine.center).norm(), 1e-12);
   EXPECT_LT((coarse.vector_area - fine.vector_area).norm(), 1e-12);
@@ -45,8 +46,8 @@ TEST(curve_measures, planarity_is_relative_to_the_length)
   // A square whose corners are by turns a height above and below its plane.
   for (const double scale : {1., 1000.}) {
     const double height = 0.1 * scale;
-    const Polygon_measures measures = measure_polygon(
-        {{scale, 0, height}, {0, scale, -height}, {-scale, 0, height}, {0, -scale, -height}});
+    const Polygon_measures measures =
+        measure_polygon({{scale, 0, height}, {0, scale, -height}, {-scale, 0, height}, {0, -scale, -height}});
     EXPECT_LT(measures.center.norm(), 1e-12 * scale);
     EXPECT_NEAR(measures.planarity, height / measures.length, 1e-12);
   }
@@ -80,10 +81,10 @@ TEST(curve_measures, crossing_points_lie_on_their_edges)
 TEST(curve_measures, normal_of_a_separator_points_to_its_left)
 {
   const auto surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
-  const CSCD::Separator separator =
-      CSCD::test::section_separator(surface, {5.03, 0, 0}, {1, 0, 0}, {5.03, 0, 1});
+  const CSCD::Separator separator = CSCD::test::section_separator(surface, {5.03, 0, 0}, {1, 0, 0}, {5.03, 0, 1});
   for (const CSCD::internal::Edge_crossing& crossing : separator.crossings) {
-    const Vector_3 to_left = surface.point(surface.target(crossing.halfedge)) - surface.point(surface.origin(crossing.halfedge));
+    const Vector_3 to_left =
+        surface.point(surface.target(crossing.halfedge)) - surface.point(surface.origin(crossing.halfedge));
     EXPECT_GT(separator.normal.dot(to_left), 0);
   }
   EXPECT_NEAR(separator.radius(), 1, 0.01);

@@ -33,10 +33,10 @@ TEST(Section_disc, of_a_rectangle_whose_corners_are_sampled_unevenly)
 
 TEST(Section_disc, is_the_centroid_of_the_area)
 {
-  // Two rectangles, 3 x 1 and 1 x 2: the centroid lies within.
-  const Section_disc disc = section_disc(l_shape);
-  EXPECT_NEAR(disc.area, 5, 1e-12);
-  EXPECT_LT((disc.center - Vector_3((3 * 1.5 + 2 * 0.5) / 5, (3 * 0.5 + 2 * 2) / 5, 1)).norm(), 1e-12);
+  // Two rectangles, 3 x 2 and 1 x 1.
+  const Section_disc disc = section_disc({{0, 0, 1}, {3, 0, 1}, {3, 2, 1}, {1, 2, 1}, {1, 3, 1}, {0, 3, 1}});
+  EXPECT_NEAR(disc.area, 7, 1e-12);
+  EXPECT_LT((disc.center - Vector_3((6 * 1.5 + 0.5) / 7, (6 * 1 + 2.5) / 7, 1)).norm(), 1e-12);
 }
 
 TEST(Section_disc, does_not_depend_on_orientation)

@@ -21,8 +21,8 @@ struct Skeleton_vertex_archetype
 };
 
 template <class Point, class SiteDescriptor>
-using Skeleton_archetype =
-    boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS, Skeleton_vertex_archetype<Point, SiteDescriptor>>;
+using Skeleton_archetype = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS,
+                                                 Skeleton_vertex_archetype<Point, SiteDescriptor>>;
 
 } // namespace CSCD::test
 

@@ -8,9 +8,7 @@
 
 #include "Point_archetype.h"
 #include "Triangle_mesh_archetype.h"
-
 #include "support/Shape.h"
-
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -60,6 +58,7 @@ public:
   std::size_t number_of_bridged_borders() const { return m_traits.number_of_bridged_borders(); }
   std::size_t number_of_inserted_vertices() const { return m_traits.number_of_inserted_vertices(); }
   std::size_t number_of_degenerate_faces() const { return m_traits.number_of_degenerate_faces(); }
+  std::size_t number_of_reversed_components() const { return m_traits.number_of_reversed_components(); }
   std::size_t genus() const { return m_traits.genus(); }
   double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
   /// @}

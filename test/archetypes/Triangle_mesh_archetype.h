@@ -7,18 +7,16 @@
 #define CSCD_TEST_ARCHETYPES_TRIANGLE_MESH_ARCHETYPE_H
 
 #include "Point_archetype.h"
-
 #include "support/Shape.h"
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/functional/hash.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
-#include <utility>
+#include <functional>
 #include <vector>
 
 namespace CSCD::test {
@@ -38,14 +36,13 @@ public:
     return a.m_number == b.m_number;
   }
   friend bool operator!=(const Descriptor_archetype& a, const Descriptor_archetype& b) { return !(a == b); }
-  friend std::size_t hash_value(const Descriptor_archetype& d) { return boost::hash<std::size_t>()(d.m_number); }
 
 private:
   std::size_t m_number = 0;
 };
 
-/// The triangles of a shape; halfedge `h` runs along side `h % 3` of face `h / 3`. It has no opposites, which the library
-/// does not ask for either.
+/// The triangles of a shape; halfedge `h` runs along side `h % 3` of face `h / 3`. It has no opposites, which the
+/// library does not ask for either.
 class Triangle_mesh_archetype
 {
 public:
@@ -83,7 +80,10 @@ public:
   friend std::size_t num_faces(const Triangle_mesh_archetype& mesh) { return mesh.m_faces.size(); }
   friend std::size_t num_halfedges(const Triangle_mesh_archetype& mesh) { return 3 * mesh.m_faces.size(); }
 
-  friend Halfedge halfedge(const Face& f, const Triangle_mesh_archetype& /* mesh */) { return Halfedge(3 * f.number()); }
+  friend Halfedge halfedge(const Face& f, const Triangle_mesh_archetype& /* mesh */)
+  {
+    return Halfedge(3 * f.number());
+  }
   friend Halfedge next(const Halfedge& h, const Triangle_mesh_archetype& /* mesh */)
   {
     return Halfedge(h.number() % 3 == 2 ? h.number() - 2 : h.number() + 1);
@@ -137,5 +137,15 @@ struct graph_traits<CSCD::test::Triangle_mesh_archetype>
 };
 
 } // namespace boost
+
+namespace std {
+
+template <class Kind>
+struct hash<CSCD::test::Descriptor_archetype<Kind>>
+{
+  std::size_t operator()(const CSCD::test::Descriptor_archetype<Kind>& d) const { return d.number(); }
+};
+
+} // namespace std
 
 #endif // CSCD_TEST_ARCHETYPES_TRIANGLE_MESH_ARCHETYPE_H

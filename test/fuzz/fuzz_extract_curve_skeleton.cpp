@@ -8,9 +8,7 @@
 // triangles, as three numbers of points each.
 
 #include "Bytes.h"
-
 #include "support/invariants.h"
-
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -37,10 +35,10 @@ using CSCD::test::Bytes;
 /// Bits of the first byte.
 enum Option : unsigned
 {
-  huge = 1,        ///< coordinates near the largest numbers
-  tiny = 2,        ///< coordinates near the smallest numbers
-  far_away = 4,    ///< a body much smaller than its distance from the origin
-  not_finite = 8   ///< extreme bytes stand for infinity and for what is not a number
+  huge = 1,      ///< coordinates near the largest numbers
+  tiny = 2,      ///< coordinates near the smallest numbers
+  far_away = 4,  ///< a body much smaller than its distance from the origin
+  not_finite = 8 ///< extreme bytes stand for infinity and for what is not a number
 };
 
 double coordinate(std::uint8_t byte, unsigned options)

@@ -7,7 +7,6 @@
 // The bytes: the format, then the content of the file.
 
 #include "Bytes.h"
-
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Gives every file of the folders and files named on the command line to a fuzz target, for compilers without libFuzzer.
+// Gives every file of the folders and files named on the command line to a fuzz target, for compilers without
+// libFuzzer.
 
 #include <algorithm>
 #include <cstddef>

@@ -37,8 +37,8 @@ std::vector<Centreline_segment> segments_of(const Skeleton& skeleton)
   std::vector<Centreline_segment> segments;
   const auto range = edges(skeleton);
   for (auto e = range.first; e != range.second; ++e) {
-    segments.push_back({to_triple(skeleton[source(*e, skeleton)].point), to_triple(skeleton[target(*e, skeleton)].point),
-                        0, 0});
+    segments.push_back(
+        {to_triple(skeleton[source(*e, skeleton)].point), to_triple(skeleton[target(*e, skeleton)].point), 0, 0});
   }
   for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
     if (degree(v, skeleton) == 0) {
@@ -51,9 +51,8 @@ std::vector<Centreline_segment> segments_of(const Skeleton& skeleton)
 
 inline const Centreline_segment& nearest_segment(const std::vector<Centreline_segment>& segments, const Triple& p)
 {
-  return *std::min_element(segments.begin(), segments.end(), [&](const auto& a, const auto& b) {
-    return distance(a, p) < distance(b, p);
-  });
+  return *std::min_element(segments.begin(), segments.end(),
+                           [&](const auto& a, const auto& b) { return distance(a, p) < distance(b, p); });
 }
 
 } // namespace internal

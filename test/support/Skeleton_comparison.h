@@ -23,7 +23,7 @@ namespace CSCD::test {
 struct Plain_skeleton
 {
   std::vector<Triple> points;
-  std::vector<std::vector<std::size_t>> sites; ///< of every node, sorted
+  std::vector<std::vector<std::size_t>> sites;            ///< of every node, sorted
   std::vector<std::pair<std::size_t, std::size_t>> edges; ///< in the order of the graph
 };
 

@@ -68,8 +68,7 @@ Surface_facts surface_facts(const Mesh& mesh)
   facts.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   facts.number_of_border_cycles = count_border_cycles(mesh);
   // V - E + F = 2 C - 2 g for a closed surface; each border adds a face.
-  const std::size_t vertices_and_faces =
-      facts.number_of_sites + number_of_faces + facts.number_of_border_cycles;
+  const std::size_t vertices_and_faces = facts.number_of_sites + number_of_faces + facts.number_of_border_cycles;
   facts.genus = (2 * facts.number_of_components + number_of_halfedges / 2 - vertices_and_faces) / 2;
   return facts;
 }

@@ -63,8 +63,7 @@ private:
     const std::size_t x = node % m_size[0];
     const std::size_t y = node / m_size[0] % m_size[1];
     const std::size_t z = node / m_size[0] / m_size[1];
-    return m_lower +
-           m_cell_size * Triple{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+    return m_lower + m_cell_size * Triple{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
   }
 
   bool is_inside(std::size_t node) const { return m_values[node] < 0; }

@@ -9,7 +9,6 @@
 
 #include "Surface_facts.h"
 #include "convert_shape.h"
-
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 

@@ -34,26 +34,26 @@ inline void PrintTo(const Real_mesh& mesh, std::ostream* out)
 /// Closed meshes: animals, people, bones, knots, machine parts; from 24 to 44,460 vertices.
 inline std::vector<Real_mesh> closed_real_meshes()
 {
-  return {{"3torus", 1, 3, 0},     {"anchor_dense", 1, 4, 0},
-          {"armadillo", 1, 0, 0},  {"bear", 1, 0, 0},
-          {"bones", 26, 0, 0},     {"bull", 1, 0, 0},
-          {"bunny00", 1, 0, 0},    {"cactus", 1, 0, 0},
-          {"camel", 1, 0, 0},      {"cheese", 1, 133, 0},
+  return {{"3torus", 1, 3, 0},       {"anchor_dense", 1, 4, 0},
+          {"armadillo", 1, 0, 0},    {"bear", 1, 0, 0},
+          {"bones", 26, 0, 0},       {"bull", 1, 0, 0},
+          {"bunny00", 1, 0, 0},      {"cactus", 1, 0, 0},
+          {"camel", 1, 0, 0},        {"cheese", 1, 133, 0},
           {"couplingdown", 1, 9, 0}, {"cow", 1, 0, 0},
-          {"cross", 1, 0, 0},      {"dino", 1, 0, 0},
-          {"diplodocus", 1, 0, 0}, {"dragknob", 1, 0, 0},
-          {"eight", 1, 2, 0},      {"elephant", 1, 3, 0},
-          {"elk", 1, 1, 0},        {"ellipsoid", 1, 0, 0},
-          {"fandisk", 1, 0, 0},    {"femur", 1, 2, 0},
-          {"hand", 1, 0, 0},       {"handle", 1, 0, 0},
-          {"helmet", 1, 3, 0},     {"homer", 1, 0, 0},
-          {"joint", 1, 2, 0},      {"knot1", 1, 1, 0},
-          {"knot2", 2, 2, 0},      {"man", 1, 0, 0},
-          {"mpi_triang", 1, 1, 0}, {"pinion_small", 1, 1, 0},
-          {"pipe", 1, 1, 0},       {"refined_elephant", 1, 3, 0},
-          {"retinal", 1, 0, 0},    {"rotor_small", 1, 1, 0},
-          {"spool", 1, 0, 0},      {"triceratops", 1, 0, 0},
-          {"tripod", 1, 0, 0},     {"turbine", 1, 11, 0}};
+          {"cross", 1, 0, 0},        {"dino", 1, 0, 0},
+          {"diplodocus", 1, 0, 0},   {"dragknob", 1, 0, 0},
+          {"eight", 1, 2, 0},        {"elephant", 1, 3, 0},
+          {"elk", 1, 1, 0},          {"ellipsoid", 1, 0, 0},
+          {"fandisk", 1, 0, 0},      {"femur", 1, 2, 0},
+          {"hand", 1, 0, 0},         {"handle", 1, 0, 0},
+          {"helmet", 1, 3, 0},       {"homer", 1, 0, 0},
+          {"joint", 1, 2, 0},        {"knot1", 1, 1, 0},
+          {"knot2", 2, 2, 0},        {"man", 1, 0, 0},
+          {"mpi_triang", 1, 1, 0},   {"pinion_small", 1, 1, 0},
+          {"pipe", 1, 1, 0},         {"refined_elephant", 1, 3, 0},
+          {"retinal", 1, 0, 0},      {"rotor_small", 1, 1, 0},
+          {"spool", 1, 0, 0},        {"triceratops", 1, 0, 0},
+          {"tripod", 1, 0, 0},       {"turbine", 1, 11, 0}};
 }
 
 /// Meshes with borders: pierced bodies, patches, shells, and a scene of many pieces.

@@ -119,7 +119,8 @@ inline Shape translated(const Shape& shape, const Triple& offset)
 
 inline Shape scaled(const Shape& shape, double factor)
 {
-  return moved(shape, [&](const Triple& p) { return factor * p; }, factor);
+  return moved(
+      shape, [&](const Triple& p) { return factor * p; }, factor);
 }
 
 /// `shape` with all its triangles turned over.

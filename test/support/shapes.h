@@ -44,7 +44,9 @@ inline std::vector<Shape_maker> shapes_with_known_skeleton()
           {"tree", [] { return tree(4, 0.12); }},
           {"double_torus", [] { return double_torus(0.12); }},
           {"genus_4", [] { return ladder(4, 0.15); }},
-          {"two_components", [] { return merged("", {capsule(8, 1, 16), translated(torus(3, 1, 16), {0, 10, 0})}); }}};
+          {"two_components", [] {
+             return merged("", {capsule(8, 1, 16), translated(torus(3, 1, 16), {0, 10, 0})});
+           }}};
 }
 
 /// Closed bodies that are hard: no limbs, few or huge or uneven triangles, thin limbs, noise.
@@ -59,7 +61,10 @@ inline std::vector<Shape_maker> hard_closed_shapes()
           {"subdivided_plate_with_hole", [] { return midpoint_subdivided(plate_with_hole(), 3); }},
           {"icosahedron", [] { return sphere(0); }},
           {"sphere", [] { return sphere(4); }},
-          {"ellipsoid", [] { return ellipsoid({3, 1, 0.5}, 4); }},
+          {"ellipsoid",
+           [] {
+             return ellipsoid({3, 1, 0.5}, 4);
+           }},
           {"double_cone", [] { return double_cone(200); }},
           {"long_triangles", [] { return anisotropic_tube(40, 1, 8, 12); }},
           {"flat_triangles", [] { return anisotropic_tube(10, 1, 64, 8); }},

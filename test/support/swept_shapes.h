@@ -128,8 +128,7 @@ inline void add_hemisphere(Shape& shape, std::size_t ring, const Framed_curve& c
   for (std::size_t level = 1; level < levels; ++level) {
     const double elevation = pi / 2 * static_cast<double>(level) / static_cast<double>(levels);
     const std::size_t next = shape.points.size();
-    add_ring(shape, curve.points[i] + (radius * std::sin(elevation)) * out, u, v, radius * std::cos(elevation),
-             around);
+    add_ring(shape, curve.points[i] + (radius * std::sin(elevation)) * out, u, v, radius * std::cos(elevation), around);
     if (is_front) {
       join_rings(shape, ring, next, around);
     } else {

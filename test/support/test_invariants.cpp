@@ -9,7 +9,6 @@
 #include "support/Surface_facts.h"
 #include "support/invariants.h"
 #include "support/shapes.h"
-
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 

@@ -9,9 +9,8 @@
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
-
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
 #include <array>
@@ -50,7 +49,7 @@ public:
   /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
   Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators)
       : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
-        m_first_interval(surface.number_of_halfedges(), no_index)
+        m_first_interval(surface.number_of_halfedges(), no_index), m_uncrossed_sets(surface.number_of_vertices())
   {
     for (const Separator& separator : separators) {
       for (const Edge_crossing& crossing : separator.crossings) {
@@ -64,8 +63,7 @@ public:
   /// Linear in the size of the surface, with a small constant.
   void cut(const Separator_arrangement& arrangement)
   {
-    m_parent = m_base_parent;
-    m_rank = m_base_rank;
+    m_sets = m_uncrossed_sets;
     split_edges(arrangement);
     join_remaining_edges();
     join_through_faces(arrangement);
@@ -80,8 +78,6 @@ public:
   Index piece_of_vertex(Index vertex) const { return m_label[vertex]; }
 
 private:
-  using Disjoint_sets = boost::disjoint_sets<std::uint8_t*, Index*>;
-
   /// A part of a face between chords, while the boundary of the face is walked.
   struct Open_chord
   {
@@ -93,11 +89,6 @@ private:
 
   void join_uncrossed()
   {
-    const Index n = m_surface.number_of_vertices();
-    m_base_parent.resize(n);
-    std::iota(m_base_parent.begin(), m_base_parent.end(), Index(0));
-    m_base_rank.assign(n, 0);
-    Disjoint_sets sets(m_base_rank.data(), m_base_parent.data());
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       if (m_surface.edge(h) != h) {
         continue;
@@ -105,11 +96,8 @@ private:
       if (m_crossed_edge[h] != 0) {
         m_crossable_edges.push_back(h);
       } else {
-        sets.union_set(m_surface.origin(h), m_surface.target(h));
+        m_uncrossed_sets.join(m_surface.origin(h), m_surface.target(h));
       }
-    }
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_base_parent[vertex] = sets.find_set(vertex);
     }
     measure_uncrossed();
   }
@@ -120,16 +108,16 @@ private:
     const Index n = m_surface.number_of_vertices();
     std::vector<Index> cluster(n, no_index);
     for (Index vertex = 0; vertex < n; ++vertex) {
-      Index& number = cluster[m_base_parent[vertex]];
+      Index& number = cluster[m_uncrossed_sets.find(vertex)];
       if (number == no_index) {
         number = Index(m_clusters.size());
-        m_clusters.push_back({m_base_parent[vertex], 0, 0});
+        m_clusters.push_back({vertex, 0, 0});
       }
       ++m_clusters[number].euler;
     }
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       if (m_crossed_edge[m_surface.edge(h)] == 0 && m_surface.edge(h) == h) {
-        --m_clusters[cluster[m_base_parent[m_surface.origin(h)]]].euler;
+        --m_clusters[cluster[m_uncrossed_sets.find(m_surface.origin(h))]].euler;
       }
     }
     for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
@@ -137,7 +125,7 @@ private:
         m_crossable_faces.push_back(face);
         continue;
       }
-      Cluster& home = m_clusters[cluster[m_base_parent[m_surface.origin(3 * face)]]];
+      Cluster& home = m_clusters[cluster[m_uncrossed_sets.find(m_surface.origin(3 * face))]];
       ++home.euler;
       home.area += double(m_surface.face_area(face));
     }
@@ -179,19 +167,16 @@ private:
       if (is_last) {
         m_intervals.push_back(m_surface.target(edge));
       } else {
-        m_intervals.push_back(Index(m_parent.size()));
-        m_parent.push_back(Index(m_parent.size()));
-        m_rank.push_back(0);
+        m_intervals.push_back(m_sets.add());
       }
     }
   }
 
   void join_remaining_edges()
   {
-    Disjoint_sets sets(m_rank.data(), m_parent.data());
     for (Index edge : m_crossable_edges) {
       if (m_first_interval[edge] == no_index) {
-        sets.union_set(m_surface.origin(edge), m_surface.target(edge));
+        m_sets.join(m_surface.origin(edge), m_surface.target(edge));
       }
     }
   }
@@ -219,7 +204,6 @@ private:
   /// Joins what a face connects: the boundary just before a chord begins and just after it ends.
   void join_through_faces(const Separator_arrangement& arrangement)
   {
-    Disjoint_sets sets(m_rank.data(), m_parent.data());
     for_each_cut_face(arrangement, [&](Index face) {
       collect_ends(arrangement, face);
       m_open.clear();
@@ -227,7 +211,7 @@ private:
         if (m_open.empty() || m_open.back().chord != end.chord) {
           m_open.push_back({end.chord, interval_beside(arrangement, end.point, face, false)});
         } else {
-          sets.union_set(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
+          m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
           m_open.pop_back();
         }
       }
@@ -249,11 +233,10 @@ private:
   /// Numbers the pieces by their least vertex, and labels all sets.
   void label_pieces()
   {
-    Disjoint_sets sets(m_rank.data(), m_parent.data());
-    m_label.assign(m_parent.size(), no_index);
+    m_label.assign(m_sets.size(), no_index);
     Index number_of_pieces = 0;
-    for (Index element = 0; element < m_parent.size(); ++element) {
-      const Index root = sets.find_set(element);
+    for (Index element = 0; element < m_sets.size(); ++element) {
+      const Index root = m_sets.find(element);
       if (m_label[root] == no_index) {
         m_label[root] = number_of_pieces++;
       }
@@ -383,10 +366,8 @@ private:
   std::vector<Index> m_crossable_faces;
   std::vector<Cluster> m_clusters;
   std::vector<Index> m_first_interval;
-  std::vector<Index> m_base_parent;
-  std::vector<std::uint8_t> m_base_rank;
-  std::vector<Index> m_parent;
-  std::vector<std::uint8_t> m_rank;
+  Disjoint_sets m_uncrossed_sets;
+  Disjoint_sets m_sets;
   std::vector<Index> m_label;
   std::vector<Index> m_sorted_points;
   std::vector<Index> m_intervals;

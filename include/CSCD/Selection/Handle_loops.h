@@ -12,17 +12,14 @@
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Surface_levels.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -38,8 +35,7 @@ public:
       : m_surface(finest.surface), m_corners(finest.corners), m_cut_graph(cut_graph), m_arrangement(arrangement),
         m_is_crossed(m_surface.number_of_halfedges(), 0), m_distance(m_surface.number_of_vertices()),
         m_parent(m_surface.number_of_vertices()), m_reached(m_surface.number_of_vertices()),
-        m_heap(m_surface.number_of_vertices()), m_set(m_surface.number_of_faces()),
-        m_rank(m_surface.number_of_faces())
+        m_heap(m_surface.number_of_vertices())
   {
     for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
       m_is_crossed[point.edge] = 1;
@@ -53,14 +49,10 @@ public:
     join_faces_along_separators();
     collect_cotree_edges(piece);
     std::vector<Vertex_loop> loops;
-    boost::disjoint_sets<std::uint8_t*, Index*> sets(m_rank.data(), m_set.data());
     // The longest loops first: their edges go to the cotree, and those of the shortest remain.
     for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
-      const Index face = sets.find_set(Triangulated_surface::face(edge->halfedge));
-      const Index other = sets.find_set(Triangulated_surface::face(m_surface.twin(edge->halfedge)));
-      if (face != other) {
-        sets.link(face, other);
-      } else {
+      if (!m_faces.join(Triangulated_surface::face(edge->halfedge),
+                        Triangulated_surface::face(m_surface.twin(edge->halfedge)))) {
         loops.push_back(close_loop(edge->halfedge));
       }
     }
@@ -112,11 +104,9 @@ private:
   /// What lies beyond a separator counts as a disc: the faces along it are one.
   void join_faces_along_separators()
   {
-    std::iota(m_set.begin(), m_set.end(), Index(0));
-    std::fill(m_rank.begin(), m_rank.end(), std::uint8_t(0));
-    boost::disjoint_sets<std::uint8_t*, Index*> sets(m_rank.data(), m_set.data());
+    m_faces = Disjoint_sets(m_surface.number_of_faces());
     for (const Separator_arrangement::Edge_point& point : m_arrangement.points()) {
-      sets.union_set(Triangulated_surface::face(point.edge), Triangulated_surface::face(m_surface.twin(point.edge)));
+      m_faces.join(Triangulated_surface::face(point.edge), Triangulated_surface::face(m_surface.twin(point.edge)));
     }
   }
 
@@ -171,8 +161,7 @@ private:
   std::vector<Index> m_parent;
   Epoch_marks m_reached;
   Indexed_heap m_heap;
-  std::vector<Index> m_set;
-  std::vector<std::uint8_t> m_rank;
+  Disjoint_sets m_faces;
   std::vector<Cotree_edge> m_edges;
 };
 

@@ -79,6 +79,7 @@ public:
 
   /// The first point in which the ray from `origin` along `direction`, not necessarily of unit length, meets the
   /// surface.
+  /// \pre `direction` is not zero
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {
     Hit_minimizer minimizer{*this, Ray(origin, direction.normalized()), {}};
@@ -102,9 +103,11 @@ private:
 
   struct Ray
   {
-    Ray(const Vector_3& ray_origin, const Vector_3& ray_direction)
-        : origin(ray_origin), direction(ray_direction), inverse(ray_direction.cwiseInverse())
+    Ray(const Vector_3& ray_origin, const Vector_3& ray_direction) : origin(ray_origin), direction(ray_direction)
     {
+      for (int i = 0; i < 3; ++i) {
+        inverse[i] = direction[i] != 0 ? 1 / direction[i] : 0;
+      }
       ray_direction.cwiseAbs().maxCoeff(&main_axis);
       first_axis = (main_axis + 1) % 3;
       second_axis = (main_axis + 2) % 3;
@@ -140,7 +143,8 @@ private:
       return from <= to * (1 + 4 * std::numeric_limits<double>::epsilon()) ? from : infinity;
     }
 
-    Vector_3 origin, direction, inverse;
+    Vector_3 origin, direction;
+    Vector_3 inverse; // of the coordinates of the direction, 0 for 0
     int main_axis = 0, first_axis = 1, second_axis = 2;
   };
 

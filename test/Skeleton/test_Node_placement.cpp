@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From packed separators to placed nodes on a tube: regions, pieces, nodes, refinement, repair, and the sites of each
+// node.
+
+#include "Separator/make_separator.h"
+#include "support/convert_shape.h"
+#include "support/shapes.h"
+#include <CSCD/Selection/Separator_packing.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Branch_refinement.h>
+#include <CSCD/Skeleton/Inside_repair.h>
+#include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Site_assignment.h>
+#include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/center_junctions.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+using CSCD::Separator;
+using CSCD::internal::Index;
+using CSCD::internal::Skeleton_draft;
+using CSCD::internal::Vector_3;
+
+/// A capsule with sections across it; in normalized coordinates, as all that is tested here.
+class Node_placement : public testing::Test
+{
+protected:
+  Node_placement()
+  {
+    for (double x : {1.01, 3.02, 5.03}) {
+      m_separators.push_back(CSCD::test::section_separator(m_traits.surface(), at(x), {1, 0, 0}, at(x)));
+      m_weights.push_back(x);
+    }
+  }
+
+  /// The point of the axis at `x` in the coordinates of the shape, from 0 to 6.
+  Vector_3 at(double x) const { return {(x - 3) / m_unit, 0, 0}; }
+
+  Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::capsule(6, 1, 24));
+  Traits m_traits{m_mesh};
+  double m_unit = m_traits.to_input_length(1);
+  std::vector<Separator> m_separators;
+  std::vector<double> m_weights;
+};
+
+TEST_F(Node_placement, regions_are_of_the_nearest_separator)
+{
+  const CSCD::internal::Surface_regions regions(m_traits.levels(), m_separators, {0, 1, 2},
+                                                CSCD::internal::Surface_regions::precise_size);
+  const auto& surface = regions.level().surface;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    const double x = m_unit * surface.point(vertex).x() + 3;
+    // Beside the borders of the regions, in the middles between the separators.
+    if (std::fabs(x - 2) > 0.3 && std::fabs(x - 4) > 0.3) {
+      ASSERT_EQ(regions.separator(vertex), x < 2 ? 0u : x < 4 ? 1u : 2u);
+    }
+    const double distance = m_unit * double(regions.distance(vertex));
+    if (x > 1 && x < 5) {
+      const double straight = std::fabs(x - (x < 2 ? 1.01 : x < 4 ? 3.02 : 5.03));
+      ASSERT_GE(distance, straight - 0.35);
+      ASSERT_LE(distance, 1.4 * straight + 0.35);
+    }
+  }
+}
+
+TEST_F(Node_placement, pieces_hold_each_vertex_once)
+{
+  const CSCD::internal::Separator_packing packing(m_traits.surface(), m_separators, m_weights);
+  const CSCD::internal::Surface_regions regions(m_traits.levels(), m_separators, packing.packed(),
+                                                CSCD::internal::Surface_regions::precise_size);
+  const CSCD::internal::Surface_pieces pieces(packing.cut_graph(), regions);
+  std::vector<int> times(regions.level().surface.number_of_vertices(), 0);
+  double weight = 0;
+  for (Index piece = 0; piece < packing.cut_graph().pieces().size(); ++piece) {
+    EXPECT_FALSE(pieces.is_empty(piece));
+    EXPECT_GT(pieces.height(piece), 0.f);
+    weight += pieces.area_sum(piece).weight;
+    EXPECT_LT(pieces.area_sum(piece, pieces.height(piece)).weight, pieces.area_sum(piece).weight);
+    for (Index vertex : pieces.vertices(piece)) {
+      ++times[vertex];
+      EXPECT_EQ(packing.cut_graph().piece_of_vertex(regions.level().to_finest(vertex)), piece);
+    }
+  }
+  EXPECT_EQ(times, std::vector<int>(times.size(), 1));
+  EXPECT_NEAR(weight, 1, 1e-4);
+}
+
+TEST_F(Node_placement, gives_a_path_with_tips_on_the_axis)
+{
+  const CSCD::internal::Separator_packing packing(m_traits.surface(), m_separators, m_weights);
+  CSCD::internal::Node_placement<Traits> placement(m_traits, m_separators, packing.packed(), packing.cut_graph());
+  Skeleton_draft draft = placement();
+  ASSERT_EQ(draft.size(), 5u);
+  for (Index node = 0; node < draft.size(); ++node) {
+    EXPECT_LT(m_unit * std::hypot(draft[node].position.y(), draft[node].position.z()), 0.05);
+    EXPECT_NEAR(m_unit * draft[node].radius, 1, 0.05);
+    EXPECT_TRUE(m_traits.is_inside(draft[node].position));
+    EXPECT_EQ(draft.degree(node), draft[node].separators.empty() ? 1u : 2u);
+  }
+  CSCD::internal::Branch_refinement<Traits>(m_traits, draft)();
+  draft.compact();
+  EXPECT_GT(draft.size(), 8u);
+  std::size_t edges = 0;
+  draft.for_each_edge([&](Index a, Index b) {
+    ++edges;
+    EXPECT_LT(m_unit * draft.edge_length(a, b), 1.1);
+  });
+  EXPECT_EQ(edges + 1, draft.size());
+  for (Index node = 0; node < draft.size(); ++node) {
+    EXPECT_LT(m_unit * std::hypot(draft[node].position.y(), draft[node].position.z()), 0.05);
+  }
+  // Every site belongs to the nearest node, and the radius is that of the capsule.
+  const CSCD::internal::Site_assignment<Traits> assignment(m_traits, packing.cut_graph(), draft);
+  for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
+    ASSERT_LT(assignment.node(site), draft.size());
+    const double distance = (draft[assignment.node(site)].position - m_traits.point(site)).norm();
+    for (Index node = 0; node < draft.size(); ++node) {
+      ASSERT_LE(distance, (draft[node].position - m_traits.point(site)).norm() + 1e-12);
+    }
+  }
+  for (Index node = 0; node < draft.size(); ++node) {
+    // The end of the curve lies in the hemisphere, some of which is nearer than the wall of the tube.
+    EXPECT_NEAR(m_unit * assignment.radius(node), 1, draft.degree(node) == 1 ? 0.25 : 0.1);
+  }
+}
+
+TEST_F(Node_placement, gives_a_component_without_separators_a_node_inside)
+{
+  const CSCD::internal::Separator_packing packing(m_traits.surface(), {}, {});
+  const std::vector<Separator> none;
+  CSCD::internal::Node_placement<Traits> placement(m_traits, none, packing.packed(), packing.cut_graph());
+  const Skeleton_draft draft = placement();
+  EXPECT_EQ(draft.size(), 3u) << "a node in the middle and two tips, since the body is long";
+  for (Index node = 0; node < draft.size(); ++node) {
+    EXPECT_TRUE(m_traits.is_inside(draft[node].position));
+  }
+}
+
+TEST_F(Node_placement, centers_a_junction_in_the_body)
+{
+  Skeleton_draft draft;
+  const Index junction = draft.add_node(at(3) + Vector_3(0, 0.7 / m_unit, 0), 0.1);
+  for (double x : {1., 3., 5.}) {
+    draft.add_edge(junction, draft.add_node(at(x), 1 / m_unit));
+  }
+  const Vector_3 tip = draft[1].position;
+  CSCD::internal::center_junctions(m_traits, draft);
+  EXPECT_LT(m_unit * std::hypot(draft[junction].position.y(), draft[junction].position.z()), 0.1);
+  EXPECT_NEAR(m_unit * draft[junction].radius, 1, 0.1);
+  EXPECT_EQ(draft[1].position, tip) << "only junctions move";
+}
+
+TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::bent_tube(3, 3, 0.6, 24));
+  const Traits traits(mesh);
+  const double unit = traits.to_input_length(1);
+  // The traits center the shape: seek the middle of the bend and its ends by their nearest sites.
+  const auto origin = traits.to_input_point(Vector_3::Zero());
+  const auto normalized = [&](double angle, double radius) {
+    return Vector_3((radius * std::cos(angle) - origin.x()) / unit, (radius * std::sin(angle) - origin.y()) / unit,
+                    (0 - origin.z()) / unit);
+  };
+  Skeleton_draft draft;
+  const Index first = draft.add_node(normalized(0.2, 3), 0.6 / unit);
+  const Index outside = draft.add_node(normalized(1.5, 4), 0.6 / unit);
+  const Index last = draft.add_node(normalized(2.8, 3), 0.6 / unit);
+  draft.add_edge(first, outside);
+  draft.add_edge(outside, last);
+  ASSERT_FALSE(traits.is_inside(draft[outside].position));
+  CSCD::internal::Inside_repair<Traits> repair(traits, draft);
+  EXPECT_EQ(repair.number_of_nodes_outside(), 1u);
+  EXPECT_EQ(repair.number_of_edges_outside(), 2u);
+  repair();
+  EXPECT_EQ(repair.number_of_nodes_outside(), 0u);
+  EXPECT_EQ(repair.number_of_edges_outside(), 0u);
+  EXPECT_GT(draft.size(), 3u) << "straight edges leave a bend";
+  std::size_t edges = 0;
+  draft.for_each_edge([&](Index, Index) { ++edges; });
+  EXPECT_EQ(edges + 1, draft.size());
+}
+
+} // namespace

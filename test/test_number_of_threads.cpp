@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The answer is the same to the last bit from run to run and for any number of threads.
+
+#include "support/Skeleton_comparison.h"
+#include "support/name_of_shape.h"
+#include "support/shapes.h"
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Shape_maker;
+
+/// Arbitrary, but not the default.
+constexpr unsigned seed = 5;
+
+template <class ConcurrencyTag>
+Plain_skeleton skeletonize(const Mesh& mesh, unsigned number_of_threads)
+{
+  Skeleton skeleton;
+  CSCD::extract_curve_skeleton<ConcurrencyTag>(
+      mesh, skeleton, CSCD::parameters::random_seed(seed).number_of_threads(number_of_threads));
+  return CSCD::test::plain(mesh, skeleton);
+}
+
+std::vector<Shape_maker> shapes_of_many_sources()
+{
+  using namespace CSCD::test;
+  return {{"noisy_y_tube", [] { return noisy(y_tube(0.2), 0.05, 1); }},
+          {"comb", [] { return comb(6, 0.2); }},
+          {"chain", [] { return chain_of_rings(3, 12); }},
+          {"capsule_with_holes", [] { return with_small_holes(capsule(8, 1, 24), 5, 7); }}};
+}
+
+class Number_of_threads : public testing::TestWithParam<Shape_maker>
+{
+};
+
+TEST_P(Number_of_threads, changes_nothing)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(GetParam().make());
+  const Plain_skeleton expected = skeletonize<CGAL::Sequential_tag>(mesh, 1);
+  EXPECT_EQ(expected, skeletonize<CGAL::Sequential_tag>(mesh, 1)) << "from run to run";
+  EXPECT_EQ(expected, skeletonize<CGAL::Parallel_if_available_tag>(mesh, 0));
+#ifdef CGAL_LINKED_WITH_TBB
+  // More threads than there may be cores: they take turns at any point of their work.
+  const std::size_t most_threads = 4;
+  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, most_threads);
+  for (unsigned number_of_threads = 1; number_of_threads <= most_threads; ++number_of_threads) {
+    SCOPED_TRACE(number_of_threads);
+    EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(mesh, number_of_threads));
+  }
+#endif
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Number_of_threads, testing::ValuesIn(shapes_of_many_sources()),
+                         CSCD::test::name_of_shape);
+
+} // namespace
