@@ -115,9 +115,8 @@ public:
 
   /// \name Stages
   /// @{
-  /// Finds separators all over the surface. The answer does not depend on `ConcurrencyTag` nor on the number of threads.
-  /// \return their number
-  /// \throw Cancelled_error if the visitor wants to stop
+  /// Finds separators all over the surface. The answer does not depend on `ConcurrencyTag` nor on the number of
+  /// threads. \return their number \throw Cancelled_error if the visitor wants to stop
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   std::size_t find_separators()
   {
@@ -267,8 +266,8 @@ private:
     return result;
   }
 
-  /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends of
-  /// limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
+  /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends
+  /// of limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
   template <class Search>
   void explore_ends(Search& search) const
   {

@@ -26,8 +26,8 @@ inline constexpr std::size_t number_of_skeletonization_stages = 4;
 /// The name of `stage` in words, as in a progress bar.
 inline const char* name(Skeletonization_stage stage)
 {
-  constexpr std::array<const char*, number_of_skeletonization_stages> names{
-      "compile surface", "find separators", "pack separators", "build skeleton"};
+  constexpr std::array<const char*, number_of_skeletonization_stages> names{"compile surface", "find separators",
+                                                                            "pack separators", "build skeleton"};
   return names[static_cast<std::size_t>(stage)];
 }
 

@@ -41,8 +41,8 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
 /// extracts the curve skeleton of a triangle mesh.
 ///
 /// Every connected component of the mesh gets a connected skeleton; the first Betti number of the skeleton is the genus
-/// of the surface. Borders are bridged first, by faces without weight. The result is the same for any number of threads.
-/// The cost is near linear in the number of vertices.
+/// of the surface. Borders are bridged first, by faces without weight. The result is the same for any number of
+/// threads. The cost is near linear in the number of vertices.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -96,10 +96,9 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::get_parameter_reference;
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
-                                   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
-                                   internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::separator_weight_t>();
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
+                                   CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
+                                   internal_np::number_of_threads_t, internal_np::separator_weight_t>();
   check_triangle_mesh<TriangleMesh>();
 
   // A copy of the visitor, or a reference where it was given as one.
@@ -118,7 +117,8 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
 
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
   using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)}, visitor);
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)},
+                                                                             visitor);
   // Any integer type will do for a number.
   skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
       .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))

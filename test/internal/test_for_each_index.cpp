@@ -13,6 +13,8 @@
 #include <atomic>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -36,7 +38,17 @@ using Tags = testing::Types<CGAL::Sequential_tag, CGAL::Parallel_tag>;
 #else
 using Tags = testing::Types<CGAL::Sequential_tag>;
 #endif
-TYPED_TEST_SUITE(For_each_index_test, Tags);
+
+/// What a test is called after its tag.
+struct Tag_name
+{
+  template <class Tag>
+  static std::string GetName(int)
+  {
+    return std::is_same_v<Tag, CGAL::Sequential_tag> ? "sequential" : "parallel";
+  }
+};
+TYPED_TEST_SUITE(For_each_index_test, Tags, Tag_name);
 
 TYPED_TEST(For_each_index_test, calls_once_for_each_index_with_a_worker_of_its_own)
 {

@@ -57,8 +57,8 @@ private:
   static constexpr float reach_beyond_target = 1.05f;
   /// While all meetings are refused, it goes on to this multiple of the distance of the first one ...
   static constexpr float reach_without_target = 2;
-  /// ... but at least to this many of the longest edge at the source: on a rough surface, false meetings near the source
-  /// would otherwise end the search.
+  /// ... but at least to this many of the longest edge at the source: on a rough surface, false meetings near the
+  /// source would otherwise end the search.
   static constexpr float least_rings = 6;
   /// Cosine of the largest angle between the chord and the inward normal at the source, and the outward normal at the
   /// meeting. Any value from 0 keeps out tunnels; this one also drops meetings on the flank of a bump early.

@@ -238,7 +238,8 @@ private:
     if (is_reached(target) && distance >= target.distance) {
       return;
     }
-    // The sines of the two angles that the image sees stand for the angles: they are small, and only their ratio counts.
+    // The sines of the two angles that the image sees stand for the angles: they are small, and only their ratio
+    // counts.
     const float near_sine = std::fabs(image_x * ray_y + depth * ray_x) * side.distance;
     const float side_sine = std::fabs((base - image_x) * ray_y - depth * ray_x) * near.distance;
     const float part = near_sine / (near_sine + side_sine + std::numeric_limits<float>::min());
@@ -258,9 +259,9 @@ private:
     if (turn <= wide_angle) {
       return;
     }
-    const float cosine = (node.distance * node.distance + other.distance * other.distance -
-                          corner.length * corner.length) /
-                         (2 * node.distance * other.distance);
+    const float cosine =
+        (node.distance * node.distance + other.distance * other.distance - corner.length * corner.length) /
+        (2 * node.distance * other.distance);
     if (cosine < 1 && turn - std::acos(std::max(-1.f, cosine)) < least_gap_angle) {
       return;
     }

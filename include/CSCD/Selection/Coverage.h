@@ -25,14 +25,15 @@
 
 namespace CSCD::internal {
 
-/// Counts how often each part of the surface lies in a band around a separator that was found, or next to a source whose
-/// search failed. A source that is covered often enough need not be tried: so the number of sources follows the shape,
-/// not the number of vertices. Bands are grown on the level on which the separator was found.
+/// Counts how often each part of the surface lies in a band around a separator that was found, or next to a source
+/// whose search failed. A source that is covered often enough need not be tried: so the number of sources follows the
+/// shape, not the number of vertices. Bands are grown on the level on which the separator was found.
 class Coverage
 {
 public:
   explicit Coverage(const Surface_levels& levels)
-      : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()), m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
+      : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()),
+        m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
         m_failure_radius(float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area()))),
         m_heap(levels.finest().surface.number_of_vertices()), m_reached(levels.finest().surface.number_of_vertices()),
         m_distance(levels.finest().surface.number_of_vertices())
@@ -74,7 +75,8 @@ public:
       cover_separator(result.separator);
       break;
     case Search_outcome::bump:
-      cover_vertex(source, result.level, float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)));
+      cover_vertex(source, result.level,
+                   float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)));
       break;
     case Search_outcome::no_cut:
       cover_vertex(source, result.level, m_failure_radius);

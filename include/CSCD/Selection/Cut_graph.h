@@ -29,7 +29,8 @@ public:
   /// A piece of the surface.
   struct Piece
   {
-    std::vector<Index> separators; ///< positions of the separators around it; one that it has on both sides stands twice
+    std::vector<Index>
+        separators; ///< positions of the separators around it; one that it has on both sides stands twice
     double area = 0;
     int euler = 0; ///< Euler number of the piece with its boundary
 
@@ -37,8 +38,8 @@ public:
     int genus() const { return (2 - euler - int(separators.size())) / 2; }
   };
 
-  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does not
-  /// disconnect anything.
+  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does
+  /// not disconnect anything.
   struct Sides
   {
     Index first;
@@ -196,9 +197,8 @@ private:
       m_ends.push_back({arrangement.chords()[chord].begin, chord});
       m_ends.push_back({arrangement.chords()[chord].end, chord});
     }
-    std::sort(m_ends.begin(), m_ends.end(), [&](const Chord_end& a, const Chord_end& b) {
-      return arrangement.is_before(a.point, b.point, face);
-    });
+    std::sort(m_ends.begin(), m_ends.end(),
+              [&](const Chord_end& a, const Chord_end& b) { return arrangement.is_before(a.point, b.point, face); });
   }
 
   /// Joins what a face connects: the boundary just before a chord begins and just after it ends.
@@ -245,8 +245,8 @@ private:
     m_pieces.assign(number_of_pieces, Piece());
   }
 
-  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in the
-  /// Euler number; what counts is vertices, parts of edges and parts of faces.
+  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
+  /// the Euler number; what counts is vertices, parts of edges and parts of faces.
   void measure_pieces(const Separator_arrangement& arrangement)
   {
     for (const Cluster& cluster : m_clusters) {
@@ -336,8 +336,8 @@ private:
     m_sides.clear();
     for (Index point = 0; point < arrangement.points().size(); ++point) {
       if (arrangement.points()[point].rank == 0) {
-        m_sides.push_back({m_label[m_intervals[m_interval_before[point]]],
-                           m_label[m_intervals[m_interval_before[point] + 1]]});
+        m_sides.push_back(
+            {m_label[m_intervals[m_interval_before[point]]], m_label[m_intervals[m_interval_before[point] + 1]]});
       }
     }
     for (Index i = 0; i < m_sides.size(); ++i) {

@@ -25,9 +25,9 @@
 namespace CSCD::internal {
 
 /// Finds loops in a piece of the cut surface that do not separate it: a basis of its homology, with the disc-like parts
-/// beyond its separators filled in. From a tree of shortest paths in the piece and a cotree of the faces that leaves the
-/// edges of the shortest loops to the last (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators",
-/// 2005), each edge that is in neither closes one loop. O(n log n) for n vertices of the surface.
+/// beyond its separators filled in. From a tree of shortest paths in the piece and a cotree of the faces that leaves
+/// the edges of the shortest loops to the last (Erickson and Whittlesey, "Greedy optimal homotopy and homology
+/// generators", 2005), each edge that is in neither closes one loop. O(n log n) for n vertices of the surface.
 class Handle_loops
 {
 public:

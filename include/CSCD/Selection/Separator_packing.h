@@ -67,8 +67,8 @@ private:
   static constexpr int most_rounds = 3;
   /// The centers of packed separators keep this distance, relative to the radius of the shorter one.
   static constexpr double least_spacing = 0.3;
-  /// A branch stands on a limb if one of its separators cuts off at least this area, relative to its squared length: that
-  /// of a limb 0.76 radii long with a flat end.
+  /// A branch stands on a limb if one of its separators cuts off at least this area, relative to its squared length:
+  /// that of a limb 0.76 radii long with a flat end.
   static constexpr double least_branch_area_ratio = 0.28;
 
   void sort_by_weight(const std::vector<double>& weights)

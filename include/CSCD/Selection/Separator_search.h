@@ -22,9 +22,10 @@
 
 namespace CSCD::internal {
 
-/// Takes sources in batches of fixed size. The separators of a batch are found independently, from what was known before
-/// the batch, and taken over in the order of the sources; a source that a separator before it in the batch covers is
-/// dropped, so that it does not matter whether its separator was computed. The answer is that of a single thread.
+/// Takes sources in batches of fixed size. The separators of a batch are found independently, from what was known
+/// before the batch, and taken over in the order of the sources; a source that a separator before it in the batch
+/// covers is dropped, so that it does not matter whether its separator was computed. The answer is that of a single
+/// thread.
 template <class ConcurrencyTag, class Finder>
 class Separator_search
 {

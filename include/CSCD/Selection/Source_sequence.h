@@ -24,8 +24,9 @@ namespace CSCD::internal {
 /// Goes through the vertices of a level in a scattered order, in batches of those that are not covered.
 ///
 /// The order is scattered like a random one, but nearly the same for every seed: the seed only decides which of a few
-/// dozen consecutive sources comes first. Coverage, not chance, decides where separators are sought, so there is nothing
-/// to gain from a wholly different order, and a user who changes the seed or the pose of a shape gets the same branches.
+/// dozen consecutive sources comes first. Coverage, not chance, decides where separators are sought, so there is
+/// nothing to gain from a wholly different order, and a user who changes the seed or the pose of a shape gets the same
+/// branches.
 class Source_sequence
 {
 public:

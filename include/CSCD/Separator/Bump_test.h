@@ -46,14 +46,13 @@ public:
       length += m_surface.length(h);
     }
     const double left = flood([this](std::size_t i) { return m_sides[i]; }, limit * length * length);
-    const double right =
-        flood([this](std::size_t i) { return m_surface.twin(m_sides[i]); }, limit * length * length);
+    const double right = flood([this](std::size_t i) { return m_surface.twin(m_sides[i]); }, limit * length * length);
     return std::min(left, right) / (length * length);
   }
 
 private:
-  /// The area of the faces that can be reached from the faces of the halfedges `side(i)` without crossing the loop; stops
-  /// above `limit`.
+  /// The area of the faces that can be reached from the faces of the halfedges `side(i)` without crossing the loop;
+  /// stops above `limit`.
   template <class Side>
   double flood(const Side& side, double limit)
   {

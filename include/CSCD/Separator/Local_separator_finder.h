@@ -30,20 +30,20 @@ namespace CSCD {
 /// How the search for the separator of one source ended.
 enum class Search_outcome
 {
-  found,      ///< a separator was found
-  no_cut,     ///< no acceptable cut point was met
-  bump,       ///< the loop only encircles a bump
-  degenerate  ///< the loop is no simple curve of enough edges
+  found,     ///< a separator was found
+  no_cut,    ///< no acceptable cut point was met
+  bump,      ///< the loop only encircles a bump
+  degenerate ///< the loop is no simple curve of enough edges
 };
 
 /// The result of the search for the separator of one source.
 struct Search_result
 {
   Search_outcome outcome = Search_outcome::no_cut;
-  Separator separator;              ///< where one was found
-  bool is_section = false;          ///< whether it was shortened by the section plane, else by straightening
-  internal::Index level = 0;        ///< the level of detail that decided
-  double loop_length = 0;           ///< length of the loop before shortening, 0 where there was none
+  Separator separator;       ///< where one was found
+  bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
+  internal::Index level = 0; ///< the level of detail that decided
+  double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
 };
 
 /// The default policy for finding separators: polar front, stopped early, on the level of detail that suits the limb;

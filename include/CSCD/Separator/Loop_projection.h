@@ -27,8 +27,7 @@ public:
   explicit Loop_projection(const Surface_levels& levels)
       : m_levels(levels), m_heap(levels.finest().surface.number_of_vertices()),
         m_reached(levels.finest().surface.number_of_vertices()),
-        m_settled(levels.finest().surface.number_of_vertices()),
-        m_labels(levels.finest().surface.number_of_vertices())
+        m_settled(levels.finest().surface.number_of_vertices()), m_labels(levels.finest().surface.number_of_vertices())
   {
   }
 
@@ -80,7 +79,8 @@ private:
         const float distance = m_labels[vertex].distance + corner.length;
         const bool is_new = !m_reached.is_marked(corner.neighbor);
         // The estimates are consistent but for rounding: a vertex that has left the heap stays as it is.
-        if (distance >= limit || m_settled.is_marked(corner.neighbor) || (!is_new && distance >= m_labels[corner.neighbor].distance)) {
+        if (distance >= limit || m_settled.is_marked(corner.neighbor) ||
+            (!is_new && distance >= m_labels[corner.neighbor].distance)) {
           continue;
         }
         const float estimate = distance + float((surface.point(corner.neighbor) - goal).norm());

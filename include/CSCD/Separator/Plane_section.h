@@ -27,7 +27,8 @@ class Plane_section
 public:
   explicit Plane_section(const Triangulated_surface& surface) : m_surface(surface) {}
 
-  /// Walks the section with the plane through `vertex` normal to `axis` along the cycle that passes just below `vertex`.
+  /// Walks the section with the plane through `vertex` normal to `axis` along the cycle that passes just below
+  /// `vertex`.
   /// \return false if the vertex is a local minimum along `axis`, or if the section is longer than `max_length`
   bool cut_at_vertex(Index vertex, const Vector_3& axis, double max_length)
   {
@@ -67,8 +68,7 @@ public:
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
       const Vector_3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
       const double length = (m_points[i] - before).norm();
-      const Vector_3 normal =
-          m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
+      const Vector_3 normal = m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
       moment += length * normal * normal.transpose();
       mean += length * normal;
       weight += length;

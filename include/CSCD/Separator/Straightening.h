@@ -148,9 +148,8 @@ private:
       return false;
     }
     collect_other_side(crossings[first % size].halfedge, crossings[last % size].halfedge, is_on_right);
-    if (m_spokes.empty() ||
-        angle_over_spokes(vertex, crossing_point(m_surface, before), crossing_point(m_surface, after)) >=
-            pi - angle_margin) {
+    if (m_spokes.empty() || angle_over_spokes(vertex, crossing_point(m_surface, before),
+                                              crossing_point(m_surface, after)) >= pi - angle_margin) {
       return false;
     }
     for (Index spoke : m_spokes) {

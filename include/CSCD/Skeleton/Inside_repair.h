@@ -139,8 +139,7 @@ private:
         continue;
       }
       if (const std::optional<Vector_3> middle = middle_behind(*outside)) {
-        const Index node =
-            m_draft.split_edge(a, b, *middle, (m_draft[a].radius + m_draft[b].radius) / 2);
+        const Index node = m_draft.split_edge(a, b, *middle, (m_draft[a].radius + m_draft[b].radius) / 2);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
       }

@@ -17,8 +17,8 @@
 
 namespace CSCD::internal {
 
-/// Assigns each site to the nearest node that can be reached by going downhill, in distance, from a node of its own piece
-/// of the surface; so sites on a limb stay with that limb, however near another one comes.
+/// Assigns each site to the nearest node that can be reached by going downhill, in distance, from a node of its own
+/// piece of the surface; so sites on a limb stay with that limb, however near another one comes.
 /// \tparam Traits a model of `SkeletonizationTraits`
 template <class Traits>
 class Site_assignment
@@ -69,9 +69,8 @@ private:
 
   Index nearest_start(const Vector_3& point, Index piece) const
   {
-    return *std::min_element(m_starts[piece].begin(), m_starts[piece].end(), [&](Index a, Index b) {
-      return squared_distance(point, a) < squared_distance(point, b);
-    });
+    return *std::min_element(m_starts[piece].begin(), m_starts[piece].end(),
+                             [&](Index a, Index b) { return squared_distance(point, a) < squared_distance(point, b); });
   }
 
   Index descend(const Vector_3& point, Index node) const

@@ -158,7 +158,10 @@ private:
   {
     *std::find(list.begin(), list.end(), old_value) = new_value;
   }
-  static void erase_one(std::vector<Index>& list, Index value) { list.erase(std::find(list.begin(), list.end(), value)); }
+  static void erase_one(std::vector<Index>& list, Index value)
+  {
+    list.erase(std::find(list.begin(), list.end(), value));
+  }
 
   std::vector<Node> m_nodes;
 };

@@ -20,9 +20,8 @@ struct Ball
   double radius = 0;
 };
 
-/// Grows an inscribed ball from `start`: steps away from the nearest point of the surface as long as the ball gets larger,
-/// for at most `most_shift` in all.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// Grows an inscribed ball from `start`: steps away from the nearest point of the surface as long as the ball gets
+/// larger, for at most `most_shift` in all. \tparam Traits a model of `SolidSkeletonizationTraits`
 template <class Traits>
 Ball inscribed_ball(const Traits& traits, const Vector_3& start, double most_shift)
 {

@@ -89,8 +89,8 @@ private:
   {
     const auto weight = double(m_draft.degree(junction));
     const auto other_weight = double(m_draft.degree(path.end));
-    m_draft[junction].position = (weight * m_draft[junction].position + other_weight * m_draft[path.end].position) /
-                                 (weight + other_weight);
+    m_draft[junction].position =
+        (weight * m_draft[junction].position + other_weight * m_draft[path.end].position) / (weight + other_weight);
     m_draft[junction].radius = std::max(m_draft[junction].radius, m_draft[path.end].radius);
     for (Index node : path.inner) {
       m_draft.contract(node, junction);

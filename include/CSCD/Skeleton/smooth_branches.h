@@ -21,8 +21,7 @@ inline void smooth_branches(Skeleton_draft& draft)
     smoothed[node] = draft[node].position;
     if (draft.is_regular(node)) {
       const std::vector<Index>& neighbors = draft[node].neighbors;
-      smoothed[node] =
-          smoothed[node] / 2 + (draft[neighbors[0]].position + draft[neighbors[1]].position) / 4;
+      smoothed[node] = smoothed[node] / 2 + (draft[neighbors[0]].position + draft[neighbors[1]].position) / 4;
     }
   }
   for (Index node = 0; node < draft.size(); ++node) {

@@ -20,9 +20,9 @@
 
 namespace CSCD::internal {
 
-/// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of them.
-/// The coarse vertices are a subset of the fine ones, the coarse surface is a closed oriented manifold of the same
-/// topology, and the result depends on the numbering of the fine surface alone. Linear.
+/// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of
+/// them. The coarse vertices are a subset of the fine ones, the coarse surface is a closed oriented manifold of the
+/// same topology, and the result depends on the numbering of the fine surface alone. Linear.
 class Coarsening
 {
 public:
@@ -121,8 +121,8 @@ private:
         continue;
       }
       const Index* begin = ring(vertex);
-      const bool is_free = std::none_of(begin, begin + m_degree[vertex],
-                                        [this](Index v) { return m_status[v] == Status::kept; });
+      const bool is_free =
+          std::none_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::kept; });
       if (is_free) {
         m_status[vertex] = Status::kept;
       }
@@ -138,8 +138,7 @@ private:
         continue;
       }
       const Index* begin = ring(vertex);
-      if (std::any_of(begin, begin + m_degree[vertex],
-                      [this](Index v) { return m_status[v] == Status::frozen; })) {
+      if (std::any_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::frozen; })) {
         continue;
       }
       const Index side = best_collapse(vertex);

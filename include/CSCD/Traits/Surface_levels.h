@@ -20,10 +20,7 @@ namespace CSCD::internal {
 /// One level of detail.
 struct Surface_level
 {
-  explicit Surface_level(Triangulated_surface&& level_surface)
-      : surface(std::move(level_surface)), corners(surface)
-  {
-  }
+  explicit Surface_level(Triangulated_surface&& level_surface) : surface(std::move(level_surface)), corners(surface) {}
 
   /// The vertex of the finest level that `vertex` of this level is.
   Index to_finest(Index vertex) const { return finest_vertex.empty() ? vertex : finest_vertex[vertex]; }

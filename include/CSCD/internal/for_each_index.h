@@ -53,7 +53,8 @@ private:
 #ifdef CGAL_LINKED_WITH_TBB
 /// The same on several threads, with one worker a thread.
 template <class ConcurrencyTag, class Worker>
-class For_each_index<ConcurrencyTag, Worker, std::enable_if_t<std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>>>
+class For_each_index<ConcurrencyTag, Worker,
+                     std::enable_if_t<std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>>>
 {
 public:
   /// \param make_worker makes the worker of a thread when it first needs one
