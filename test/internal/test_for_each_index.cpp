@@ -43,7 +43,7 @@ using Tags = testing::Types<CGAL::Sequential_tag>;
 struct Tag_name
 {
   template <class Tag>
-  static std::string GetName(int)
+  static std::string GetName(int) // NOLINT(readability-identifier-naming): what GoogleTest calls
   {
     return std::is_same_v<Tag, CGAL::Sequential_tag> ? "sequential" : "parallel";
   }

@@ -49,17 +49,22 @@ public:
   const Separator_arrangement& arrangement() const { return m_arrangement; }
 
   /// Packs the last separator of the list, which was appended after the others had been packed, if it crosses none of
-  /// them and itself neither, and cuts the surface along it. \return whether it was packed
-  bool add_last()
+  /// them and itself neither. The cut graph stays as it is until `cut_again()`. \return whether it was packed
+  bool insert_last()
   {
     const auto separator = Index(m_separators.size() - 1);
     if (!m_arrangement.insert(separator, m_separators[separator].crossings)) {
       return false;
     }
     m_packed.push_back(separator);
+    return true;
+  }
+
+  /// Cuts the surface along all packed separators, those inserted last included.
+  void cut_again()
+  {
     m_cut_graph.emplace(m_surface, m_separators);
     m_cut_graph->cut(m_arrangement);
-    return true;
   }
 
 private:

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -36,15 +35,16 @@ public:
   {
   }
 
-  /// Cuts all handles that can be cut. \return their number
+  /// Cuts all handles that can be cut. \return the number of separators that were added
   std::size_t operator()()
   {
     std::size_t count = 0;
     for (Index piece = first_piece_with_handle(); piece != no_index; piece = first_piece_with_handle()) {
-      if (!cut_one(piece)) {
+      const std::size_t added = cut_piece(piece);
+      if (added == 0) {
         break;
       }
-      ++count;
+      count += added;
     }
     return count;
   }
@@ -52,6 +52,9 @@ public:
 private:
   /// Sweeps of straightening: the loops run along edges.
   static constexpr int number_of_straightening_passes = 15;
+  /// Bound for the vertices visited in looking for shorter loops around the handles of one piece: a few seconds at
+  /// most.
+  static constexpr std::size_t most_visits = 10000000;
   /// Samples of the disc that a loop spans: each point of the loop and the middle between it and the center.
   static constexpr double least_inside_part = 0.5;
 
@@ -70,14 +73,24 @@ private:
     return piece == pieces.end() ? no_index : Index(piece - pieces.begin());
   }
 
-  bool cut_one(Index piece)
+  /// Packs all loops of the piece that span the body and are disjoint; if there are none, one that does not span it.
+  std::size_t cut_piece(Index piece)
   {
     std::vector<Candidate> candidates = find_candidates(piece);
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.is_inside != b.is_inside ? a.is_inside : a.length < b.length;
     });
-    return std::any_of(candidates.begin(), candidates.end(),
-                       [this](const Candidate& candidate) { return insert(candidate.loop); });
+    std::size_t count = 0;
+    for (const Candidate& candidate : candidates) {
+      if (!candidate.is_inside && count > 0) {
+        break;
+      }
+      count += insert(candidate.loop) ? 1 : 0;
+    }
+    if (count > 0) {
+      m_packing.cut_again();
+    }
+    return count;
   }
 
   std::vector<Candidate> find_candidates(Index piece) const
@@ -88,16 +101,21 @@ private:
       ++root;
     }
     // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
+    const std::vector<Vertex_loop> rough_loops = handle_loops(piece, root);
+    const std::size_t most_roots = most_visits / m_surface.number_of_vertices();
     std::vector<Candidate> candidates;
-    for (const Vertex_loop& rough_loop : handle_loops(piece, root)) {
-      for (Vertex_loop& loop : handle_loops(piece, rough_loop.front())) {
-        candidates.push_back(measure(std::move(loop)));
+    for (std::size_t i = 0; i < rough_loops.size(); ++i) {
+      candidates.push_back(measure(rough_loops[i]));
+      if (i < most_roots) {
+        for (const Vertex_loop& loop : handle_loops(piece, rough_loops[i].front())) {
+          candidates.push_back(measure(loop));
+        }
       }
     }
     return candidates;
   }
 
-  Candidate measure(Vertex_loop&& loop) const
+  Candidate measure(const Vertex_loop& loop) const
   {
     std::vector<Vector_3> points;
     for (Index vertex : loop) {
@@ -107,7 +125,7 @@ private:
     const auto inside = std::count_if(points.begin(), points.end(), [&](const Vector_3& point) {
       return m_traits.is_inside((point + measures.center) / 2);
     });
-    return {std::move(loop), measures.length, double(inside) >= least_inside_part * double(points.size())};
+    return {loop, measures.length, double(inside) >= least_inside_part * double(points.size())};
   }
 
   /// Packs `loop` if it can be made disjoint from the packed separators.
@@ -125,7 +143,7 @@ private:
       crossing_points(m_surface, separator.crossings, points);
       set_measures(separator, points);
       m_separators.push_back(separator);
-      if (separator.crossings.size() >= 3 && m_packing.add_last()) {
+      if (separator.crossings.size() >= 3 && m_packing.insert_last()) {
         return true;
       }
       m_separators.pop_back();
