@@ -169,4 +169,38 @@ TEST(Straightening, leaves_small_lists_alone)
   EXPECT_TRUE(crossings.empty());
 }
 
+TEST(Straightening, passes_over_the_vertices_of_a_detour)
+{
+  constexpr Index around = 24;
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
+  // Around ring 10, but along the tube to ring 14 and back on the way.
+  Vertex_loop loop;
+  for (Index k = 1; k < around - 1; ++k) {
+    loop.push_back(10 * around + k);
+  }
+  for (Index ring = 11; ring <= 14; ++ring) {
+    loop.push_back(ring * around + around - 2);
+  }
+  loop.push_back(14 * around + around - 1);
+  for (Index ring = 14; ring >= 11; --ring) {
+    loop.push_back(ring * around);
+  }
+  loop.push_back(10 * around);
+  std::vector<Edge_crossing> crossings;
+  ASSERT_TRUE(CSCD::internal::push_off(surface, loop, crossings));
+  const auto touches_ring_or_beyond = [&](Index ring) {
+    return std::any_of(crossings.begin(), crossings.end(), [&](const Edge_crossing& crossing) {
+      return surface.origin(crossing.halfedge) / around >= ring || surface.target(crossing.halfedge) / around >= ring;
+    });
+  };
+  ASSERT_TRUE(touches_ring_or_beyond(15));
+  const double length_before = measures(surface, crossings).length;
+  Straightening straighten(surface);
+  straighten(crossings, 200);
+  EXPECT_FALSE(touches_ring_or_beyond(13));
+  EXPECT_TRUE(CSCD::test::is_closed_curve(surface, crossings));
+  EXPECT_LT(measures(surface, crossings).length, 0.8 * length_before);
+}
+
 } // namespace

@@ -45,9 +45,9 @@ public:
 private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 0.02;
-  /// Crossings within this distance of an end are stuck there, likewise: those that are clamped, and the first and last
-  /// ones on the way around a corner, which their free neighbors hold a little off.
-  static constexpr double stuck_margin = 2.5 * end_margin;
+  /// Crossings within this distance of an end are stuck there, likewise: those that are clamped, and what rounding
+  /// makes of them.
+  static constexpr double stuck_margin = 1.01 * end_margin;
   /// Where a curve is put after it has passed over a vertex, likewise.
   static constexpr double passed_position = 3 * end_margin;
   /// A curve is passed over a vertex if the angle on the other side is less than pi by more than this, in radians.
@@ -101,7 +101,7 @@ private:
     return crossing.position >= 1 - stuck_margin ? m_surface.target(crossing.halfedge) : no_index;
   }
 
-  /// Finds the maximal runs of crossings that are stuck at one vertex on one side, and tries to pass each over it.
+  /// Finds the runs of crossings around a vertex at which one of them is stuck, and tries to pass each over it.
   void pass_over_vertices(std::vector<Edge_crossing>& crossings)
   {
     const std::size_t size = crossings.size();
@@ -119,32 +119,58 @@ private:
     }
     ++start;
     m_result.clear();
-    for (std::size_t first = start; first < start + size;) {
-      std::size_t last = first;
-      while (last + 1 < start + size && continues(last)) {
+    for (std::size_t i = start; i < start + size;) {
+      const Edge_crossing& crossing = crossings[i % size];
+      const Index vertex = stuck_at(crossing);
+      if (vertex == no_index) {
+        m_result.push_back(crossing);
+        ++i;
+        continue;
+      }
+      // The run around the vertex also holds those neighbors that cross its spokes farther out.
+      const bool is_on_right = crossing.position < 0.5;
+      const auto is_in_run = [&](std::size_t j) { return passes(crossings[j % size], vertex, is_on_right); };
+      std::size_t first = i;
+      while (first > start && is_in_run(first - 1) && is_last_result(crossings[(first - 1) % size])) {
+        m_result.pop_back();
+        --first;
+      }
+      std::size_t last = i;
+      while (last + 1 < start + size && is_in_run(last + 1)) {
         ++last;
       }
-      if (stuck_at(crossings[first % size]) == no_index || !append_passed(crossings, first, last)) {
-        for (std::size_t i = first; i <= last; ++i) {
-          m_result.push_back(crossings[i % size]);
+      if (!append_passed(crossings, first, last, vertex, is_on_right)) {
+        for (std::size_t j = first; j <= last; ++j) {
+          m_result.push_back(crossings[j % size]);
         }
       }
-      first = last + 1;
+      i = last + 1;
     }
     std::swap(crossings, m_result);
   }
 
-  /// Appends to the result the crossings of the other side of the vertex that the run from `first` to `last` is stuck
-  /// at, if that is a shortcut.
-  bool append_passed(const std::vector<Edge_crossing>& crossings, std::size_t first, std::size_t last)
+  /// Whether `crossing` crosses a spoke of `vertex`, which lies on its right or left.
+  bool passes(const Edge_crossing& crossing, Index vertex, bool is_on_right) const
+  {
+    return (is_on_right ? m_surface.origin(crossing.halfedge) : m_surface.target(crossing.halfedge)) == vertex;
+  }
+
+  bool is_last_result(const Edge_crossing& crossing) const
+  {
+    return !m_result.empty() && m_result.back().halfedge == crossing.halfedge &&
+           m_result.back().position == crossing.position;
+  }
+
+  /// Appends to the result the crossings of the other side of `vertex`, around which the crossings from `first` to
+  /// `last` run, if that is a shortcut.
+  bool append_passed(const std::vector<Edge_crossing>& crossings, std::size_t first, std::size_t last, Index vertex,
+                     bool is_on_right)
   {
     const std::size_t size = crossings.size();
-    const Index vertex = stuck_at(crossings[first % size]);
-    const bool is_on_right = crossings[first % size].position < 0.5;
     const Edge_crossing& before = crossings[(first + size - 1) % size];
     const Edge_crossing& after = crossings[(last + 1) % size];
     const auto touches = [&](Index h) { return m_surface.origin(h) == vertex || m_surface.target(h) == vertex; };
-    if (touches(before.halfedge) || touches(after.halfedge)) {
+    if (last - first + 2 >= size || touches(before.halfedge) || touches(after.halfedge)) {
       return false;
     }
     collect_other_side(crossings[first % size].halfedge, crossings[last % size].halfedge, is_on_right);
