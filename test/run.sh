@@ -51,8 +51,6 @@ step "format" cmake --build --preset release --target format_check
 step "build" cmake --build --preset release --parallel "$jobs"
 step "build for the address sanitizer" build_preset asan-ubsan
 step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
-step "build for the thread sanitizer" build_preset tsan
-step "tests under the thread sanitizer" ctest --preset tsan --parallel "$jobs"
 step "clang-tidy" build_preset tidy
 
 echo "Seconds up to here:"

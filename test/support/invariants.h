@@ -70,7 +70,7 @@ inline void append(Violations& violations, const Violations& more)
   violations.insert(violations.end(), more.begin(), more.end());
 }
 
-/// Nodes are finite, radii finite and positive, no edge is a loop or doubled.
+/// Nodes are finite, radii finite and not negative, no edge is a loop or doubled.
 template <class Skeleton>
 Violations violations_of_graph(const Skeleton& skeleton)
 {
@@ -82,7 +82,7 @@ Violations violations_of_graph(const Skeleton& skeleton)
       }
     }
     if constexpr (has_radius_v<Skeleton>) {
-      if (!std::isfinite(skeleton[v].radius) || !(skeleton[v].radius > 0)) {
+      if (!std::isfinite(skeleton[v].radius) || skeleton[v].radius < 0) {
         violations.push_back("node " + std::to_string(v) + " has radius " + std::to_string(skeleton[v].radius));
       }
     }
@@ -97,6 +97,21 @@ Violations violations_of_graph(const Skeleton& skeleton)
     }
     if (!seen.insert(ends).second) {
       violations.push_back("edge " + where + " occurs twice");
+    }
+  }
+  return violations;
+}
+
+/// Radii are positive. A component all of whose points are on a line has none.
+template <class Skeleton>
+Violations violations_of_radii(const Skeleton& skeleton)
+{
+  Violations violations;
+  if constexpr (has_radius_v<Skeleton>) {
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      if (skeleton[v].radius == 0) {
+        violations.push_back("node " + std::to_string(v) + " has no radius");
+      }
     }
   }
   return violations;
@@ -174,9 +189,10 @@ inline Violations violations_of_report(const Surface_facts& surface, const Skele
   return violations;
 }
 
-/// All of the above, whatever the mesh.
+/// All of the above but positive radii: what holds even if components have no area.
 template <class Mesh, class Skeleton>
-Violations violated_invariants(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report)
+Violations violated_invariants_without_area(const Mesh& mesh, const Skeleton& skeleton,
+                                            const Skeletonization_report& report)
 {
   const Surface_facts surface = surface_facts(mesh);
   const Skeleton_facts graph = skeleton_facts(skeleton);
@@ -184,6 +200,15 @@ Violations violated_invariants(const Mesh& mesh, const Skeleton& skeleton, const
   append(violations, violations_of_partition(mesh, skeleton));
   append(violations, violations_of_topology(surface, graph, report));
   append(violations, violations_of_report(surface, graph, report));
+  return violations;
+}
+
+/// All of the above.
+template <class Mesh, class Skeleton>
+Violations violated_invariants(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report)
+{
+  Violations violations = violated_invariants_without_area(mesh, skeleton, report);
+  append(violations, violations_of_radii(skeleton));
   return violations;
 }
 

@@ -112,9 +112,13 @@ TEST_F(Invariants, notice_a_broken_skeleton)
 
 TEST_F(Invariants, notice_bad_numbers)
 {
-  m_skeleton[2].radius = 0;
+  m_skeleton[2].radius = -1;
   m_skeleton[3].point = Point(std::numeric_limits<double>::quiet_NaN(), 0, 0);
-  EXPECT_EQ(CSCD::test::violations_of_graph(m_skeleton).size(), 2u);
+  m_skeleton[4].radius = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(CSCD::test::violations_of_graph(m_skeleton).size(), 3u);
+  m_skeleton[5].radius = 0;
+  EXPECT_EQ(CSCD::test::violations_of_radii(m_skeleton).size(), 1u);
+  EXPECT_EQ(violations().size(), 4u);
 }
 
 TEST_F(Invariants, notice_a_report_that_lies)

@@ -212,7 +212,7 @@ private:
     const Node& near = m_nodes[vertex];
     const Node& side = m_nodes[from.neighbor];
     const float turn = wrapped(side.angle - near.angle);
-    if (near.parent != m_source && std::fabs(turn) > spanning_angle) {
+    if (!(from.length > 0) || (near.parent != m_source && std::fabs(turn) > spanning_angle)) {
       return;
     }
     // The plane of the triangle: `vertex` at the origin, the neighbor of `from` at (base, 0), the target at (x, y), the

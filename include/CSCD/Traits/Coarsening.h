@@ -233,8 +233,9 @@ private:
     }
     for (Index j : {Index(1), degree - 1}) {
       const Index other = neighbors[(side + j) % degree];
-      std::remove(ring(other), ring(other) + m_degree[other], vertex);
-      --m_degree[other];
+      // No ring holds a vertex twice.
+      Index* const end = std::remove(ring(other), ring(other) + m_degree[other], vertex);
+      m_degree[other] = std::uint8_t(end - ring(other));
     }
     m_status[vertex] = Status::removed;
     m_parent[vertex] = into;
@@ -247,7 +248,7 @@ private:
     const Index* neighbors = ring(vertex);
     const Index into = neighbors[side];
     const Index* old_ring = ring(into);
-    std::array<Index, 2 * max_degree> spliced;
+    std::array<Index, 2 * std::size_t(max_degree)> spliced;
     Index size = 0;
     for (Index i = 0; i < m_degree[into]; ++i) {
       if (old_ring[i] != vertex) {

@@ -63,7 +63,7 @@ public:
 private:
   void append_fan(const Triangulated_surface& surface, Index vertex, double& length_sum)
   {
-    const Vector_3 center = surface.point(vertex);
+    const Vector_3& center = surface.point(vertex);
     for (Index halfedge : surface.outgoing(vertex)) {
       const Index neighbor = surface.target(halfedge);
       const Vector_3 spoke = surface.point(neighbor) - center;

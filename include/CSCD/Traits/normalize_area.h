@@ -41,7 +41,7 @@ inline Normalization normalize_area(Indexed_triangles& triangles)
   if (!(area > smallest_relative_area)) {
     throw Input_error("all faces have zero area: the vertices are collinear; check how the input was written");
   }
-  const Normalization result{moment / area, std::sqrt(area)};
+  Normalization result{moment / area, std::sqrt(area)};
   for (Vector_3& point : triangles.points) {
     point = result.from_input(point);
   }

@@ -38,7 +38,7 @@ inline Normalization normalize_extent(std::vector<Vector_3>& points)
   if (half_extent < smallest_extent || half_extent > largest_extent) {
     throw Input_error("the extent of the surface is outside [1e-290, 1e290]: scale the coordinates");
   }
-  const Normalization result{least / 2 + greatest / 2, half_extent};
+  Normalization result{least / 2 + greatest / 2, half_extent};
   for (Vector_3& point : points) {
     point = result.from_input(point);
   }
