@@ -27,6 +27,16 @@ install_packages()
     apt-get install --yes --quiet --quiet --no-install-recommends "${missing[@]}"
 }
 
+# number_of_jobs prints how many compilers to run at once: one a core, but not more than memory allows.
+number_of_jobs()
+{
+  local cores gigabytes
+  cores=$(nproc)
+  # A compiler takes up to 1 GB.
+  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 1024 / 1024) }' /proc/meminfo)
+  echo $((gigabytes < 1 ? 1 : gigabytes < cores ? gigabytes : cores))
+}
+
 # What the library, its examples and the program cscd are built with; libcgal-demo has the meshes they are shown on.
 library_packages=(
   g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev

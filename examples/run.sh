@@ -24,7 +24,7 @@ if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF)
 fi
 "${configure[@]}" >/dev/null
-cmake --build "$build_dir" --target cscd_examples
+cmake --build "$build_dir" --parallel "$(number_of_jobs)" --target cscd_examples
 
 echo "Skeletonizing $mesh"
 mkdir -p "$output_dir"

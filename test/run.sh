@@ -9,16 +9,10 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$source_dir"
-# A compiler takes up to 1 GB: not more of them than memory allows.
-gigabytes=$(awk '/MemAvailable/ { print int($2 / 1024 / 1024) }' /proc/meminfo)
-jobs=$(nproc)
-if ((jobs > gigabytes && gigabytes > 0)); then
-  jobs=$gigabytes
-fi
-
 # shellcheck source=cmake/install_packages.sh
 source cmake/install_packages.sh
 install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format clang-tidy ccache
+jobs=$(number_of_jobs)
 
 declare -A seconds=()
 step()

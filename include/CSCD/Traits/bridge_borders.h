@@ -128,8 +128,9 @@ private:
     }
   }
 
-  void close(const std::vector<Index>& hole)
+  void close(std::vector<Index>& hole)
   {
+    start_at_least_point(hole);
     Open_polygon polygon(hole);
     m_ears = {};
     for (Index corner = 0; corner < polygon.size; ++corner) {
@@ -155,6 +156,18 @@ private:
     } else {
       close_by_fan(polygon, some_corner);
     }
+  }
+
+  /// Rotates `hole` to begin at its lexicographically least point. Ties between ears are broken by the number of the
+  /// corner, which thus does not depend on the numbering of the input.
+  void start_at_least_point(std::vector<Index>& hole) const
+  {
+    const auto is_less = [this](Index a, Index b) {
+      const Vector_3& p = m_triangles.points[a];
+      const Vector_3& q = m_triangles.points[b];
+      return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+    };
+    std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), is_less), hole.end());
   }
 
   /// Every diagonal of what is left is an edge of the surface already: only a new vertex can close it.
