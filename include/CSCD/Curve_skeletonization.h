@@ -7,6 +7,9 @@
 #define CSCD_CURVE_SKELETONIZATION_H
 
 #include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Bump_branches.h>
+#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Selection/Disjoint_separators.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Selection/Separator_search.h>
 #include <CSCD/Selection/cut_handles.h>
@@ -34,6 +37,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
@@ -266,22 +270,39 @@ private:
     return result;
   }
 
+  /// The separators that would be packed so far, less those of bumps.
+  std::vector<Index> pack_for_trial() const
+  {
+    const internal::Triangulated_surface& surface = m_traits.levels().finest().surface;
+    internal::Disjoint_separators disjoint(surface, m_separators, weights());
+    disjoint.pack([](Index) { return true; });
+    internal::Cut_graph cut_graph(surface, disjoint.arrangement());
+    cut_graph.cut(disjoint.arrangement());
+    const internal::Bump_branches bumps(cut_graph, m_separators, disjoint.packed());
+    std::vector<char> is_bump(m_separators.size(), 0);
+    for (Index separator : bumps.separators()) {
+      is_bump[separator] = 1;
+    }
+    std::vector<Index> packed = disjoint.packed();
+    packed.erase(std::remove_if(packed.begin(), packed.end(), [&](Index separator) { return is_bump[separator] != 0; }),
+                 packed.end());
+    return packed;
+  }
+
   /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends
   /// of limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
   template <class Search>
   void explore_ends(Search& search) const
   {
-    const internal::Surface_levels& levels = m_traits.levels();
-    const internal::Separator_packing packing(levels.finest().surface, m_separators, weights());
-    const internal::Surface_regions regions(levels, m_separators, packing.packed(),
+    const std::vector<Index> packed = pack_for_trial();
+    const internal::Surface_regions regions(m_traits.levels(), m_separators, packed,
                                             internal::Surface_regions::rough_size);
     search.explore(
         [&](Index vertex) {
           const Index level_vertex = regions.level().from_finest(vertex);
           const Index separator = regions.separator(level_vertex);
-          return separator != internal::no_index &&
-                 double(regions.distance(level_vertex)) >
-                     unexplored_distance * m_separators[packing.packed()[separator]].radius();
+          return separator != internal::no_index && double(regions.distance(level_vertex)) >
+                                                        unexplored_distance * m_separators[packed[separator]].radius();
         },
         exploration_factor);
   }

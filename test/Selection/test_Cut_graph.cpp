@@ -44,6 +44,23 @@ struct Cut_surface
       EXPECT_TRUE(arrangement.insert(i, separators[i].crossings)) << "separators " << i << " crosses another one";
     }
     cut_graph.cut(arrangement);
+    expect_is_that_of_the_arrangement_alone();
+  }
+
+  /// What might have been cut besides must not matter.
+  void expect_is_that_of_the_arrangement_alone() const
+  {
+    Cut_graph alone(surface, arrangement);
+    alone.cut(arrangement);
+    ASSERT_EQ(alone.pieces().size(), cut_graph.pieces().size());
+    for (Index piece = 0; piece < alone.pieces().size(); ++piece) {
+      EXPECT_NEAR(alone.pieces()[piece].area, cut_graph.pieces()[piece].area, 1e-6);
+      EXPECT_EQ(alone.pieces()[piece].euler, cut_graph.pieces()[piece].euler);
+      EXPECT_EQ(alone.pieces()[piece].separators, cut_graph.pieces()[piece].separators);
+    }
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      ASSERT_EQ(alone.piece_of_vertex(vertex), cut_graph.piece_of_vertex(vertex));
+    }
   }
 
   int euler_number() const { return int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2); }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of separators that overlap the lighter one is packed; bumps are pruned, limbs stay.
+// What is packed is cut along; bumps are pruned, limbs stay.
 
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
@@ -39,26 +39,6 @@ protected:
 
   Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
 };
-
-TEST_F(Separator_packing_test, keeps_what_is_disjoint_by_increasing_weight)
-{
-  const std::vector<Separator> separators{section(2), section(4), section(6), section(8)};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {4, 2, 3, 1}).packed(), (Indices{3, 1, 2, 0}));
-  EXPECT_EQ(Separator_packing(m_tube, separators, {1, 1, 1, 1}).packed(), (Indices{0, 1, 2, 3}));
-}
-
-TEST_F(Separator_packing_test, keeps_the_lighter_of_two_that_cross)
-{
-  const std::vector<Separator> separators{section(5), section(5, {1, 0.6, 0})};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {1, 2}).packed(), Indices{0});
-  EXPECT_EQ(Separator_packing(m_tube, separators, {2, 1}).packed(), Indices{1});
-}
-
-TEST_F(Separator_packing_test, keeps_the_lighter_of_two_that_nearly_coincide)
-{
-  const std::vector<Separator> separators{section(5), section(5.05), section(6)};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {3, 2, 1}).packed(), (Indices{2, 1}));
-}
 
 TEST_F(Separator_packing_test, cuts_along_what_is_packed)
 {

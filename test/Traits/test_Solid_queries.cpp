@@ -112,6 +112,41 @@ TEST(Solid_queries, knows_the_sphere)
   }
 }
 
+TEST(Solid_queries, counts_the_crossings_of_a_segment)
+{
+  const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.1, 1));
+  const Solid_queries queries(surface);
+  std::mt19937_64 random(4);
+  std::vector<double> distances;
+  std::size_t most = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vector_3 from = random_vector(random, 4);
+    const Vector_3 to = random_vector(random, 4);
+    queries.crossings(from, to, distances);
+    most = std::max(most, distances.size());
+    ASSERT_TRUE(std::is_sorted(distances.begin(), distances.end()));
+    // From one crossing to the next, inside and outside alternate.
+    bool is_inside = queries.is_inside(from);
+    double last = 0;
+    distances.push_back((to - from).norm());
+    for (double distance : distances) {
+      ASSERT_EQ(queries.is_inside(from + (last + distance) / 2 * (to - from).normalized()), is_inside);
+      is_inside = !is_inside;
+      last = distance;
+    }
+    const auto hit = queries.first_hit(from, to - from);
+    if (distances.size() > 1) {
+      ASSERT_TRUE(hit);
+      ASSERT_NEAR(hit->distance, distances.front(), 1e-12);
+    } else if (hit) {
+      ASSERT_GT(hit->distance, distances.front());
+    }
+  }
+  EXPECT_GE(most, 4u) << "some segments pass through both sides of the ring";
+  queries.crossings({3, 0, 0}, {3, 0, 0}, distances);
+  EXPECT_TRUE(distances.empty());
+}
+
 TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
 {
   const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));

@@ -73,6 +73,10 @@ public:
   {
     return m_traits.first_hit(origin, direction);
   }
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    m_traits.crossings(from, to, distances);
+  }
   /// @}
 
 private:

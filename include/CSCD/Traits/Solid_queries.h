@@ -90,6 +90,20 @@ public:
     return minimizer.hit;
   }
 
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface to `distances`, in
+  /// ascending order.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    distances.clear();
+    const double length = (to - from).norm();
+    if (!(length > 0)) {
+      return;
+    }
+    Crossing_collector collector{*this, Ray(from, (to - from) / length), length, distances};
+    Eigen::BVIntersect(m_tree, collector);
+    std::sort(distances.begin(), distances.end());
+  }
+
 private:
   using Box = Eigen::AlignedBox3d;
   using Tree = Eigen::KdBVH<double, 3, Index>;
@@ -159,6 +173,26 @@ private:
     {
       for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
         is_odd ^= queries.hit_distance(face, ray) < infinity;
+      }
+      return false;
+    }
+  };
+
+  struct Crossing_collector
+  {
+    const Solid_queries& queries;
+    Ray ray;
+    double length;
+    std::vector<double>& distances;
+
+    bool intersectVolume(const Box& box) const { return ray.entry(box) <= length; }
+    bool intersectObject(Index block)
+    {
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        const double distance = queries.hit_distance(face, ray);
+        if (distance <= length) {
+          distances.push_back(distance);
+        }
       }
       return false;
     }
