@@ -6,6 +6,7 @@
 #ifndef CSCD_INTERNAL_FOR_EACH_INDEX_H
 #define CSCD_INTERNAL_FOR_EACH_INDEX_H
 
+#include <CSCD/internal/Loop_order.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/tags.h>
@@ -69,9 +70,15 @@ public:
   template <class Function>
   void operator()(Index size, const Function& function)
   {
+    [[maybe_unused]] const Loop_order::Loop loop;
     m_arena.execute([&] {
       tbb::parallel_for(
-          Index(0), size, [&](Index i) { function(i, m_workers.local()); }, tbb::simple_partitioner());
+          Index(0), size,
+          [&](Index i) {
+            [[maybe_unused]] const Loop_order::Call call;
+            function(i, m_workers.local());
+          },
+          tbb::simple_partitioner());
     });
   }
 
