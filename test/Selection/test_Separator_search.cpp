@@ -3,7 +3,7 @@
 //
 // The search for separators: complete, bounded, and the same for any number of threads.
 
-#include "Separator/Levels_traits.h"
+#include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_search.h>
 #include <CSCD/Separator/Local_separator_finder.h>
@@ -24,8 +24,7 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::internal::Separator_search;
-using CSCD::test::Levels_traits;
-
+using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 using Finder = CSCD::Local_separator_finder<Levels_traits>;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surface traits with levels of detail and a body, and nothing else: no sites, no way back to an input.
+// A SolidSkeletonizationTraits with no more than the concept asks for: no sites, no way back to an input.
 
 #ifndef CSCD_TEST_ARCHETYPES_SOLID_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SOLID_TRAITS_ARCHETYPE_H
 
+#include "Surface_point_archetype.h"
 #include "Traits/to_surface.h"
 #include "support/Shape.h"
 #include <CSCD/Traits/Solid_queries.h>
@@ -17,18 +18,10 @@
 
 namespace CSCD::test {
 
-/// A point of a surface with no more than the concept asks for.
-struct Surface_point_archetype
-{
-  internal::Vector_3 point;
-  internal::Index face;
-};
-
 /// A shape and its body, in the numbers and coordinates of the shape. All queries go to the finest level.
 class Solid_traits_archetype
 {
 public:
-  using Index = internal::Index;
   using Vector_3 = internal::Vector_3;
 
   explicit Solid_traits_archetype(const Shape& shape) : m_levels(to_levels(shape)), m_queries(solid_surface()) {}
@@ -38,16 +31,15 @@ public:
 
   const internal::Surface_levels& levels() const { return m_levels; }
   const internal::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
-  bool is_inside(const Vector_3& point) const { return m_queries.is_inside(point); }
-  Surface_point_archetype closest_point(const Vector_3& point) const
+  bool is_inside(const Vector_3& p) const { return m_queries.is_inside(p); }
+  Surface_point_archetype closest_point(const Vector_3& p) const
   {
-    const internal::Surface_point nearest = m_queries.closest_point(point);
-    return {nearest.point, nearest.face};
+    return surface_point_archetype(m_queries.closest_point(p));
   }
   std::optional<Surface_point_archetype> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {
-    const std::optional<internal::Surface_hit> hit = m_queries.first_hit(origin, direction);
-    return hit ? std::optional(Surface_point_archetype{hit->point, hit->face}) : std::nullopt;
+    const auto hit = m_queries.first_hit(origin, direction);
+    return hit ? std::optional(surface_point_archetype(*hit)) : std::nullopt;
   }
 
 private:
