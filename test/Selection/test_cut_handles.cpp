@@ -3,6 +3,7 @@
 //
 // Loops around handles: as many as there are, independent, short; and the cutting of every handle along some of them.
 
+#include "Selection/Cut_surface.h"
 #include "Separator/is_closed_curve.h"
 #include "Separator/make_separator.h"
 #include "archetypes/Solid_traits_archetype.h"
@@ -41,6 +42,7 @@ using CSCD::internal::Separator_arrangement;
 using CSCD::internal::Separator_packing;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vertex_loop;
+using CSCD::test::Cut_surface;
 using CSCD::test::section_separator;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
@@ -142,29 +144,21 @@ double length(const Triangulated_surface& surface, const Vertex_loop& loop)
   return result;
 }
 
-/// A surface cut along disjoint separators.
-struct Cut_surface
+/// A surface with its levels of detail, cut along disjoint separators.
+struct Cut_levels
 {
-  Cut_surface(const Shape& shape, std::vector<Separator> all)
-      : levels(CSCD::test::to_levels(shape)), surface(levels.finest().surface), separators(std::move(all)),
-        arrangement(surface), cut_graph(surface, separators)
+  Cut_levels(const Shape& shape, const std::vector<Separator>& separators)
+      : levels(CSCD::test::to_levels(shape)), cut(levels.finest().surface, separators)
   {
-    for (Index i = 0; i < separators.size(); ++i) {
-      EXPECT_TRUE(arrangement.insert(i, separators[i].crossings));
-    }
-    cut_graph.cut(arrangement);
   }
 
-  std::vector<Vertex_loop> loops_of_piece_with(Index vertex)
+  std::vector<Vertex_loop> loops_of_piece_with(Index vertex) const
   {
-    return Handle_loops(levels.finest(), cut_graph, arrangement)(cut_graph.piece_of_vertex(vertex), vertex);
+    return Handle_loops(levels.finest(), cut.cut_graph, cut.arrangement)(cut.cut_graph.piece_of_vertex(vertex), vertex);
   }
 
   CSCD::internal::Surface_levels levels;
-  const Triangulated_surface& surface;
-  std::vector<Separator> separators;
-  Separator_arrangement arrangement;
-  Cut_graph cut_graph;
+  CSCD::test::Cut_surface cut;
 };
 
 class Handle_loops_of : public testing::TestWithParam<Shape_maker>
@@ -174,7 +168,8 @@ class Handle_loops_of : public testing::TestWithParam<Shape_maker>
 TEST_P(Handle_loops_of, every_piece_are_a_basis_of_its_homology)
 {
   const Shape shape = GetParam().make();
-  Cut_surface cut(shape, {});
+  const Cut_levels levels(shape, {});
+  const Cut_surface& cut = levels.cut;
   std::size_t number_of_loops = 0;
   std::set<Index> seen;
   for (Index vertex = 0; vertex < cut.surface.number_of_vertices(); ++vertex) {
@@ -182,7 +177,7 @@ TEST_P(Handle_loops_of, every_piece_are_a_basis_of_its_homology)
     if (!seen.insert(piece).second) {
       continue;
     }
-    const std::vector<Vertex_loop> loops = cut.loops_of_piece_with(vertex);
+    const std::vector<Vertex_loop> loops = levels.loops_of_piece_with(vertex);
     expect_is_basis(cut.surface, loops);
     for (const Vertex_loop& loop : loops) {
       EXPECT_TRUE(
@@ -197,18 +192,19 @@ INSTANTIATE_TEST_SUITE_P(All, Handle_loops_of, testing::ValuesIn(shapes_with_han
 
 TEST(Handle_loops, are_none_on_a_sphere)
 {
-  Cut_surface cut(CSCD::test::sphere(3), {});
-  EXPECT_TRUE(cut.loops_of_piece_with(0).empty());
+  const Cut_levels levels(CSCD::test::sphere(3), {});
+  EXPECT_TRUE(levels.loops_of_piece_with(0).empty());
 }
 
 TEST(Handle_loops, are_the_shortest_through_their_root)
 {
-  Cut_surface cut(CSCD::test::torus(3, 1, 24), {});
-  const std::vector<Vertex_loop> loops = cut.loops_of_piece_with(CSCD::test::nearest_vertex(cut.surface, {2, 0, 0}));
+  const Cut_levels levels(CSCD::test::torus(3, 1, 24), {});
+  const Triangulated_surface& surface = levels.cut.surface;
+  const std::vector<Vertex_loop> loops = levels.loops_of_piece_with(CSCD::test::nearest_vertex(surface, {2, 0, 0}));
   ASSERT_EQ(loops.size(), 2u);
   const double around_the_tube = 48 * std::sin(CSCD::test::pi / 24);
-  EXPECT_NEAR(length(cut.surface, loops[0]), around_the_tube, 1e-6);
-  EXPECT_NEAR(length(cut.surface, loops[1]), 4 * CSCD::test::pi, 0.1) << "around the hole, where it is narrowest";
+  EXPECT_NEAR(length(surface, loops[0]), around_the_tube, 1e-6);
+  EXPECT_NEAR(length(surface, loops[1]), 4 * CSCD::test::pi, 0.1) << "around the hole, where it is narrowest";
 }
 
 TEST(Handle_loops, neither_cross_separators_nor_see_what_lies_beyond)
@@ -218,14 +214,16 @@ TEST(Handle_loops, neither_cross_separators_nor_see_what_lies_beyond)
   // Across both sides of the ladder: one handle is left on either side.
   const std::vector<Separator> separators{section_separator(surface, {3.03, 0, 0}, {1, 0, 0}, {3.03, 0, 0}),
                                           section_separator(surface, {3.03, 2, 0}, {1, 0, 0}, {3.03, 2, 0})};
-  Cut_surface cut(shape, separators);
+  const Cut_levels levels(shape, separators);
+  const Cut_surface& cut = levels.cut;
   ASSERT_EQ(cut.cut_graph.pieces().size(), 2u);
   std::set<Index> crossed;
   for (const Separator_arrangement::Edge_point& point : cut.arrangement.points()) {
     crossed.insert(point.edge);
   }
   for (double x : {2., 6.}) {
-    const std::vector<Vertex_loop> loops = cut.loops_of_piece_with(CSCD::test::nearest_vertex(surface, {x, 1, 0.35}));
+    const std::vector<Vertex_loop> loops =
+        levels.loops_of_piece_with(CSCD::test::nearest_vertex(surface, {x, 1, 0.35}));
     EXPECT_EQ(loops.size(), 2u);
     expect_is_basis(surface, loops);
     for (const Vertex_loop& loop : loops) {
