@@ -109,7 +109,7 @@ public:
     return *this;
   }
   unsigned number_of_threads() const { return m_number_of_threads; }
-  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for one a core.
+  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
     m_number_of_threads = number;

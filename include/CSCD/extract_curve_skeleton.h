@@ -71,7 +71,7 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: one a core}
+///     \cgalParamDefault{0: as many as TBB allows, one a core unless `tbb::global_control` says otherwise}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_weight}
 ///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}

@@ -13,7 +13,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -59,11 +59,12 @@ class For_each_index<ConcurrencyTag, Worker,
 {
 public:
   /// \param make_worker makes the worker of a thread when it first needs one
-  /// \param number_of_threads 0: as many as there are cores; more than that are never used
+  /// \param number_of_threads 0: as many as TBB allows, one a core unless the application has set another limit by
+  ///        `tbb::global_control`; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(bounded(number_of_threads, unsigned(tbb::info::default_concurrency()))),
-        m_arena(int(m_number_of_threads)), m_workers(std::move(make_worker))
+      : m_number_of_threads(bounded(number_of_threads, most_threads())), m_arena(int(m_number_of_threads)),
+        m_workers(std::move(make_worker))
   {
   }
 
@@ -85,6 +86,11 @@ public:
   unsigned number_of_threads() const { return m_number_of_threads; }
 
 private:
+  static unsigned most_threads()
+  {
+    return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  }
+
   static unsigned bounded(unsigned asked, unsigned available)
   {
     return asked == 0 ? available : std::min(asked, available);
