@@ -22,7 +22,7 @@ public:
   Separator_finder_archetype& operator=(const Separator_finder_archetype&) = delete;
   ~Separator_finder_archetype() = default;
 
-  void operator()(internal::Index source, internal::Index level_hint, Search_result& result)
+  void operator()(CSCD::internal::Index source, CSCD::internal::Index level_hint, Search_result& result)
   {
     m_finder(source, level_hint, result);
   }

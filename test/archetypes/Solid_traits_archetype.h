@@ -22,15 +22,15 @@ namespace CSCD::test {
 class Solid_traits_archetype
 {
 public:
-  using Vector_3 = internal::Vector_3;
+  using Vector_3 = CSCD::internal::Vector_3;
 
   explicit Solid_traits_archetype(const Shape& shape) : m_levels(to_levels(shape)), m_queries(solid_surface()) {}
   Solid_traits_archetype(const Solid_traits_archetype&) = delete;
   Solid_traits_archetype& operator=(const Solid_traits_archetype&) = delete;
   ~Solid_traits_archetype() = default;
 
-  const internal::Surface_levels& levels() const { return m_levels; }
-  const internal::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
+  const CSCD::internal::Surface_levels& levels() const { return m_levels; }
+  const CSCD::internal::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
   bool is_inside(const Vector_3& p) const { return m_queries.is_inside(p); }
   Surface_point_archetype closest_point(const Vector_3& p) const
   {
@@ -43,8 +43,8 @@ public:
   }
 
 private:
-  internal::Surface_levels m_levels;
-  internal::Solid_queries m_queries;
+  CSCD::internal::Surface_levels m_levels;
+  CSCD::internal::Solid_queries m_queries;
 };
 
 } // namespace CSCD::test

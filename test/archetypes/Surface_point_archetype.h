@@ -13,13 +13,13 @@ namespace CSCD::test {
 /// A point of a surface and the face that it lies in; there is none by default.
 struct Surface_point_archetype
 {
-  Surface_point_archetype(const internal::Vector_3& its_point, internal::Index its_face)
+  Surface_point_archetype(const CSCD::internal::Vector_3& its_point, CSCD::internal::Index its_face)
       : point(its_point), face(its_face)
   {
   }
 
-  internal::Vector_3 point;
-  internal::Index face;
+  CSCD::internal::Vector_3 point;
+  CSCD::internal::Index face;
 };
 
 /// The same of anything that has these members.
