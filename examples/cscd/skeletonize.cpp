@@ -17,6 +17,7 @@
 #include <CSCD/IO/write_file.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <ostream>
@@ -37,11 +38,16 @@ void check_options(const Skeletonize_options& options)
   }
 }
 
+/// What the input is called in messages.
+std::string name_of_input(const Skeletonize_options& options)
+{
+  return options.input == standard_stream ? "standard input" : options.input;
+}
+
 void say(const Skeletonize_options& options, const std::string& sentence)
 {
   if (!options.is_quiet) {
-    std::cerr << "cscd: " << (options.input == standard_stream ? "standard input" : options.input) << ": " << sentence
-              << '\n';
+    std::cerr << "cscd: " << name_of_input(options) << ": " << sentence << '\n';
   }
 }
 
@@ -54,6 +60,12 @@ Skeletonization_result compute(const Mesh& mesh, const Skeletonize_options& opti
   return compute_skeleton(mesh, options, bar ? &*bar : nullptr);
 }
 
+/// The name of the input file without its folder, which means nothing to whom the page is given.
+std::string title(const Skeletonize_options& options)
+{
+  return std::filesystem::path(name_of_input(options)).filename().string();
+}
+
 void write_results(const Mesh& mesh, const Skeletonization_result& result, const CSCD::Mesh_repair_report& repairs,
                    const Skeletonize_options& options)
 {
@@ -61,7 +73,7 @@ void write_results(const Mesh& mesh, const Skeletonization_result& result, const
     write_output(output, result.skeleton);
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, mesh, result, options.input);
+    write_viewer_page(options.html, mesh, result, title(options));
   }
   if (!options.report.empty()) {
     CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, repairs, result.report); });

@@ -43,6 +43,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,8 +59,8 @@ namespace CSCD {
 /// skeletonization.convert_to_skeleton(skeleton);
 /// \endcode
 ///
-/// \tparam Traits a model of `SkeletonizationTraits` with what `Policies` ask beyond that
-/// \tparam Policies the algorithms of the stages, see `Local_policies`
+/// \tparam Traits a model of `SkeletonizationTraits` and of `SolidSkeletonizationTraits`
+/// \tparam Policies a model of `SkeletonizationPolicies` for `Traits`: the algorithms of the stages
 /// \tparam Visitor a model of `SkeletonizationVisitor`, or a reference to one
 template <class Traits, class Policies = Local_policies<Traits>, class Visitor = Default_skeletonization_visitor>
 class Curve_skeletonization
@@ -78,6 +79,9 @@ public:
       : m_traits(traits), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
   {
     check_skeletonization_traits<Traits>();
+    check_solid_skeletonization_traits<Traits>();
+    check_skeletonization_policies<Policies, Traits>();
+    check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
     m_report.number_of_sites = traits.number_of_input_sites();
     m_report.number_of_isolated_vertices = traits.number_of_isolated_vertices();
     m_report.number_of_surface_components = traits.number_of_components();
@@ -109,7 +113,7 @@ public:
     return *this;
   }
   unsigned number_of_threads() const { return m_number_of_threads; }
-  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for one a core.
+  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
     m_number_of_threads = number;

@@ -71,11 +71,11 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: one a core}
+///     \cgalParamDefault{0: as many as TBB allows, one a core unless `tbb::global_control` says otherwise}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_weight}
 ///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
-///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
+///     \cgalParamType{a model of `SeparatorWeight`}
 ///     \cgalParamDefault{`Length_and_planarity_weight`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
@@ -116,6 +116,7 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
+  check_separator_weight<decltype(weight)>();
   using Policies = Local_policies<Traits, decltype(weight)>;
   Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)},
                                                                              visitor);

@@ -34,7 +34,7 @@ class Separator_packing_test : public testing::Test
 protected:
   Separator section(double x, const Vector_3& axis = {1, 0, 0}) const
   {
-    return section_separator(m_tube, {x, 0, 0}, axis.normalized(), {x, 0, 1});
+    return CSCD::test::tube_section(m_tube, x, axis);
   }
 
   Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));

@@ -3,7 +3,7 @@
 //
 // The answers about the body are those that its known shape gives.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Traits/Solid_queries.h>
 
@@ -22,11 +22,7 @@ using CSCD::internal::Index;
 using CSCD::internal::Solid_queries;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
-
-Triangulated_surface compiled(const CSCD::test::Shape& shape)
-{
-  return Triangulated_surface(CSCD::test::to_indexed_triangles(shape));
-}
+using CSCD::test::to_surface;
 
 Vector_3 random_vector(std::mt19937_64& random, double size)
 {
@@ -37,7 +33,7 @@ Vector_3 random_vector(std::mt19937_64& random, double size)
 
 TEST(Solid_queries, knows_the_cube)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(2));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(2));
   const Solid_queries queries(surface);
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -56,7 +52,7 @@ TEST(Solid_queries, knows_the_cube)
 TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
 {
   // Points of a grid, from which any direction of small integer slope meets edges and vertices.
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(3));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
   const Solid_queries queries(surface);
   for (int x = -2; x <= 18; ++x) {
     for (int y = -2; y <= 18; ++y) {
@@ -73,7 +69,7 @@ TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
 
 TEST(Solid_queries, meets_edges_and_vertices_once)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(1));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(1));
   const Solid_queries queries(surface);
   for (const Vector_3& target : surface.points()) {
     const Vector_3 center = Vector_3::Constant(0.5);
@@ -86,7 +82,7 @@ TEST(Solid_queries, meets_edges_and_vertices_once)
 
 TEST(Solid_queries, knows_the_sphere)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::sphere(4));
+  const Triangulated_surface surface = to_surface(CSCD::test::sphere(4));
   const Solid_queries queries(surface);
   const double deviation = 0.004; // of the triangles from the sphere
   std::mt19937_64 random(2);
@@ -149,7 +145,7 @@ TEST(Solid_queries, counts_the_crossings_of_a_segment)
 
 TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));
+  const Triangulated_surface surface = to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));
   const Solid_queries queries(surface);
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
@@ -169,7 +165,7 @@ TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
 
 TEST(Solid_queries, respects_a_cavity)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::hollow_sphere(3));
+  const Triangulated_surface surface = to_surface(CSCD::test::hollow_sphere(3));
   const Solid_queries queries(surface);
   EXPECT_FALSE(queries.is_inside({0.1, 0.1, 0.1}));
   EXPECT_TRUE(queries.is_inside({0.5, 0.5, 0.2}));
@@ -185,7 +181,7 @@ TEST(Solid_queries, survives_faces_without_area)
   shape.triangles.push_back({0, 8, 5});
   shape.triangles.push_back({8, 1, 5});
   shape.triangles.push_back({0, 1, 8}); // collinear
-  const Triangulated_surface surface = compiled(shape);
+  const Triangulated_surface surface = to_surface(shape);
   ASSERT_FALSE(surface.defect());
   const Solid_queries queries(surface);
   EXPECT_TRUE(queries.is_inside({0.5, 0.3, 0.4}));
@@ -199,7 +195,7 @@ TEST(Solid_queries, answers_on_a_flat_body)
   CSCD::test::Shape pillow;
   pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
-  const Triangulated_surface surface = compiled(pillow);
+  const Triangulated_surface surface = to_surface(pillow);
   const Solid_queries queries(surface);
   EXPECT_FALSE(queries.is_inside({0.2, 0.2, 0.1}));
   EXPECT_FALSE(queries.is_inside({0.2, 0.2, -0.1}));
