@@ -219,9 +219,9 @@ private:
   /// The part of the search that its first pass is, for the progress.
   static constexpr double first_pass_share = 0.75;
   /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
-  static constexpr double unexplored_distance = 0.5;
+  static constexpr double unexplored_distance = 0.6;
   /// How many times as many separators are asked for there.
-  static constexpr unsigned exploration_factor = 3;
+  static constexpr unsigned exploration_factor = 2;
 
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)

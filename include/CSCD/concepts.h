@@ -151,6 +151,9 @@ template <class T>
 using hit_point = decltype(std::declval<const first_hit<T>&>()->point);
 template <class T>
 using hit_face = decltype(std::declval<const first_hit<T>&>()->face);
+template <class T>
+using crossings =
+    decltype(std::declval<const T&>().crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>()));
 
 template <class W>
 using weight_of_separator = decltype(std::declval<const W&>()(std::declval<const Separator&>()));
@@ -356,6 +359,8 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
 /// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p`, and its `face` |
 /// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
+/// | `t.crossings(p, q, v)` | fills `v`, a `std::vector<double>&`, with the distances from `p`, in ascending order, at
+/// which the segment to `q` meets it |
 ///
 /// Models: `Triangle_mesh_traits`.
 /// @{
@@ -374,7 +379,9 @@ struct Solid_skeletonization_traits_requirements
   static constexpr bool has_first_hit = internal::gives_v<bool, internal::expressions::is_hit, T> &&
                                         internal::gives_v<internal::Vector_3, internal::expressions::hit_point, T> &&
                                         internal::gives_v<internal::Index, internal::expressions::hit_face, T>;
-  static constexpr bool value = has_levels && has_solid_surface && has_is_inside && has_closest_point && has_first_hit;
+  static constexpr bool has_crossings = internal::is_valid_v<internal::expressions::crossings, T>;
+  static constexpr bool value =
+      has_levels && has_solid_surface && has_is_inside && has_closest_point && has_first_hit && has_crossings;
 };
 
 /// Whether `T` is a model of `SolidSkeletonizationTraits`.
@@ -397,6 +404,9 @@ constexpr void check_solid_skeletonization_traits()
   static_assert(Requirements::has_first_hit,
                 "CSCD: SolidSkeletonizationTraits requires t.first_hit(p, d) const, a pointer to what has members "
                 "point and face, or null");
+  static_assert(Requirements::has_crossings,
+                "CSCD: SolidSkeletonizationTraits requires t.crossings(p, q, v) const, which fills a "
+                "std::vector<double>");
 }
 
 /// @}

@@ -72,6 +72,8 @@ TEST_F(Disjoint_separators_test, packs_anew_what_is_allowed)
   disjoint.pack([](Index separator) { return separator != 0; });
   EXPECT_EQ(disjoint.packed(), (Indices{1, 2})) << "room for the other of the two";
   EXPECT_FALSE(disjoint.insert(0)) << "it crosses one that is packed";
+  disjoint.reduce([](Index separator) { return separator != 1; });
+  EXPECT_EQ(disjoint.packed(), Indices{2}) << "nothing takes the place of what is unpacked";
   disjoint.pack([](Index) { return false; });
   EXPECT_TRUE(disjoint.packed().empty());
   EXPECT_TRUE(disjoint.insert(0));

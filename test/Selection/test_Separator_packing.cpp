@@ -68,6 +68,21 @@ TEST_F(Separator_packing_test, packs_again_what_a_bump_was_in_the_way_of)
   EXPECT_EQ(Separator_packing(m_tube, separators, {2, 3, 1, 4}).packed(), (Indices{0, 1, 3}));
 }
 
+TEST_F(Separator_packing_test, prunes_bump_after_bump_to_the_last)
+{
+  // Circles with the same center are not packed together: each takes the place of the one pruned before it.
+  const Index vertex = CSCD::test::nearest_vertex(m_tube, {5, 0, 1});
+  std::vector<Separator> separators{section(2), section(8)};
+  std::vector<double> weights{9, 9};
+  for (double part : {0.5, 0.6, 0.7, 0.8, 0.9}) {
+    separators.push_back(circle_separator(m_tube, vertex, part));
+    weights.push_back(part);
+  }
+  const Separator_packing packing(m_tube, separators, weights);
+  EXPECT_EQ(packing.packed(), (Indices{0, 1}));
+  EXPECT_EQ(packing.cut_graph().pieces().size(), 3u) << "the cut graph is that of what is packed";
+}
+
 TEST(Separator_packing, keeps_limbs_and_prunes_their_ends_only_with_them)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::y_tube(0.15));

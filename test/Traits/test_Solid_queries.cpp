@@ -110,7 +110,7 @@ TEST(Solid_queries, knows_the_sphere)
 
 TEST(Solid_queries, counts_the_crossings_of_a_segment)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.1, 1));
+  const Triangulated_surface surface = to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.1, 1));
   const Solid_queries queries(surface);
   std::mt19937_64 random(4);
   std::vector<double> distances;

@@ -15,6 +15,7 @@
 #include <CSCD/internal/Vector_3.h>
 
 #include <optional>
+#include <vector>
 
 namespace CSCD::test {
 
@@ -40,6 +41,10 @@ public:
   {
     const auto hit = m_queries.first_hit(origin, direction);
     return hit ? std::optional(surface_point_archetype(*hit)) : std::nullopt;
+  }
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    m_queries.crossings(from, to, distances);
   }
 
 private:

@@ -43,6 +43,20 @@ public:
     }
   }
 
+  /// Unpacks those for which `is_allowed(separator)` does not hold, and packs none in their place.
+  template <class Predicate>
+  void reduce(const Predicate& is_allowed)
+  {
+    std::vector<Index> packed;
+    packed.swap(m_packed);
+    m_arrangement.clear();
+    for (Index separator : packed) {
+      if (is_allowed(separator)) {
+        insert(separator);
+      }
+    }
+  }
+
   /// Packs `separator` too if it crosses none of those that are packed and itself neither. \return whether it does not
   bool insert(Index separator)
   {

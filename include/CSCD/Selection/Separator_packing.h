@@ -32,8 +32,13 @@ public:
   {
     m_cut_graph.emplace(surface, separators);
     std::vector<std::uint8_t> is_banned(separators.size(), 0);
-    for (int round = 0; round < most_rounds; ++round) {
-      m_disjoint.pack([&](Index separator) { return is_banned[separator] == 0; });
+    const auto is_allowed = [&](Index separator) { return is_banned[separator] == 0; };
+    for (int round = 0;; ++round) {
+      if (round < most_packings) {
+        m_disjoint.pack(is_allowed);
+      } else {
+        m_disjoint.reduce(is_allowed);
+      }
       m_cut_graph->cut(m_disjoint.arrangement());
       const Bump_branches bumps(*m_cut_graph, separators, packed());
       if (bumps.separators().empty()) {
@@ -63,8 +68,9 @@ public:
   }
 
 private:
-  /// Packing and pruning are repeated until nothing is pruned, but at most this often.
-  static constexpr int most_rounds = 3;
+  /// What takes the place of pruned separators may have to be pruned again. After this many packings, nothing takes
+  /// their place any more, so that pruning comes to an end.
+  static constexpr int most_packings = 3;
 
   const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
