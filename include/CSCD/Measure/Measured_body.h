@@ -45,7 +45,7 @@ public:
     Indexed_triangles& triangles = collected.triangles;
     Halfedge_pairing& pairing = collected.pairing;
     m_normalization = normalize_diagonal(triangles.points);
-    m_points = triangles.points;
+    const std::size_t number_of_points = triangles.points.size();
     m_number_of_borders = bridge_borders(triangles, pairing);
     if (pairing.has_border()) {
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
@@ -54,8 +54,15 @@ public:
     orient_outwards(triangles, pairing, components);
     split_pillows(triangles, pairing, components);
     m_number_of_components = components.number();
-    // Faces with near numbers should be near in space, for the queries' sake.
-    renumber(triangles, canonical_order(triangles, pairing, components).vertices);
+    // What has near numbers should be near in space, for the queries' sake.
+    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    m_points.reserve(number_of_points);
+    for (const Index vertex : order) {
+      if (vertex < number_of_points) {
+        m_points.push_back(triangles.points[vertex]);
+      }
+    }
+    renumber(triangles, order);
     m_surface = Triangulated_surface(std::move(triangles));
     CGAL_postcondition(!m_surface.defect());
     m_queries.emplace(m_surface);
@@ -65,7 +72,7 @@ public:
   ~Measured_body() = default;
 
   const Normalization& normalization() const { return m_normalization; }
-  /// The vertices that have a face, in the order of the mesh.
+  /// The vertices that have a face, neighbours near each other.
   const std::vector<Vector_3>& points() const { return m_points; }
   const Solid_queries& queries() const { return *m_queries; }
 

@@ -78,14 +78,15 @@ private:
   {
     const Vector_3 to_point = point - cone.source;
     const double x = to_point.dot(cone.direction);
-    const double y = std::sqrt(std::max(to_point.squaredNorm() - x * x, 0.));
+    const double y2 = std::max(to_point.squaredNorm() - x * x, 0.);
+    const double y = std::sqrt(y2);
     // Coordinate along the straight line of the surface below the point, 0 where it leaves the first ball.
     const double along = x * cone.cosine - y * cone.sine;
     if (along <= 0) {
-      return std::hypot(x, y) - cone.source_radius;
+      return std::sqrt(x * x + y2) - cone.source_radius;
     }
     if (along >= cone.length * cone.cosine) {
-      return std::hypot(x - cone.length, y) - cone.target_radius;
+      return std::sqrt((x - cone.length) * (x - cone.length) + y2) - cone.target_radius;
     }
     return x * cone.sine + y * cone.cosine - cone.source_radius;
   }

@@ -19,6 +19,7 @@
 #include <CSCD/Measure/triangulate_field.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Traits/Normalization.h>
+#include <CSCD/Traits/Solid_queries.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -74,14 +75,18 @@ private:
   Segment_tree m_tree;
 };
 
-inline double distance_to(const Measured_cloud& cloud, const Vector_3& point)
+/// The distance of `point` from the input.
+/// \param near what the last call left; neighbouring points are answered faster one after the other
+inline double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
 {
   return cloud.distance(point);
 }
 
-inline double distance_to(const Measured_body& body, const Vector_3& point)
+inline double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
 {
-  return (body.queries().closest_point(point).point - point).norm();
+  const Surface_point nearest = body.queries().closest_point(point, near);
+  near = nearest.face;
+  return (nearest.point - point).norm();
 }
 
 /// Where radii come from, and how fine the reconstructed surfaces are.
@@ -127,7 +132,8 @@ public:
   /// All measures but those of the position.
   Skeleton_measures measure() const
   {
-    const auto distance = [this](const Vector_3& point) { return distance_to(m_measured, point); };
+    Index near = no_index;
+    const auto distance = [this, &near](const Vector_3& point) { return distance_to(m_measured, point, near); };
     Skeleton_measures result;
     result.number_of_points = m_measured.points().size();
     result.diagonal = m_measured.normalization().unit;
