@@ -100,7 +100,7 @@ private:
     const double x1 = edge.length - foot;
     const double square = std::max(to_point.squaredNorm() - foot * foot, 0.); // of the distance from the line
     const double gap = std::max({0., x0, -x1});                               // from the foot to the edge
-    constexpr double far = 2;                                                 // in lengths of the edge
+    constexpr double far = 3;                                                 // in lengths of the edge
     return square + gap * gap > far * far * edge.length * edge.length ? integral_from_afar(edge, x0, square)
                                                                       : exact_integral(edge, x0, x1, square);
   }

@@ -28,13 +28,16 @@ struct Field_surface
   double unresolved_fraction = undefined_measure; ///< of the skeleton's length: no lattice point beside it is inside
 };
 
+/// With all that is built on so many cells, a gigabyte.
+inline constexpr std::size_t default_maximum_number_of_cells = std::size_t(1) << 20;
+
 /// Triangulates the zero set of `field` on a lattice, seeded along `skeleton`.
-/// Where that takes too many cells, since radii are huge, the lattice is made coarser.
+/// Where that takes more cells than allowed, since radii are huge, the lattice is made coarser.
 /// \param cell_size of the lattice, positive
 template <class Field>
-Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size)
+Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size,
+                                std::size_t maximum_number_of_cells = default_maximum_number_of_cells)
 {
-  constexpr std::size_t maximum_number_of_cells = std::size_t(1) << 22; // some hundred megabytes
   for (;; cell_size *= 2) {
     Isosurface_tracker<Field> tracker(field, cell_size, maximum_number_of_cells);
     const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size);
