@@ -81,7 +81,7 @@ Skeleton axis(double from, double to, double y, std::size_t number_of_nodes)
 }
 
 /// Where the reconstructions do not matter.
-const auto coarse = parameters::resolution(50);
+const auto coarse = parameters::resolution(20);
 
 TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
 {
@@ -170,7 +170,7 @@ TEST(Evaluate_skeleton, a_tapered_tube_needs_radii_that_vary)
 
 TEST(Evaluate_skeleton, off_the_axis_of_a_cylinder_the_ray_star_is_known)
 {
-  const Mesh mesh = mesh_of(tube(20, 1, 96, Tube_end::flat));
+  const Mesh mesh = mesh_of(tube(20, 1, 48, Tube_end::flat));
   for (const double d : {0.2, 0.5, 0.8}) {
     const Skeleton_measures m = evaluate_skeleton(mesh, axis(2, 18, d, 5), coarse);
     // Rays from a point at distance d of the axis of a unit circle: their mean length is 2/pi E(d), the mean of their

@@ -61,9 +61,14 @@ public:
   /// Whether there were more cells than allowed, so that the surface is not complete.
   bool is_too_large() const { return m_visited.size() > m_maximum_number_of_cells; }
 
-  /// The surface, facing outwards.
+  /// The surface, facing outwards; faces that are near each other have near numbers.
   Indexed_triangles release()
   {
+    std::sort(m_cells.begin(), m_cells.end(),
+              [](const Cell& a, const Cell& b) { return interleaved_key(a) < interleaved_key(b); });
+    for (const Cell& cell : m_cells) {
+      triangulate(cell, values_at_corners(cell));
+    }
     m_triangles.first_bridging_face = m_triangles.faces.size();
     return std::move(m_triangles);
   }
@@ -117,7 +122,28 @@ private:
     }
   }
 
-  /// Triangulates the part of the surface that passes through `start`.
+  /// The position of `cell` on Morton's curve: the bits of its coordinates in turn.
+  static Key interleaved_key(const Cell& cell)
+  {
+    Key result = 0;
+    for (int bit = 19; bit >= 0; --bit) {
+      for (const std::int32_t coordinate : cell) {
+        result = result << 1 | (Key(coordinate + bias) >> bit & 1);
+      }
+    }
+    return result;
+  }
+
+  std::array<double, 8> values_at_corners(const Cell& cell)
+  {
+    std::array<double, 8> values{};
+    for (int k = 0; k < 8; ++k) {
+      values[std::size_t(k)] = value(corner(cell, k));
+    }
+    return values;
+  }
+
+  /// Collects the cells of the part of the surface that passes through `start`.
   void track(const Cell& start)
   {
     m_stack.assign(1, start);
@@ -127,11 +153,8 @@ private:
       if (!m_visited.insert(key(cell)).second) {
         continue;
       }
-      std::array<double, 8> values{};
-      for (int k = 0; k < 8; ++k) {
-        values[std::size_t(k)] = value(corner(cell, k));
-      }
-      triangulate(cell, values);
+      m_cells.push_back(cell);
+      const std::array<double, 8> values = values_at_corners(cell);
       for (int side = 0; side < 6; ++side) {
         push_neighbor(cell, side / 2, side % 2, values);
       }
@@ -238,6 +261,7 @@ private:
   boost::unordered_set<Key> m_visited;
   boost::unordered_map<Key, Index> m_vertices; ///< by the lattice point where the edge begins, and its direction
   std::vector<Cell> m_stack;
+  std::vector<Cell> m_cells; ///< that were visited
   Indexed_triangles m_triangles;
 };
 

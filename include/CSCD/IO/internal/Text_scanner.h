@@ -72,6 +72,9 @@ public:
     }
   }
 
+  /// Whether the next character is a digit.
+  bool is_at_digit() const { return m_at != m_end && *m_at >= '0' && *m_at <= '9'; }
+
   /// Passes over `character` if it is the next one. \return whether it is
   bool skip_character(char character)
   {

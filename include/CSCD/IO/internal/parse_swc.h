@@ -45,9 +45,12 @@ public:
   }
 
 private:
+  /// Comments of others may begin with the same word, but hardly with a number after it.
   void read_comment()
   {
-    if (m_scanner.skip_blanks_in_line() && m_scanner.word() == "loop") {
+    const bool is_loop = m_scanner.skip_blanks_in_line() && m_scanner.word() == "loop" &&
+                         m_scanner.skip_blanks_in_line() && m_scanner.is_at_digit();
+    if (is_loop) {
       const std::int64_t source = next_integer(m_scanner, "the identifier of a node");
       m_edges.emplace_back(source, next_integer(m_scanner, "the identifier of a node"));
     }
