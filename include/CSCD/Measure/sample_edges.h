@@ -36,11 +36,11 @@ inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, d
     }
     const Vector_3& source = skeleton.points[edge[0]];
     const Vector_3 tangent = (skeleton.points[edge[1]] - source) / length;
-    double at = to_next;
-    for (; at <= length; at += spacing) {
-      samples.push_back({source + at * tangent, tangent});
+    while (to_next <= length) {
+      samples.push_back({source + to_next * tangent, tangent});
+      to_next += spacing;
     }
-    to_next = at - length;
+    to_next -= length;
   }
   return samples;
 }
