@@ -115,11 +115,18 @@ TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
   s.radii.push_back(0.1);
   s.edges.push_back({1, 3});
   const Convolution_field field(s);
-  for (const Vector_3& p : {Vector_3(0, 0, 0), Vector_3(0.5, 0, 0), Vector_3(5, 5, 5), Vector_3(1, 0, 0)}) {
+  for (const Vector_3& p : {Vector_3(0, 0, 0), Vector_3(0.5, 0, 0), Vector_3(5, 5, 5)}) {
     EXPECT_LT(field(p), 0);
     EXPECT_TRUE(std::isfinite(field(p)));
   }
   EXPECT_NEAR(0, field({5, 5.5, 5}), 1e-3);
+  // Nodes at the same place are one ball, and none where there is an edge of some length.
+  const Indexed_skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
+  EXPECT_DOUBLE_EQ(1, Convolution_field(twice).convolution({0.5, 0, 0}));
+  EXPECT_NEAR(1,
+              Convolution_field(s).convolution({1, 0.1, 0}) /
+                  (quadrature(s, {1, 0.1, 0}) + std::pow(0.5 / Vector_3(4, 4.9, 5).norm(), 4)),
+              1e-4);
   EXPECT_GT(field({1e8, 0, 0}), 0);
   EXPECT_TRUE(std::isfinite(field({1e8, 0, 0})));
 }

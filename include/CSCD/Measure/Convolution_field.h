@@ -7,6 +7,7 @@
 #define CSCD_MEASURE_CONVOLUTION_FIELD_H
 
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -35,21 +36,18 @@ public:
   explicit Convolution_field(const Indexed_skeleton& skeleton)
   {
     CGAL_precondition(skeleton.has_radii());
-    std::vector<char> has_length(skeleton.number_of_nodes(), 0);
+    Disjoint_sets places(skeleton.number_of_nodes()); // of nodes that edges of length zero join
     for (const std::array<Index, 2>& edge : skeleton.edges) {
       const double length = skeleton.length(edge);
       if (length > 0) {
         const Vector_3& source = skeleton.points[edge[0]];
         m_edges.push_back({source, (skeleton.points[edge[1]] - source) / length, length, skeleton.radii[edge[0]],
                            skeleton.radii[edge[1]]});
-        has_length[edge[0]] = has_length[edge[1]] = 1;
+      } else {
+        places.join(edge[0], edge[1]);
       }
     }
-    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
-      if (!has_length[v]) {
-        m_balls.push_back({skeleton.points[v], skeleton.radii[v]});
-      }
-    }
+    add_balls(skeleton, places);
   }
 
   /// F at `point`; linear in the number of edges.
@@ -86,6 +84,26 @@ private:
     Vector_3 center;
     double radius;
   };
+
+  /// Adds a ball for each place without an edge of any length, of the greatest radius of its nodes.
+  void add_balls(const Indexed_skeleton& skeleton, Disjoint_sets& places)
+  {
+    std::vector<char> has_length(skeleton.number_of_nodes(), 0);
+    for (const std::array<Index, 2>& edge : skeleton.edges) {
+      if (skeleton.length(edge) > 0) {
+        has_length[places.find(edge[0])] = has_length[places.find(edge[1])] = 1;
+      }
+    }
+    std::vector<double> radius(skeleton.number_of_nodes(), 0.);
+    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+      radius[places.find(v)] = std::max(radius[places.find(v)], skeleton.radii[v]);
+    }
+    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+      if (places.find(v) == v && has_length[v] == 0) {
+        m_balls.push_back({skeleton.points[v], radius[v]});
+      }
+    }
+  }
 
   /// Squared distances below this, in squared units of the skeleton's coordinates, count as this: the kernel has a
   /// pole.
