@@ -135,11 +135,17 @@ struct Body
   bool is_inside(const Eigen::Vector3d& p) const;
   Answer closest_point(const Eigen::Vector3d& p) const;
   const Answer* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+  void crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::vector<double>& distances) const;
 };
 
 struct Body_that_is_always_hit : Body
 {
   Answer first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+};
+
+struct Body_that_returns_crossings : Body
+{
+  std::vector<double> crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
 };
 
 struct Body_without_faces : Body
@@ -166,6 +172,7 @@ TEST(Concepts, Solid_skeletonization_traits)
   EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Body>);
   EXPECT_FALSE(CSCD::is_solid_skeletonization_traits_v<Levels_by_value>);
   EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_first_hit);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_returns_crossings>::has_crossings);
   EXPECT_TRUE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_closest_point);
   EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_without_faces>::has_closest_point);
   CSCD::check_solid_skeletonization_traits<Body>();

@@ -359,8 +359,8 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
 /// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p`, and its `face` |
 /// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
-/// | `t.crossings(p, q, v)` | fills `v`, a `std::vector<double>&`, with the distances from `p`, in ascending order, at
-/// which the segment to `q` meets it |
+/// | `t.crossings(p, q, v)` | fills the vector `v` with the distances, ascending, at which the segment `p` `q` meets it
+/// |
 ///
 /// Models: `Triangle_mesh_traits`.
 /// @{

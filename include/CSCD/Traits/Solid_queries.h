@@ -70,9 +70,13 @@ public:
   }
 
   /// The point of the surface that is nearest to `point`.
-  Surface_point closest_point(const Vector_3& point) const
+  /// \param near a face that may be near, such as that of the answer for a neighbour of `point`: it saves time
+  Surface_point closest_point(const Vector_3& point, Index near = no_index) const
   {
     Distance_minimizer minimizer{*this, point, {}, {}};
+    if (near != no_index) {
+      minimizer.try_face(near);
+    }
     Eigen::BVMinimize(m_tree, minimizer);
     return minimizer.nearest;
   }
@@ -230,18 +234,28 @@ private:
     Surface_point nearest;
     std::optional<double> squared_distance;
 
-    double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
+    /// \return the squared distance of `face`
+    double try_face(Index face)
+    {
+      const Vector_3 candidate = queries.closest_point_of_face(face, point);
+      const double distance = (candidate - point).squaredNorm();
+      if (!squared_distance || distance < *squared_distance) {
+        squared_distance = distance;
+        nearest = {candidate, face};
+      }
+      return distance;
+    }
+    /// Boxes that hold nothing nearer than what is known are not entered.
+    double minimumOnVolume(const Box& box) const
+    {
+      const double distance = box.squaredExteriorDistance(point);
+      return squared_distance && distance >= *squared_distance ? infinity : distance;
+    }
     double minimumOnObject(Index block)
     {
       double least = infinity;
       for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        const Vector_3 candidate = queries.closest_point_of_face(face, point);
-        const double distance = (candidate - point).squaredNorm();
-        least = std::min(least, distance);
-        if (!squared_distance || distance < *squared_distance) {
-          squared_distance = distance;
-          nearest = {candidate, face};
-        }
+        least = std::min(least, try_face(face));
       }
       return least;
     }
