@@ -154,7 +154,7 @@ struct Cut_levels
 
   std::vector<Vertex_loop> loops_of_piece_with(Index vertex) const
   {
-    return Handle_loops(levels.finest(), cut.cut_graph, cut.arrangement)(cut.cut_graph.piece_of_vertex(vertex), vertex);
+    return Handle_loops(levels.finest(), cut.arrangement)(vertex);
   }
 
   CSCD::internal::Surface_levels levels;
@@ -232,6 +232,30 @@ TEST(Handle_loops, neither_cross_separators_nor_see_what_lies_beyond)
       }
     }
   }
+}
+
+TEST(Handle_loops, are_none_where_a_separator_has_a_piece_without_handles_on_both_sides)
+{
+  const Shape shape = CSCD::test::torus(3, 1, 24);
+  const Triangulated_surface surface = CSCD::test::to_surface(shape);
+  const Separator across = section_separator(surface, {3, 0, 0}, {0.03, 1, 0}, {3, 0, 1});
+  const Separator lengthwise = section_separator(surface, {0, 0, 0.03}, {0, 0, 1}, {2, 0, 0});
+  for (const Separator& separator : {across, lengthwise}) {
+    const Cut_levels levels(shape, {separator});
+    ASSERT_EQ(levels.cut.cut_graph.pieces().size(), 1u);
+    EXPECT_TRUE(levels.loops_of_piece_with(0).empty());
+  }
+}
+
+TEST(Handle_loops, are_of_the_handles_that_remain)
+{
+  const Shape shape = CSCD::test::double_torus(0.15);
+  const Triangulated_surface surface = CSCD::test::to_surface(shape);
+  const Cut_levels levels(shape, {section_separator(surface, {0, 1.03, 0}, {0, 1, 0}, {0, 1.03, 0})});
+  ASSERT_EQ(genus(levels.cut.cut_graph), 1u);
+  const std::vector<Vertex_loop> loops = levels.loops_of_piece_with(0);
+  EXPECT_EQ(loops.size(), 2u);
+  expect_is_basis(surface, loops);
 }
 
 /// Expects that separators from `first_new` on are disjoint closed curves, all packed, and no handle is left.

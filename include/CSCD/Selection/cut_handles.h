@@ -95,19 +95,19 @@ private:
 
   std::vector<Candidate> find_candidates(Index piece) const
   {
-    Handle_loops handle_loops(m_traits.levels().finest(), m_packing.cut_graph(), m_packing.arrangement());
+    Handle_loops handle_loops(m_traits.levels().finest(), m_packing.arrangement());
     Index root = 0;
     while (m_packing.cut_graph().piece_of_vertex(root) != piece) {
       ++root;
     }
     // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
-    const std::vector<Vertex_loop> rough_loops = handle_loops(piece, root);
+    const std::vector<Vertex_loop> rough_loops = handle_loops(root);
     const std::size_t most_roots = most_visits / m_surface.number_of_vertices();
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < rough_loops.size(); ++i) {
       candidates.push_back(measure(rough_loops[i]));
       if (i < most_roots) {
-        for (const Vertex_loop& loop : handle_loops(piece, rough_loops[i].front())) {
+        for (const Vertex_loop& loop : handle_loops(rough_loops[i].front())) {
           candidates.push_back(measure(loop));
         }
       }
