@@ -118,7 +118,7 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
   check_separator_weight<decltype(weight)>();
   using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)},
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
                                                                              visitor);
   // Any integer type will do for a number.
   skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
