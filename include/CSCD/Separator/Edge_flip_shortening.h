@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,24 +74,13 @@ public:
   Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
                                 Surface_path& result)
   {
-    start(halfedges, is_closed);
-    for_each_segment([&](Index segment) { queue(segment, is_pinned); });
-    std::size_t steps_left = most_steps_per_segment * (halfedges.size() + 1);
-    while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
-      const Bend bend = pop();
-      if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
-        straighten(bend, is_pinned);
-        m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
-        --steps_left;
-      }
+    run(halfedges, is_closed, is_pinned, std::numeric_limits<std::size_t>::max());
+    if (m_length > m_length_of_single) {
+      // Taken off its vertex for the last time, it has become longer.
+      run(halfedges, is_closed, is_pinned, m_number_of_single_steps - 1);
     }
     write(result);
-    const Shortening_outcome outcome = this->outcome(is_pinned);
-    if (!m_is_collapsed && !m_fallback.points.empty() && m_fallback.length < result.length) {
-      std::swap(result, m_fallback);
-      return Shortening_outcome::unfinished;
-    }
-    return outcome;
+    return outcome(is_pinned);
   }
 
   /// The same without pinned vertices.
@@ -106,8 +96,6 @@ private:
 
   /// A curve is given up after so many steps for each of its first segments: hundreds of times what it takes.
   static constexpr std::size_t most_steps_per_segment = 1000;
-  /// How often a closed curve of a single segment may be taken off its vertex.
-  static constexpr int most_single_steps = 8;
 
   /// An angle of less than pi between a segment and the next one.
   struct Bend
@@ -124,15 +112,34 @@ private:
     }
   };
 
+  /// Shortens the curve; one of a single segment is taken off its vertex at most `most_single_steps` times.
+  template <class IsPinned>
+  void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
+           std::size_t most_single_steps)
+  {
+    start(halfedges, is_closed);
+    m_most_single_steps = most_single_steps;
+    for_each_segment([&](Index segment) { queue(segment, is_pinned); });
+    std::size_t steps_left = most_steps_per_segment * (halfedges.size() + 1);
+    while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
+      const Bend bend = pop();
+      if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
+        straighten(bend, is_pinned);
+        m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
+        --steps_left;
+      }
+    }
+  }
+
   void start(const std::vector<Index>& halfedges, bool is_closed)
   {
     m_patch.clear();
     m_path.clear();
     m_bends.clear();
     m_blocked.clear();
-    m_fallback.points.clear();
     m_is_closed = is_closed;
     m_number_of_single_steps = 0;
+    m_length_of_single = std::numeric_limits<double>::max();
     m_length = 0;
     m_first = 0;
     m_is_collapsed = halfedges.empty();
@@ -340,12 +347,11 @@ private:
       m_is_collapsed = true;
       return;
     }
-    if (m_number_of_single_steps++ == most_single_steps) {
+    if (m_number_of_single_steps == m_most_single_steps || m_length >= m_length_of_single) {
       return;
     }
-    if (m_fallback.points.empty() || m_length < m_fallback.length) {
-      write(m_fallback);
-    }
+    ++m_number_of_single_steps;
+    m_length_of_single = m_length;
     if (bend.is_left) {
       m_arc = {{m_patch.twin(before), before}, {m_patch.twin(after), after}};
     } else {
@@ -466,11 +472,12 @@ private:
   std::vector<Arc_edge> m_arc;
   std::vector<Index> m_added;
   Edge_trace m_trace;
-  Surface_path m_fallback;
   Index m_first = 0; // segment of an open path, some segment of a closed one
   double m_length = 0;
   double m_first_length = 0;
-  int m_number_of_single_steps = 0;
+  double m_length_of_single = 0; // when it was a single segment and taken off its vertex for the last time
+  std::size_t m_number_of_single_steps = 0;
+  std::size_t m_most_single_steps = 0;
   bool m_is_closed = true;
   bool m_is_collapsed = false;
 };
