@@ -235,9 +235,9 @@ TEST(Heat_method, takes_sources_inside_faces)
         point += coordinates[k] * surface.point(surface.origin(3 * face + k));
       }
       point.normalize();
-      const double error =
-          largest_error_in_edges(method, field_from(method, {Geodesic_source::in_face(face, coordinates)}).distances,
-                                 [&](Index vertex) { return distance_on_sphere(surface.point(vertex), point); });
+      const double error = largest_error_in_edges(
+          method, field_from(method, {Geodesic_source::in_face(surface, face, coordinates)}).distances,
+          [&](Index vertex) { return distance_on_sphere(surface.point(vertex), point); });
       EXPECT_LT(error, 0.6);
     }
   }
@@ -309,12 +309,13 @@ TEST(Heat_method, gives_the_same_bits_in_batches_of_any_size)
   for (const CSCD::test::Shape& shape : {CSCD::test::noisy(CSCD::test::torus(3, 1, 24), 0.2, 1),
                                          CSCD::test::tube(1500, 1, 6, CSCD::test::Tube_end::flat)}) {
     SCOPED_TRACE(shape.name);
-    const Heat_method method(CSCD::test::to_surface(shape));
+    const Triangulated_surface surface = CSCD::test::to_surface(shape);
+    const Heat_method method(surface);
     for (const std::size_t size : {1, 2, 3, 8, 13}) {
       std::vector<std::vector<Geodesic_source>> source_sets;
       for (Index i = 0; i < size; ++i) {
         source_sets.push_back(
-            {Geodesic_source::at_vertex(37 * i), Geodesic_source::in_face(11 * i, {0.5, 0.25, 0.25})});
+            {Geodesic_source::at_vertex(37 * i), Geodesic_source::in_face(surface, 11 * i, {0.5, 0.25, 0.25})});
       }
       source_sets.front().pop_back();
       Heat_method::Workspace workspace;

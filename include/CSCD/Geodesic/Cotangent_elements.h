@@ -75,13 +75,6 @@ public:
   const std::vector<Face>& faces() const { return m_faces; }
   /// The number of all faces of the triangulation.
   Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
-  /// The element of the triangulation's `face`, null if that bridges a border; O(log n).
-  const Face* find_face(Index face) const
-  {
-    const auto is_before = [](const Face& element, Index number) { return element.face < number; };
-    const auto found = std::lower_bound(m_faces.begin(), m_faces.end(), face, is_before);
-    return found != m_faces.end() && found->face == face ? &*found : nullptr;
-  }
   /// The corners at `vertex` of faces that carry area: the indices in `faces()`, times 3, plus that of the corner.
   CGAL::Iterator_range<const Index*> corners(Index vertex) const
   {

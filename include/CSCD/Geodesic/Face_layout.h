@@ -6,9 +6,10 @@
 #ifndef CSCD_GEODESIC_FACE_LAYOUT_H
 #define CSCD_GEODESIC_FACE_LAYOUT_H
 
+#include <CSCD/Intrinsic/Flat_triangle.h>
+
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace CSCD::internal {
@@ -64,13 +65,8 @@ inline Face_layout lay_out_face(std::array<double, 3> lengths, double unit)
   for (double& length : lengths) {
     length += std::max(missing, 0.);
   }
-  // Kahan's formula for the area, which does not lose digits on thin triangles.
-  std::array<double, 3> sorted = lengths;
-  std::sort(sorted.begin(), sorted.end());
-  const auto [c, b, a] = sorted;
-  const double four_areas = std::sqrt((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c)));
-  const double base = lengths[0];
-  return {base, (base + (lengths[2] - lengths[1]) * (lengths[2] + lengths[1]) / base) / 2, four_areas / (2 * base)};
+  const Flat_triangle triangle{lengths[0], lengths[1], lengths[2]};
+  return {triangle.base, triangle.foot(), triangle.height()};
 }
 
 } // namespace CSCD::internal

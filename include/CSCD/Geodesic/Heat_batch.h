@@ -113,18 +113,11 @@ private:
 
   void add_source(const Geodesic_source& source, std::size_t lane)
   {
-    if (source.is_vertex()) {
-      CGAL_precondition(source.vertex < elements().number_of_vertices());
-      m_heat[place(source.vertex)][lane] += 1;
-      m_number_of_sources[elements().component(source.vertex)][lane] += 1;
-      return;
-    }
-    const Cotangent_elements::Face* face = elements().find_face(source.face);
-    CGAL_precondition_msg(face != nullptr, "a source lies in a face that bridges a border, or in none");
     for (std::size_t k = 0; k < 3; ++k) {
-      m_heat[place(face->vertices[k])][lane] += source.coordinates[k];
+      CGAL_precondition(source.vertices[k] < elements().number_of_vertices());
+      m_heat[place(source.vertices[k])][lane] += source.weights[k];
     }
-    m_number_of_sources[elements().component(face->vertices[0])][lane] += 1;
+    m_number_of_sources[elements().component(source.vertices[0])][lane] += 1;
   }
 
   /// Computes the heat stage by stage, and from it the divergence of its directions.
@@ -323,7 +316,7 @@ private:
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         if (source.is_vertex()) {
-          m_fields[lane]->distances[source.vertex] = 0;
+          m_fields[lane]->distances[source.vertices[0]] = 0;
         }
       }
     }
@@ -331,23 +324,18 @@ private:
 
   void add_shift(const Geodesic_source& source, std::size_t lane)
   {
+    const Index component = elements().component(source.vertices[0]);
     const auto potential = [&](Index vertex) { return m_divergence[place(vertex)][lane]; };
-    const auto add = [&](Index component, double excess) {
-      m_shifts[component][lane] += excess / m_number_of_sources[component][lane];
-    };
-    if (source.is_vertex()) {
-      add(elements().component(source.vertex), mean_excess(source.vertex, potential));
-      return;
-    }
-    const Cotangent_elements::Face& face = *elements().find_face(source.face);
-    const std::array<double, 2> point = face.layout.point(source.coordinates);
     double excess = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::array<double, 2> corner = face.layout.corner(k);
-      const double distance = std::hypot(corner[0] - point[0], corner[1] - point[1]);
-      excess += source.coordinates[k] * (potential(face.vertices[k]) - distance);
+    if (source.is_vertex()) {
+      excess = mean_excess(source.vertices[0], potential);
+    } else if (elements().unit(component) > 0) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        excess +=
+            source.weights[k] * (potential(source.vertices[k]) - source.distances[k] / elements().unit(component));
+      }
     }
-    add(elements().component(face.vertices[0]), excess);
+    m_shifts[component][lane] += excess / m_number_of_sources[component][lane];
   }
 
   /// The mean of what the potential exceeds the length of the edge by, over the neighbors of `vertex`. At the vertex

@@ -55,7 +55,6 @@ public:
   }
 
   /// Computes the distance from the nearest one of `sources`; near linear in the number of vertices.
-  /// \pre each source is a vertex, or lies in a face that bridges no border
   void operator()(const std::vector<Geodesic_source>& sources, Heat_field& field, Workspace& workspace,
                   Heat_field_parts parts = {}) const
   {
