@@ -45,7 +45,10 @@ Json separators_part(const CSCD::Skeletonization_report& r)
 {
   return {{"number_of_sources", r.number_of_sources},
           {"number_of_sources_without_cut", r.number_of_sources_without_cut},
+          {"number_of_degenerate_loops", r.number_of_degenerate_loops},
+          {"number_of_collapsed_loops", r.number_of_collapsed_loops},
           {"number_of_bumps", r.number_of_bumps},
+          {"number_of_tunnels", r.number_of_tunnels},
           {"number_of_separators", r.number_of_separators},
           {"number_of_plane_sections", r.number_of_plane_sections},
           {"number_of_straightened_loops", r.number_of_straightened_loops},
