@@ -15,6 +15,7 @@
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
+#include <CSCD/Cut_locus/find_loop_vertices.h>
 #include <CSCD/Geodesic/estimate_distances.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Traits/Open_triangulation.h>
@@ -100,7 +101,7 @@ public:
   void operator()(const CutLocusPolicy& policy, const Cut_locus_settings& settings, Graph& graph)
   {
     const Cut_measures<Open_triangulation> measures(m_frames, m_distances);
-    const Org_tree tree(measures);
+    const Org_tree tree(measures, find_loop_vertices(measures, m_sources));
     const Cut_tree cut =
         find_cut_tree(measures, tree, m_sources, settings.criterion, policy, settings.minimum_branch_length);
     collect_points(cut);

@@ -37,11 +37,11 @@ public:
   {
     collect_neighbors(points.size(), edges);
     double factor = 1;
-    for (int i = 0; i < iterations; ++i) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
       move_all(points, [&](Index i) { return uphill(i, points[i], factor); });
       factor *= damping;
     }
-    for (int i = 0; i < iterations; ++i) {
+    for (int iteration = 0; iteration < iterations; ++iteration) {
       move_all(points, [&](Index i) { return to_middle(i); });
     }
   }

@@ -12,7 +12,9 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -23,7 +25,8 @@ namespace CSCD::internal {
 /// vertices that have a distance, one for each component. Its root is the farthest vertex, a point of the cut locus
 /// beyond doubt; it grows as Prim's tree does, from the attached vertex whose Laplacian is least, which takes all its
 /// neighbors that are free. So it runs along the ridges first, and the cut locus becomes long chains from the root,
-/// while everything else hangs on them as short twigs.
+/// while everything else hangs on them as short twigs. Vertices on loops of the cut locus, if these are known, come
+/// before all others: so the tree runs along the loops.
 class Org_tree
 {
 public:
@@ -32,15 +35,17 @@ public:
                                                    boost::no_property, Index, Index>;
 
   /// Grows the tree; O(n log n) for n vertices.
+  /// \param is_on_loop for every vertex
   template <class Triangulation>
-  explicit Org_tree(const Cut_measures<Triangulation>& measures)
+  Org_tree(const Cut_measures<Triangulation>& measures, const std::vector<char>& is_on_loop)
       : m_laplacian(measures.distances().size(), 0), m_parent(measures.distances().size(), no_index),
         m_halfedge(measures.distances().size(), no_index)
   {
     std::vector<Index> by_distance;
     for (Index vertex = 0; vertex < m_parent.size(); ++vertex) {
       if (measures.is_reached(vertex)) {
-        m_laplacian[vertex] = measures.laplacian(vertex);
+        m_laplacian[vertex] =
+            is_on_loop[vertex] ? -std::numeric_limits<double>::infinity() : measures.laplacian(vertex);
         by_distance.push_back(vertex);
       }
     }
@@ -57,8 +62,9 @@ public:
   Index parent(Index vertex) const { return m_parent[vertex]; }
   /// A halfedge between `vertex` and its parent, in either direction.
   Index halfedge_to_parent(Index vertex) const { return m_halfedge[vertex]; }
-  /// The scale-free Laplacian.
+  /// The scale-free Laplacian; minus infinity on a loop.
   double laplacian(Index vertex) const { return m_laplacian[vertex]; }
+  bool is_on_loop(Index vertex) const { return std::isinf(m_laplacian[vertex]); }
 
 private:
   template <class Triangulation>

@@ -31,7 +31,7 @@ Cut_tree find_cut_tree(const Cut_measures<Triangulation>& measures, const Org_tr
   constexpr double least_edges_of_branch = 2;
   const Tangent_frames<Triangulation>& frames = measures.frames();
   Cut_tree cut(tree);
-  policy([&](Index vertex) { return measures.is_cut(vertex, criterion); }, cut);
+  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion); }, cut);
   close_loops(measures, sources, cut);
   thin_branches(frames, cut);
   double greatest_distance = 0;

@@ -7,7 +7,7 @@
 #define CSCD_GEODESIC_ESTIMATE_DISTANCES_H
 
 #include <CSCD/Traits/Open_triangulation.h>
-#include <CSCD/exceptions.h>
+#include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
@@ -16,43 +16,41 @@
 
 #include <cmath>
 #include <limits>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// The vertices that are connected with one of `sources`; linear.
-inline std::vector<char> find_reached_vertices(const Open_triangulation& surface, const std::vector<Index>& sources)
+/// The length of the shortest way along edges from the nearest of `sources` to every vertex; infinite where there is
+/// none. O(n log n) for n vertices.
+inline std::vector<double> distances_along_edges(const Open_triangulation& surface, const std::vector<Index>& sources)
 {
-  std::vector<std::vector<Index>> halfedges_of(surface.number_of_vertices());
+  std::vector<std::vector<std::pair<Index, float>>> neighbors(surface.number_of_vertices());
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    halfedges_of[surface.origin(h)].push_back(h);
-  }
-  std::vector<char> is_reached(surface.number_of_vertices(), 0);
-  std::vector<Index> stack;
-  const auto reach = [&](Index vertex) {
-    if (!is_reached[vertex]) {
-      is_reached[vertex] = 1;
-      stack.push_back(vertex);
+    // Where there is a twin, it adds the other direction.
+    const float length = float(surface.length(h));
+    neighbors[surface.origin(h)].emplace_back(surface.target(h), length);
+    if (surface.twin(h) == no_index) {
+      neighbors[surface.target(h)].emplace_back(surface.origin(h), length);
     }
-  };
+  }
+  Distance_front front(surface.number_of_vertices());
   for (Index source : sources) {
-    reach(source);
+    front.reach(source, 0);
   }
-  while (!stack.empty()) {
-    const Index vertex = stack.back();
-    stack.pop_back();
-    for (Index h : halfedges_of[vertex]) {
-      reach(surface.target(h));
-      reach(surface.origin(Open_triangulation::previous(h)));
+  std::vector<double> result(surface.number_of_vertices(), std::numeric_limits<double>::infinity());
+  front.spread([&](Index vertex, float distance) {
+    result[vertex] = distance;
+    for (const auto& [neighbor, length] : neighbors[vertex]) {
+      front.reach(neighbor, distance + length);
     }
-  }
-  return is_reached;
+  });
+  return result;
 }
 
 /// Estimates the distance of every vertex from the nearest of `sources`, by the heat method on the intrinsic Delaunay
-/// triangulation; infinite where no source is connected.
-/// \throw Input_error if that fails, as it does on surfaces several hundred edges across
+/// triangulation; infinite where no source is connected. Where CGAL's heat method gives up, as it does on surfaces
+/// several hundred edges across and on some of few faces, these are distances along edges.
 inline std::vector<double> estimate_distances(const Open_triangulation& surface, const std::vector<Index>& sources)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -73,16 +71,13 @@ inline std::vector<double> estimate_distances(const Open_triangulation& surface,
 
   // What CGAL gives where the heat underflows.
   constexpr double failure = 1e300;
-  const std::vector<char> is_reached = find_reached_vertices(surface, sources);
-  std::vector<double> result(surface.number_of_vertices(), std::numeric_limits<double>::infinity());
+  const std::vector<double> along_edges = distances_along_edges(surface, sources);
+  std::vector<double> result(along_edges.size());
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    if (is_reached[vertex]) {
-      result[vertex] = distance[Mesh::Vertex_index(vertex)];
-      if (!(std::abs(result[vertex]) < failure)) {
-        throw Input_error("the distance of vertex " + std::to_string(vertex) +
-                          " cannot be estimated: give the distances as vertex_distance_map, or remesh the surface to "
-                          "fewer or more even triangles");
-      }
+    const bool is_reached = std::isfinite(along_edges[vertex]);
+    result[vertex] = is_reached ? distance[Mesh::Vertex_index(vertex)] : along_edges[vertex];
+    if (is_reached && !(std::abs(result[vertex]) < failure)) {
+      return along_edges;
     }
   }
   return result;
