@@ -7,6 +7,7 @@
 #define CSCD_GEODESIC_COTANGENT_ELEMENTS_H
 
 #include <CSCD/Geodesic/Face_layout.h>
+#include <CSCD/Traits/is_bridging_face.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -23,18 +24,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-template <class Triangulation, class = void>
-struct Has_bridging_faces : std::false_type
-{
-};
-
-template <class Triangulation>
-struct Has_bridging_faces<Triangulation,
-                          std::void_t<decltype(std::declval<const Triangulation&>().is_bridging(Index(0)))>>
-    : std::true_type
-{
-};
 
 /// Linear finite elements on a triangulation, from the lengths of its edges alone.
 ///
@@ -63,7 +52,7 @@ public:
     measure_units(triangulation);
     m_faces.reserve(triangulation.number_of_faces());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (carries_area(triangulation, f)) {
+      if (!is_bridging_face(triangulation, f)) {
         add_face(triangulation, f);
       }
     }
@@ -123,21 +112,11 @@ public:
 
 private:
   template <class Triangulation>
-  static bool carries_area(const Triangulation& triangulation, Index face)
-  {
-    if constexpr (Has_bridging_faces<Triangulation>::value) {
-      return !triangulation.is_bridging(face);
-    } else {
-      return true;
-    }
-  }
-
-  template <class Triangulation>
   void number_components(const Triangulation& triangulation)
   {
     Disjoint_sets sets(number_of_vertices());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (carries_area(triangulation, f)) {
+      if (!is_bridging_face(triangulation, f)) {
         sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
         sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
       }
@@ -158,7 +137,7 @@ private:
   {
     std::vector<double> count(m_units.size(), 0.);
     for (Index h = 0; h < 3 * triangulation.number_of_faces(); ++h) {
-      if (carries_area(triangulation, h / 3)) {
+      if (!is_bridging_face(triangulation, h / 3)) {
         m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
         count[m_component[triangulation.origin(h)]] += 1;
       }

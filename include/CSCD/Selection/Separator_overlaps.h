@@ -9,6 +9,7 @@
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -16,7 +17,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -35,21 +36,25 @@ class Separator_overlaps
 public:
   /// Finds all overlaps; linear in the number of crossings and of pairs that meet in a face or at a vertex.
   Separator_overlaps(const Triangulated_surface& surface, const std::vector<Separator>& separators)
-      : m_crosses_itself(separators.size(), 0), m_begin(separators.size() + 1, 0)
+      : m_surface(surface), m_separators(separators), m_arrangement(surface), m_found(separators.size()),
+        m_crosses_itself(separators.size(), 0)
   {
-    std::vector<std::pair<Index, Index>> pairs;
-    collect_crossing_pairs(surface, separators, pairs);
-    collect_touching_pairs(surface, separators, pairs);
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    m_others.reserve(pairs.size());
-    for (const auto& [separator, other] : pairs) {
-      ++m_begin[separator + 1];
-      m_others.push_back(other);
+    list_passes();
+    for (Index i = 0; i < separators.size(); ++i) {
+      m_arrangement.append(i, separators[i].crossings);
     }
-    for (std::size_t i = 1; i < m_begin.size(); ++i) {
-      m_begin[i] += m_begin[i - 1];
+    std::size_t first_chord = 0;
+    for (Index i = 0; i < separators.size(); ++i) {
+      m_begin.push_back(m_others.size());
+      m_found.clear();
+      m_found.mark(i);
+      collect_touching(i);
+      const std::size_t end_of_chords = first_chord + separators[i].crossings.size();
+      collect_crossing(i, first_chord, end_of_chords);
+      first_chord = end_of_chords;
+      std::sort(m_others.begin() + std::ptrdiff_t(m_begin.back()), m_others.end());
     }
+    m_begin.push_back(m_others.size());
   }
 
   /// The separators that overlap `separator`, in ascending order.
@@ -61,55 +66,78 @@ public:
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
-  void collect_crossing_pairs(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                              std::vector<std::pair<Index, Index>>& pairs)
+  /// Lists for each vertex the separators that pass closest to it.
+  void list_passes()
   {
-    Separator_arrangement arrangement(surface);
-    for (Index i = 0; i < separators.size(); ++i) {
-      arrangement.append(i, separators[i].crossings);
-    }
-    for (const Separator_arrangement::Chord& chord : arrangement.chords()) {
-      const Index separator = arrangement.points()[chord.begin].separator;
-      for (Index i = chord.next; i != no_index; i = arrangement.chords()[i].next) {
-        if (!arrangement.do_cross(chord, arrangement.chords()[i])) {
-          continue;
+    m_first_pass.assign(m_surface.number_of_vertices() + std::size_t(1), 0);
+    for_each_pass([&](Index vertex, Index) { ++m_first_pass[vertex + 1]; });
+    std::partial_sum(m_first_pass.begin(), m_first_pass.end(), m_first_pass.begin());
+    m_passes.resize(m_first_pass.back());
+    std::vector<std::size_t> fill(m_first_pass.begin(), m_first_pass.end() - 1);
+    for_each_pass([&](Index vertex, Index separator) { m_passes[fill[vertex]++] = separator; });
+  }
+
+  /// Calls `function(vertex, separator)` once for all consecutive crossings that are closest to the same vertex.
+  template <class Function>
+  void for_each_pass(const Function& function) const
+  {
+    for (Index i = 0; i < m_separators.size(); ++i) {
+      Index last = no_index;
+      for (const Edge_crossing& crossing : m_separators[i].crossings) {
+        const Index vertex = nearest_vertex(m_surface, crossing);
+        if (vertex != last) {
+          function(vertex, i);
         }
-        const Index other = arrangement.points()[arrangement.chords()[i].begin].separator;
+        last = vertex;
+      }
+    }
+  }
+
+  void collect_touching(Index separator)
+  {
+    Index last = no_index;
+    for (const Edge_crossing& crossing : m_separators[separator].crossings) {
+      const Index vertex = nearest_vertex(m_surface, crossing);
+      if (vertex != last) {
+        for (std::size_t i = m_first_pass[vertex]; i < m_first_pass[vertex + 1]; ++i) {
+          add(m_passes[i]);
+        }
+      }
+      last = vertex;
+    }
+  }
+
+  /// Adds what crosses the chords of `separator`, which are those from `begin` to `end`.
+  void collect_crossing(Index separator, std::size_t begin, std::size_t end)
+  {
+    const std::vector<Separator_arrangement::Chord>& chords = m_arrangement.chords();
+    for (std::size_t chord = begin; chord < end; ++chord) {
+      for (Index i = m_arrangement.first_chord(chords[chord].face); i != no_index; i = chords[i].next) {
+        const Index other = m_arrangement.points()[chords[i].begin].separator;
         if (other == separator) {
-          m_crosses_itself[separator] = 1;
-        } else {
-          pairs.emplace_back(separator, other);
-          pairs.emplace_back(other, separator);
-        }
-      }
-    }
-  }
-
-  static void collect_touching_pairs(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                                     std::vector<std::pair<Index, Index>>& pairs)
-  {
-    std::vector<std::pair<Index, Index>> touches;
-    for (Index i = 0; i < separators.size(); ++i) {
-      for (const Edge_crossing& crossing : separators[i].crossings) {
-        touches.emplace_back(nearest_vertex(surface, crossing), i);
-      }
-    }
-    std::sort(touches.begin(), touches.end());
-    touches.erase(std::unique(touches.begin(), touches.end()), touches.end());
-    for (auto begin = touches.begin(); begin != touches.end();) {
-      const auto end =
-          std::find_if(begin, touches.end(), [&](const auto& touch) { return touch.first != begin->first; });
-      for (auto a = begin; a != end; ++a) {
-        for (auto b = begin; b != end; ++b) {
-          if (a != b) {
-            pairs.emplace_back(a->second, b->second);
+          if (i != chord && m_arrangement.do_cross(chords[chord], chords[i])) {
+            m_crosses_itself[separator] = 1;
           }
+        } else if (!m_found.is_marked(other) && m_arrangement.do_cross(chords[chord], chords[i])) {
+          add(other);
         }
       }
-      begin = end;
     }
   }
 
+  void add(Index other)
+  {
+    if (m_found.mark(other)) {
+      m_others.push_back(other);
+    }
+  }
+
+  const Triangulated_surface& m_surface;
+  const std::vector<Separator>& m_separators;
+  Separator_arrangement m_arrangement;
+  Epoch_marks m_found;
+  std::vector<std::size_t> m_first_pass;
+  std::vector<Index> m_passes;
   std::vector<std::uint8_t> m_crosses_itself;
   std::vector<std::size_t> m_begin;
   std::vector<Index> m_others;

@@ -21,7 +21,7 @@ namespace CSCD::internal {
 template <class Traits>
 double span_inside_share(const Traits& traits, const std::vector<Vector_3>& points, const Vector_3& center)
 {
-  constexpr std::size_t most_directions = 16;
+  constexpr std::size_t most_directions = 8;
   constexpr double parts[] = {0.25, 0.5, 0.75}; // of the way from the center to the curve
   const std::size_t directions = std::min(points.size(), most_directions);
   std::size_t inside = traits.is_inside(center) ? 1 : 0;
