@@ -24,14 +24,14 @@ namespace {
 
 using CSCD::internal::Cut_measures;
 using CSCD::internal::Descent;
-using CSCD::internal::Edge_path;
+using CSCD::internal::Edge_steps;
 using CSCD::internal::Index;
 using CSCD::internal::Open_triangulation;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::Triple;
 
 /// Whether `path` leads from `begin` to `end` and passes no vertex twice.
-bool is_simple_path(const Open_triangulation& surface, const Edge_path& path, Index begin, Index end)
+bool is_simple_path(const Open_triangulation& surface, const Edge_steps& path, Index begin, Index end)
 {
   std::set<Index> passed{begin};
   Index at = begin;
@@ -54,7 +54,7 @@ TEST(Descent, leads_straight_down_a_good_field)
   const Cut_measures<Open_triangulation> measures(frames, distances);
   Descent<Open_triangulation> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
-    Edge_path path;
+    Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
     EXPECT_TRUE(is_simple_path(surface, path, v, 0));
     for (const auto& step : path) {
@@ -75,7 +75,7 @@ TEST(Descent, leaves_minima)
   const Cut_measures<Open_triangulation> measures(frames, distances);
   Descent<Open_triangulation> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
-    Edge_path path;
+    Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
     EXPECT_TRUE(is_simple_path(surface, path, v, 0));
   }
@@ -94,14 +94,14 @@ TEST(Descent, ends_at_the_source_of_any_field)
         CSCD::test::sampled(torus, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
     const Cut_measures<Open_triangulation> measures(frames, distances);
     for (Index v = 0; v < surface.number_of_vertices(); v += 11) {
-      Edge_path path;
+      Edge_steps path;
       ASSERT_TRUE(descent(measures, v, 5, path));
       EXPECT_TRUE(is_simple_path(surface, path, v, 5));
     }
   }
   const std::vector<double> level(surface.number_of_vertices(), 1.);
   const Cut_measures<Open_triangulation> measures(frames, level);
-  Edge_path path;
+  Edge_steps path;
   EXPECT_TRUE(descent(measures, 100, 5, path));
   EXPECT_TRUE(is_simple_path(surface, path, 100, 5));
 }
@@ -115,7 +115,7 @@ TEST(Descent, says_when_there_is_no_way)
   const std::vector<double> distances = CSCD::test::sampled(two, [](const Triple& p) { return p[0]; });
   const Cut_measures<Open_triangulation> measures(frames, distances);
   Descent<Open_triangulation> descent(frames);
-  Edge_path path;
+  Edge_steps path;
   EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));
 }
 

@@ -44,7 +44,7 @@ struct Cut_loop
   /// `found`, or why there is none: `no_cut_point`, else what the last candidate was rejected for.
   Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
   /// From the target to the base and back, if there is a curve.
-  Edge_path steps;
+  Edge_steps steps;
   Index target = no_index;
   /// Where the two ways to the source join: the source or a vertex near it.
   Index base = no_index;

@@ -167,7 +167,7 @@ private:
   }
 
   /// The point of `path`, which begins at the target, at half the distance of the target.
-  Vector_3 half_way(const Measures& measures, const Edge_path& path) const
+  Vector_3 half_way(const Measures& measures, const Edge_steps& path) const
   {
     const double goal = measures.distance(begin_of(m_triangulation, path.front())) / 2;
     for (const Edge_step& step : path) {
@@ -195,7 +195,7 @@ private:
   const std::vector<Vector_3>& m_points;
   Descent<Triangulation> m_descent;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the least first
-  std::array<Edge_path, 2> m_path;                    ///< from the target down
+  std::array<Edge_steps, 2> m_path;                   ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
 };
 

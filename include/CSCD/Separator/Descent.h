@@ -37,7 +37,7 @@ public:
   /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
   /// edges; O(m log m) for the m vertices around a minimum that is no source.
   /// \return false, with steps to somewhere, if `source` is not connected with `vertex`
-  bool operator()(const Cut_measures<Triangulation>& measures, Index vertex, Index source, Edge_path& path)
+  bool operator()(const Cut_measures<Triangulation>& measures, Index vertex, Index source, Edge_steps& path)
   {
     const std::size_t begin = path.size();
     while (vertex != source) {
@@ -76,7 +76,7 @@ private:
   /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
   /// \return that vertex, or `no_index` if there is none
   Index leave_minimum(const Cut_measures<Triangulation>& measures, Index vertex, Index source, std::size_t begin,
-                      Edge_path& path)
+                      Edge_steps& path)
   {
     const double record = measures.distance(vertex);
     m_front.clear();
@@ -104,7 +104,7 @@ private:
 
   /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, what lies between is left
   /// out.
-  void append_detour(Index from, Index to, std::size_t begin, Edge_path& path)
+  void append_detour(Index from, Index to, std::size_t begin, Edge_steps& path)
   {
     const Triangulation& triangulation = m_frames.triangulation();
     m_detour.clear();
@@ -128,7 +128,7 @@ private:
   const Tangent_frames<Triangulation>& m_frames;
   Distance_front m_front;
   std::vector<Edge_step> m_step_to; ///< the step by which the front came to a vertex
-  Edge_path m_detour;
+  Edge_steps m_detour;
   std::size_t m_number_of_minima = 0;
 };
 

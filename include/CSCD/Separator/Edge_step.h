@@ -21,7 +21,7 @@ struct Edge_step
 };
 
 /// Consecutive steps, each beginning where the one before ends.
-using Edge_path = std::vector<Edge_step>;
+using Edge_steps = std::vector<Edge_step>;
 
 template <class Triangulation>
 Index begin_of(const Triangulation& triangulation, const Edge_step& step)
