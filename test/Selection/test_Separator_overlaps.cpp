@@ -6,6 +6,7 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Selection/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Triangulated_surface.h>
@@ -14,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace {
@@ -66,6 +68,41 @@ TEST_F(Separator_overlaps_test, are_of_those_that_coincide)
     crossing = {m_tube.twin(crossing.halfedge), 1 - crossing.position};
   }
   EXPECT_EQ(others({section, reversed}, 0), Indices{1}) << "whichever way round";
+}
+
+TEST_F(Separator_overlaps_test, are_of_those_that_cross_edges_in_the_middle_in_opposite_directions)
+{
+  const Separator section = tube_section(m_tube, 5);
+  Separator middle = section;
+  Separator reversed = section;
+  std::reverse(reversed.crossings.begin(), reversed.crossings.end());
+  for (std::size_t i = 0; i < section.crossings.size(); ++i) {
+    middle.crossings[i].position = 0.5;
+    reversed.crossings[i] = {m_tube.twin(reversed.crossings[i].halfedge), 0.5};
+  }
+  EXPECT_EQ(others({middle, reversed}, 0), Indices{1});
+}
+
+/// The overlaps are found by vertices: no crossing may be missed.
+TEST_F(Separator_overlaps_test, hold_all_that_an_arrangement_refuses)
+{
+  std::vector<Separator> separators;
+  for (int i = 0; i < 60; ++i) {
+    separators.push_back(tube_section(m_tube, 1 + 8. * (i * 37 % 60) / 60, {1, 0.4 * (i % 5 - 2), 0.3 * (i % 3 - 1)}));
+  }
+  std::size_t number_of_crossing_pairs = 0;
+  for (Index i = 0; i < separators.size(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      CSCD::internal::Separator_arrangement arrangement(m_tube);
+      ASSERT_TRUE(arrangement.insert(i, separators[i].crossings));
+      if (!arrangement.insert(j, separators[j].crossings)) {
+        const Indices found = others(separators, i);
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), j)) << i << ' ' << j;
+        ++number_of_crossing_pairs;
+      }
+    }
+  }
+  EXPECT_GT(number_of_crossing_pairs, 50u);
 }
 
 TEST_F(Separator_overlaps_test, are_of_circles_around_one_vertex)

@@ -61,42 +61,28 @@ public:
   /// \param crossings the crossings of the separator \return whether it was inserted
   bool insert(Index separator, const std::vector<Edge_crossing>& crossings)
   {
-    const std::size_t first_point = m_points.size();
+    const std::size_t size = crossings.size();
+    const auto first_point = Index(m_points.size());
     const std::size_t first_chord = m_chords.size();
-    append_points(separator, crossings);
-    for (Index i = 0; i < crossings.size(); ++i) {
-      append_chord(Index(first_point), i, crossings);
-      if (crosses_any(m_chords.back())) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const Edge_crossing& crossing = crossings[i];
+      const Index edge = m_surface.edge(crossing.halfedge);
+      const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
+      m_points.push_back({edge, position, separator, Index(i)});
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const Index face = Triangulated_surface::face(crossings[i].halfedge);
+      const Chord chord{first_point + Index(i > 0 ? i - 1 : size - 1), first_point + Index(i), face,
+                        m_first_chord[face]};
+      if (crosses_any(chord)) {
         remove_from(first_chord);
         m_points.resize(first_point);
         return false;
       }
+      m_first_chord[face] = Index(m_chords.size());
+      m_chords.push_back(chord);
     }
     return true;
-  }
-
-  /// Inserts `separator` whatever it crosses; the set may then be no longer one of disjoint curves.
-  void append(Index separator, const std::vector<Edge_crossing>& crossings)
-  {
-    const std::size_t first_point = m_points.size();
-    append_points(separator, crossings);
-    for (Index i = 0; i < crossings.size(); ++i) {
-      append_chord(Index(first_point), i, crossings);
-    }
-  }
-
-  /// Whether two chords of the same face cross.
-  bool do_cross(const Chord& a, const Chord& b) const
-  {
-    Index low = a.begin;
-    Index high = a.end;
-    if (is_before(high, low, a.face)) {
-      std::swap(low, high);
-    }
-    const auto is_between = [&](Index point) {
-      return is_before(low, point, a.face) && is_before(point, high, a.face);
-    };
-    return is_between(b.begin) != is_between(b.end);
   }
 
   const std::vector<Edge_point>& points() const { return m_points; }
@@ -127,29 +113,17 @@ public:
 private:
   static bool is_reversed(Index edge, Index face) { return Triangulated_surface::face(edge) != face; }
 
-  void append_points(Index separator, const std::vector<Edge_crossing>& crossings)
-  {
-    for (Index i = 0; i < crossings.size(); ++i) {
-      const Edge_crossing& crossing = crossings[i];
-      const Index edge = m_surface.edge(crossing.halfedge);
-      const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
-      m_points.push_back({edge, position, separator, i});
-    }
-  }
-
-  /// Appends the chord that ends at crossing `i` of the curve whose points begin at `first_point`.
-  void append_chord(Index first_point, Index i, const std::vector<Edge_crossing>& crossings)
-  {
-    const Index face = Triangulated_surface::face(crossings[i].halfedge);
-    const auto before = Index(i > 0 ? i - 1 : crossings.size() - 1);
-    m_chords.push_back({first_point + before, first_point + i, face, m_first_chord[face]});
-    m_first_chord[face] = Index(m_chords.size() - 1);
-  }
-
   bool crosses_any(const Chord& chord) const
   {
+    const Index face = chord.face;
+    Index low = chord.begin;
+    Index high = chord.end;
+    if (is_before(high, low, face)) {
+      std::swap(low, high);
+    }
+    const auto is_between = [&](Index point) { return is_before(low, point, face) && is_before(point, high, face); };
     for (Index other = chord.next; other != no_index; other = m_chords[other].next) {
-      if (do_cross(chord, m_chords[other])) {
+      if (is_between(m_chords[other].begin) != is_between(m_chords[other].end)) {
         return true;
       }
     }

@@ -22,36 +22,40 @@
 
 namespace CSCD::internal {
 
-/// The end of the crossed edge that `crossing` is closer to.
+/// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.
 inline Index nearest_vertex(const Triangulated_surface& surface, const Edge_crossing& crossing)
 {
-  return crossing.position < 0.5 ? surface.origin(crossing.halfedge) : surface.target(crossing.halfedge);
+  const Index edge = surface.edge(crossing.halfedge);
+  const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
+  return position < 0.5 ? surface.origin(edge) : surface.target(edge);
 }
 
-/// The pairs of separators that overlap: that cross in a face (appendix C), or pass closest to the same vertex. The
-/// second keeps apart separators that coincide and so do not cross, and leaves to each of a disjoint set a closed ring
-/// of vertices of its own: its part of the surface is never empty and always connected.
+/// The pairs of separators that overlap: that pass closest to the same vertex.
+///
+/// Among these are all that cross in a face (appendix C). For let a chord cut the corner c off a face with the other
+/// corners x and y, and cross another one: that has one end on c's side, say on the edge to x. If the first chord
+/// meets this edge nearer to c than to x, both pass closest to c; if it meets it nearer to x, and so does the second
+/// one, both pass closest to x. If the second one alone is nearer to c, the first one passes closest to c too, on the
+/// edge to y, or passes closest to both x and y; and the other end of the second one, which is not on c's side, is
+/// nearest to one of these. There are no parallel lines, vertices or edges to be treated in a special way. Separators
+/// that coincide, and so do not cross, overlap too. And each of a set without overlaps has a closed ring of vertices of
+/// its own: its part of the surface is never empty and always connected.
 class Separator_overlaps
 {
 public:
-  /// Finds all overlaps; linear in the number of crossings and of pairs that meet in a face or at a vertex.
+  /// Finds all overlaps; linear in the number of crossings and of pairs that meet at a vertex.
   Separator_overlaps(const Triangulated_surface& surface, const std::vector<Separator>& separators)
-      : m_surface(surface), m_separators(separators), m_arrangement(surface), m_found(separators.size()),
-        m_crosses_itself(separators.size(), 0)
+      : m_surface(surface), m_separators(separators), m_found(separators.size()), m_crosses_itself(separators.size(), 0)
   {
     list_passes();
-    for (Index i = 0; i < separators.size(); ++i) {
-      m_arrangement.append(i, separators[i].crossings);
-    }
-    std::size_t first_chord = 0;
+    Separator_arrangement arrangement(surface);
     for (Index i = 0; i < separators.size(); ++i) {
       m_begin.push_back(m_others.size());
       m_found.clear();
       m_found.mark(i);
       collect_touching(i);
-      const std::size_t end_of_chords = first_chord + separators[i].crossings.size();
-      collect_crossing(i, first_chord, end_of_chords);
-      first_chord = end_of_chords;
+      arrangement.clear();
+      m_crosses_itself[i] = arrangement.insert(i, separators[i].crossings) ? 0 : 1;
       std::sort(m_others.begin() + std::ptrdiff_t(m_begin.back()), m_others.end());
     }
     m_begin.push_back(m_others.size());
@@ -107,24 +111,6 @@ private:
     }
   }
 
-  /// Adds what crosses the chords of `separator`, which are those from `begin` to `end`.
-  void collect_crossing(Index separator, std::size_t begin, std::size_t end)
-  {
-    const std::vector<Separator_arrangement::Chord>& chords = m_arrangement.chords();
-    for (std::size_t chord = begin; chord < end; ++chord) {
-      for (Index i = m_arrangement.first_chord(chords[chord].face); i != no_index; i = chords[i].next) {
-        const Index other = m_arrangement.points()[chords[i].begin].separator;
-        if (other == separator) {
-          if (i != chord && m_arrangement.do_cross(chords[chord], chords[i])) {
-            m_crosses_itself[separator] = 1;
-          }
-        } else if (!m_found.is_marked(other) && m_arrangement.do_cross(chords[chord], chords[i])) {
-          add(other);
-        }
-      }
-    }
-  }
-
   void add(Index other)
   {
     if (m_found.mark(other)) {
@@ -134,7 +120,6 @@ private:
 
   const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
-  Separator_arrangement m_arrangement;
   Epoch_marks m_found;
   std::vector<std::size_t> m_first_pass;
   std::vector<Index> m_passes;
