@@ -36,17 +36,17 @@ public:
   {
   }
 
-  /// Draws up to `size` different vertices to `batch`; fewer only if fewer have an area. Linear.
+  /// Draws up to `size` different vertices to `batch`; fewer if hardly more have an area. Linear.
   void draw(std::size_t size, std::vector<Index>& batch)
   {
     batch.clear();
-    sum_probabilities();
-    // What was drawn in this batch has a share of the sums still: it is rejected, and the next batch leaves it out. Too
-    // many rejections, and a vertex that is left is taken in turn.
+    const double total = sum_probabilities();
+    // What was drawn in this batch has a share of the sums still, and is rejected. The bound is for surfaces of few
+    // vertices, where hardly another one may be left.
     constexpr std::size_t most_rejections = 64;
     std::size_t rejections = 0;
-    while (batch.size() < size && rejections < most_rejections && m_sums.back() > 0) {
-      const double position = boost::random::uniform_01<double>()(m_generator) * m_sums.back();
+    while (batch.size() < size && rejections < most_rejections && total > 0) {
+      const double position = boost::random::uniform_01<double>()(m_generator) * total;
       const auto vertex = Index(std::upper_bound(m_sums.begin(), m_sums.end(), position) - m_sums.begin());
       if (vertex < m_sums.size() && std::find(batch.begin(), batch.end(), vertex) == batch.end()) {
         batch.push_back(vertex);
@@ -67,8 +67,8 @@ public:
 
 private:
   /// Vertices that no source reaches count as far as the farthest that is reached; where all have been drawn, each
-  /// counts alike.
-  void sum_probabilities()
+  /// counts alike. \return the sum of all
+  double sum_probabilities()
   {
     double farthest = 0;
     for (double distance : m_distance) {
@@ -81,6 +81,7 @@ private:
       sum += m_areas[vertex] * (farthest > 0 ? std::min(m_distance[vertex], farthest) : 1.);
       m_sums[vertex] = sum;
     }
+    return sum;
   }
 
   std::vector<double> m_areas;
