@@ -431,7 +431,7 @@ TEST(Edge_flip_shortening, takes_out_what_goes_straight_back)
   for (Index k = 0; k < around; ++k) {
     loop.push_back(5 * around + k);
   }
-  for (const Index ring : {6, 7, 8, 7, 6, 5}) {
+  for (const Index ring : {6u, 7u, 8u, 7u, 6u, 5u}) {
     loop.push_back(ring * around + around - 1);
   }
   EXPECT_EQ(shorten(halfedges(surface, loop), true, path), Shortening_outcome::straight);
