@@ -446,6 +446,29 @@ TEST(Edge_flip_shortening, takes_out_what_goes_straight_back)
   EXPECT_EQ(shorten(std::vector<Index>(), true, path), Shortening_outcome::collapsed);
 }
 
+TEST(Edge_flip_shortening, does_not_pass_over_other_parts_of_the_curve)
+{
+  // From below to a vertex, up, to the left, down, and back to the vertex, where it ends within the angle.
+  constexpr Index around = 16;
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::tube(8, 1, around, CSCD::test::Tube_end::flat));
+  const auto vertex_at = [](Index ring, Index k) { return ring * around + k; };
+  const Index middle = vertex_at(6, 4);
+  const std::vector<Index> curve = halfedges(
+      surface, {vertex_at(4, 2), vertex_at(5, 3), middle, vertex_at(7, 4), vertex_at(7, 3), vertex_at(6, 3), middle},
+      false);
+  Edge_flip_shortening shorten(surface);
+  Surface_path path;
+  EXPECT_EQ(shorten(
+                curve, false, [&](Index vertex) { return vertex != middle; }, path),
+            Shortening_outcome::unfinished);
+  EXPECT_NEAR(path.length, length(surface, curve), 1e-12);
+  EXPECT_EQ(path.points.size(), curve.size() + 1);
+  // Once the loop at its end has shrunk, nothing is in the way.
+  EXPECT_EQ(shorten(curve, false, path), Shortening_outcome::straight);
+  EXPECT_NEAR(path.length, 2 * surface.length(curve.front()), 1e-9);
+}
+
 /// Whether two paths have the same points, bit by bit.
 bool are_equal(const Surface_path& a, const Surface_path& b)
 {

@@ -11,6 +11,8 @@
 #include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Separator/push_off_vertices.h>
+#include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -70,6 +72,26 @@ TEST(Separator_flip_shortening, leaves_the_separator_alone_where_there_is_none)
   EXPECT_EQ(shorten.shorten_vertex_loop({0, 1, 2}, 0, separator), Shortening_outcome::collapsed) << "no edges";
   EXPECT_EQ(separator.length, 7);
   EXPECT_TRUE(separator.crossings.empty());
+}
+
+TEST(push_off_vertices, finds_the_left_side_where_both_ways_lie_in_one_face)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(1));
+  const Index vertex = 7;
+  for (const Index spoke : surface.outgoing(vertex)) {
+    const Index opposite = Triangulated_surface::next(spoke);
+    const auto number_of_spokes = [&](double in, double out) {
+      Index number = 0;
+      CSCD::internal::push_off_vertex(surface, {surface.twin(opposite), 1 - in}, {spoke, 0.}, {opposite, out},
+                                      [&](const CSCD::internal::Edge_crossing& crossing) {
+                                        EXPECT_EQ(surface.origin(crossing.halfedge), vertex);
+                                        ++number;
+                                      });
+      return number;
+    };
+    EXPECT_EQ(number_of_spokes(0.3, 0.7), surface.degree(vertex));
+    EXPECT_EQ(number_of_spokes(0.7, 0.3), 0u);
+  }
 }
 
 } // namespace
