@@ -38,7 +38,11 @@ public:
   }
 
   /// Forgets all faces and flips.
-  void clear() { this->m_halfedges.clear(); }
+  void clear()
+  {
+    this->m_halfedges.clear();
+    m_angle.clear();
+  }
 
   /// The halfedge that runs along `input_halfedge`, the face of which is added if it is new.
   /// \pre the edge has not been flipped
@@ -66,6 +70,16 @@ public:
   /// The next halfedge of the same origin, counterclockwise.
   Index next_around_origin(Index halfedge) { return twin(previous(halfedge)); }
 
+  /// The angle of the face of `halfedge` at its origin, which is computed once.
+  double angle(Index halfedge)
+  {
+    double& angle = m_angle[halfedge];
+    if (angle == unknown_angle) {
+      angle = corner_angle(*this, halfedge);
+    }
+    return angle;
+  }
+
   /// Flips the edge if its two faces form a strictly convex quadrilateral, as `Intrinsic_triangulation::flip()` does.
   /// \return whether it did
   bool flip_if_convex(Index halfedge)
@@ -84,12 +98,16 @@ public:
         m_halfedge_along[this->input_halfedge(moved)] = moved;
       }
     }
+    for (const Index h : {halfedge, t}) {
+      m_angle[h] = m_angle[next(h)] = m_angle[previous(h)] = unknown_angle;
+    }
     return true;
   }
 
 private:
   /// The least part of the area of a quadrilateral that a diagonal has to leave on either side.
   static constexpr double least_part = 1e-9;
+  static constexpr double unknown_angle = -1;
 
   /// Whether there is a halfedge that runs along `input_halfedge`. Numbers that are left over from a patch before, or
   /// from before a flip, tell on themselves, so that they need not be cleared.
@@ -104,6 +122,7 @@ private:
   {
     const Index first = this->number_of_halfedges();
     this->append_face(input_face);
+    m_angle.insert(m_angle.end(), 3, unknown_angle);
     for (Index k = 0; k < 3; ++k) {
       m_halfedge_along[3 * input_face + k] = first + k;
     }
@@ -116,6 +135,7 @@ private:
   }
 
   std::vector<Index> m_halfedge_along;
+  std::vector<double> m_angle;
 };
 
 } // namespace CSCD::internal
