@@ -13,8 +13,8 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
+#include <CSCD/internal/vertex_point_map.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -23,20 +23,6 @@
 #include <utility>
 
 namespace CSCD {
-namespace internal {
-
-/// The point map that `np` gives, else that of the mesh; a mesh whose map is given need not have one of its own.
-template <class TriangleMesh, class NamedParameters>
-auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
-    return get(CGAL::vertex_point, mesh);
-  } else {
-    return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
-  }
-}
-
-} // namespace internal
 
 /// extracts the curve skeleton of a triangle mesh.
 ///
