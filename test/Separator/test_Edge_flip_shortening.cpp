@@ -11,6 +11,7 @@
 #include <CSCD/Geodesic/Polar_front.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Locality_ball.h>
+#include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Surface_path.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Separator/curve_measures.h>
@@ -18,6 +19,8 @@
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Traits/check_manifold.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
@@ -29,15 +32,15 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace {
 
+using CSCD::Shortening_outcome;
 using CSCD::internal::Edge_crossing;
 using CSCD::internal::Index;
 using CSCD::internal::Locality_ball;
-using CSCD::internal::Shortening_outcome;
 using CSCD::internal::Surface_path;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
@@ -498,6 +501,67 @@ TEST(Edge_flip_shortening, does_not_depend_on_the_numbering)
                 1e-7);
     }
   }
+}
+
+TEST(Edge_flip_shortening, goes_along_borders)
+{
+  // A square with a square hole, between the middles of two opposite sides: along two corners of the hole.
+  Shape shape;
+  constexpr std::size_t n = 12;
+  for (std::size_t i = 0; i <= n; ++i) {
+    for (std::size_t j = 0; j <= n; ++j) {
+      shape.points.push_back({double(i), double(j), 0});
+    }
+  }
+  std::vector<bool> is_removed;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t v = i * (n + 1) + j;
+      shape.triangles.push_back({v, v + n + 1, v + n + 2});
+      shape.triangles.push_back({v, v + n + 2, v + 1});
+      is_removed.resize(shape.triangles.size(), i >= 4 && i < 8 && j >= 4 && j < 8);
+    }
+  }
+  // The vertices within the hole go: numbers are found by place.
+  CSCD::test::remove_triangles(shape, is_removed);
+  auto triangles = CSCD::test::to_indexed_triangles(shape);
+  const auto pairing = CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex; });
+  ASSERT_EQ(CSCD::internal::bridge_borders(triangles, pairing), 2u);
+  const Triangulated_surface surface(std::move(triangles));
+  const auto vertex_at = [&](double x, double y) { return CSCD::test::nearest_vertex(surface, Vector_3(x, y, 0)); };
+  Vertex_loop curve;
+  for (int y = 6; y <= 10; ++y) {
+    curve.push_back(vertex_at(0, y));
+  }
+  for (int x = 1; x <= 12; ++x) {
+    curve.push_back(vertex_at(x, 10));
+  }
+  for (int y = 9; y >= 6; --y) {
+    curve.push_back(vertex_at(12, y));
+  }
+  const std::vector<Index> edges = halfedges(surface, curve, false);
+  Surface_path path;
+  Edge_flip_shortening shorten(surface, surface.first_bridging_face());
+  EXPECT_EQ(shorten(edges, false, path), Shortening_outcome::straight);
+  EXPECT_NEAR(path.length, 4 + 2 * std::hypot(4., 2.), 1e-9);
+  // Around the hole it stays; over the bridges, it shrinks to the other side of the sheet.
+  Vertex_loop loop;
+  for (int k = 3; k < 9; ++k) {
+    loop.push_back(vertex_at(k, 3));
+  }
+  for (int k = 3; k < 9; ++k) {
+    loop.push_back(vertex_at(9, k));
+  }
+  for (int k = 9; k > 3; --k) {
+    loop.push_back(vertex_at(k, 9));
+  }
+  for (int k = 9; k > 3; --k) {
+    loop.push_back(vertex_at(3, k));
+  }
+  EXPECT_EQ(shorten(halfedges(surface, loop), true, path), Shortening_outcome::straight);
+  EXPECT_NEAR(path.length, 16, 1e-9);
+  Edge_flip_shortening shorten_over_bridges(surface);
+  EXPECT_EQ(shorten_over_bridges(halfedges(surface, loop), true, path), Shortening_outcome::collapsed);
 }
 
 } // namespace

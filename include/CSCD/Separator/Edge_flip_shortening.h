@@ -10,6 +10,7 @@
 #include <CSCD/Intrinsic/Intrinsic_patch.h>
 #include <CSCD/Intrinsic/mollifying_length.h>
 #include <CSCD/Separator/Edge_path.h>
+#include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Surface_path.h>
 #include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Vector_3.h>
@@ -26,15 +27,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// What has become of a curve that was shortened.
-enum class Shortening_outcome
-{
-  straight,  ///< it is a geodesic: nowhere can it be shortened locally
-  held,      ///< it can be shortened at pinned vertices only
-  collapsed, ///< a closed curve has shrunk to a point, or to less than the allowed part of its length
-  unfinished ///< it can still be shortened at a vertex, but not by flips, or not in the allowed number of steps
-};
 
 /// Shortens curves along edges, closed or open, by flipping edges of the triangulation beside them: where the curve
 /// makes an angle of less than pi, the edges within the angle are flipped until the curve can go along the far side
@@ -54,8 +46,15 @@ public:
   static constexpr double collapsed_part = 0.15;
 
   /// Linear, for degenerate faces are looked for.
-  explicit Edge_flip_shortening(const Triangulation& surface)
-      : m_patch(surface, mollifying_length(surface, surface.number_of_faces())), m_path(m_patch)
+  explicit Edge_flip_shortening(const Triangulation& surface) : Edge_flip_shortening(surface, surface.number_of_faces())
+  {
+  }
+
+  /// The same on the first `number_of_faces` faces only, around the others, which no curve ever crosses: where they are
+  /// in the way, it goes along their edges. So borders are kept that were bridged, see `first_bridging_face()`.
+  Edge_flip_shortening(const Triangulation& surface, Index number_of_faces)
+      : m_patch(surface, mollifying_length(surface, number_of_faces)), m_path(m_patch),
+        m_number_of_faces(number_of_faces)
   {
   }
 
@@ -189,13 +188,22 @@ private:
     return is_left ? std::make_pair(forth, back) : std::make_pair(back, forth);
   }
 
-  /// The angle behind `segment` on one side, or a part of it that is no bend any more.
+  /// Whether the face of `halfedge` is closed to curves. No edge of it is ever flipped.
+  bool is_closed_face(Index halfedge) const
+  {
+    return Triangulation::face(m_patch.input_halfedge(halfedge)) >= m_number_of_faces;
+  }
+
+  /// The angle behind `segment` on one side, or a part of it that is no bend any more; endless over closed faces.
   double angle_behind(Index segment, bool is_left)
   {
     const auto [first, last] = sides(segment, is_left);
     double sum = 0;
     Index h = first;
     do {
+      if (is_closed_face(h)) {
+        return std::numeric_limits<double>::max();
+      }
       sum += m_patch.angle(h);
       h = m_patch.next_around_origin(h);
     } while (h != last && !is_straight(sum));
@@ -473,6 +481,7 @@ private:
   std::vector<Index> m_added;
   Edge_trace m_trace;
   Index m_first = 0; // segment of an open path, some segment of a closed one
+  Index m_number_of_faces;
   double m_length = 0;
   double m_first_length = 0;
   double m_length_of_single = 0; // when it was a single segment and taken off its vertex for the last time

@@ -9,6 +9,7 @@
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Locality_ball.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Surface_path.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Separator/curve_measures.h>
