@@ -7,6 +7,7 @@
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Variational_shortening.h>
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/Separator/resample_polygon.h>
@@ -25,12 +26,12 @@
 
 namespace {
 
+using CSCD::Shortening_outcome;
 using CSCD::internal::Closest_point_projection;
 using CSCD::internal::Projected_point;
-using CSCD::internal::Shortening_end;
-using CSCD::internal::Shortening_report;
 using CSCD::internal::Solid_queries;
 using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Variational_report;
 using CSCD::internal::Variational_shortening;
 using CSCD::internal::Vector_3;
 using CSCD::test::pi;
@@ -80,8 +81,8 @@ TEST(Variational_shortening, makes_a_circle_of_a_swaying_curve_around_a_cylinder
   Fixture fixture(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
   std::vector<Vector_3> points = swaying_circle(5, 1, 0.3);
   const double before = length(points);
-  const Shortening_report report = fixture.shorten(points, number_of_samples, {5, 0, 1}, infinity);
-  EXPECT_EQ(report.end, Shortening_end::converged);
+  const Variational_report report = fixture.shorten(points, number_of_samples, {5, 0, 1}, infinity);
+  EXPECT_EQ(report.outcome, Shortening_outcome::straight);
   EXPECT_NEAR(report.length_before, before, 0.01 * before);
   EXPECT_EQ(points.size(), number_of_samples);
   EXPECT_NEAR(report.length, length(points), 1e-9);
@@ -104,8 +105,8 @@ TEST(Variational_shortening, finds_the_meridian_of_a_torus)
     const double radius = 3 + std::cos(angle);
     points.emplace_back(radius * std::cos(around), radius * std::sin(around), std::sin(angle));
   }
-  const Shortening_report report = fixture.shorten(points, number_of_samples, {2, 0, 0}, infinity);
-  EXPECT_EQ(report.end, Shortening_end::converged);
+  const Variational_report report = fixture.shorten(points, number_of_samples, {2, 0, 0}, infinity);
+  EXPECT_EQ(report.outcome, Shortening_outcome::straight);
   EXPECT_NEAR(report.length, 2 * pi, 0.005 * 2 * pi);
   EXPECT_LT(CSCD::internal::measure_polygon(points).planarity, 0.005);
 }
@@ -120,8 +121,8 @@ TEST(Variational_shortening, slides_to_the_waist)
       });
   Fixture fixture(shape);
   std::vector<Vector_3> points = swaying_circle(3.7, 0.85, 0.2);
-  const Shortening_report report = fixture.shorten(points, number_of_samples, {3.7, 0, 0.85}, infinity);
-  EXPECT_EQ(report.end, Shortening_end::converged);
+  const Variational_report report = fixture.shorten(points, number_of_samples, {3.7, 0, 0.85}, infinity);
+  EXPECT_EQ(report.outcome, Shortening_outcome::straight);
   EXPECT_NEAR(report.length, 2 * pi * 0.7, 0.01 * 2 * pi * 0.7);
   EXPECT_NEAR(CSCD::internal::measure_polygon(points).center.x(), 3, 0.1);
 }
@@ -135,7 +136,7 @@ TEST(Variational_shortening, finds_the_shortest_section_of_an_ellipsoid)
     const double angle = 2 * pi * i / 100;
     points.emplace_back(0.1 * std::sin(3 * angle), 1.2 * std::cos(angle), 0.8 * std::sin(angle));
   }
-  const Shortening_report report = fixture.shorten(points, number_of_samples, {0, 0, 0.8}, infinity);
+  const Variational_report report = fixture.shorten(points, number_of_samples, {0, 0, 0.8}, infinity);
   const double eccentricity = std::sqrt(1 - 0.8 * 0.8 / (1.2 * 1.2));
   EXPECT_NEAR(report.length, 4 * 1.2 * boost::math::ellint_2(eccentricity), 0.01 * report.length);
 }
@@ -149,8 +150,8 @@ TEST(Variational_shortening, stays_in_the_ball)
   for (const double factor : {1.05, 1.2}) {
     const double radius = factor * 2 * radius_there;
     std::vector<Vector_3> points = swaying_circle(5, radius_there, 0.1);
-    const Shortening_report report = fixture.shorten(points, number_of_samples, source, radius);
-    EXPECT_NE(report.end, Shortening_end::collapsed);
+    const Variational_report report = fixture.shorten(points, number_of_samples, source, radius);
+    EXPECT_EQ(report.outcome, Shortening_outcome::held);
     double farthest = 0;
     for (const Vector_3& point : points) {
       farthest = std::max(farthest, (point - source).norm());
@@ -160,7 +161,7 @@ TEST(Variational_shortening, stays_in_the_ball)
     EXPECT_LT(report.length, 0.99 * 2 * pi * radius_there);
   }
   std::vector<Vector_3> points = swaying_circle(5, radius_there, 0.1);
-  const Shortening_report free = fixture.shorten(points, number_of_samples, source, infinity);
+  const Variational_report free = fixture.shorten(points, number_of_samples, source, infinity);
   EXPECT_LT(free.length, 0.75 * 2 * pi * radius_there) << "nothing holds it";
 }
 
@@ -172,11 +173,11 @@ TEST(Variational_shortening, notices_what_collapses)
     const double angle = 2 * pi * i / 100;
     points.emplace_back(0.8 * std::cos(angle), 0.8 * std::sin(angle), 0.6);
   }
-  const Shortening_report report = fixture.shorten(points, number_of_samples, {0.8, 0, 0.6}, 1.6);
-  EXPECT_EQ(report.end, Shortening_end::collapsed);
+  const Variational_report report = fixture.shorten(points, number_of_samples, {0.8, 0, 0.6}, 1.6);
+  EXPECT_EQ(report.outcome, Shortening_outcome::collapsed);
   EXPECT_GT(report.length, 0.3 * report.length_before) << "it is left as it was when that was noticed";
   std::vector<Vector_3> point(5, Vector_3(0, 0, 1));
-  EXPECT_EQ(fixture.shorten(point, number_of_samples, {0, 0, 1}, 1).end, Shortening_end::collapsed);
+  EXPECT_EQ(fixture.shorten(point, number_of_samples, {0, 0, 1}, 1).outcome, Shortening_outcome::collapsed);
 }
 
 TEST(Variational_shortening, does_the_same_at_any_scale_and_anywhere)
@@ -221,7 +222,7 @@ TEST(Variational_shortening, needs_nothing_but_a_projection)
     const double angle = 2 * pi * i / 100;
     points.push_back(Vector_3(std::cos(angle), std::sin(angle), 0.1 * std::sin(2 * angle)).normalized());
   }
-  const Shortening_report report = shorten(points, number_of_samples, {0, 0, 0}, infinity);
+  const Variational_report report = shorten(points, number_of_samples, {0, 0, 0}, infinity);
   EXPECT_NEAR(report.length, 2 * pi, 0.005 * 2 * pi) << "a great circle";
 }
 

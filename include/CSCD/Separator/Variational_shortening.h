@@ -7,6 +7,7 @@
 #define CSCD_SEPARATOR_VARIATIONAL_SHORTENING_H
 
 #include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/resample_polygon.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/solve_cyclic_tridiagonal.h>
@@ -24,18 +25,10 @@
 
 namespace CSCD::internal {
 
-/// How a shortening ended.
-enum class Shortening_end
+/// What a variational shortening has done.
+struct Variational_report
 {
-  converged, ///< no point is pulled any more, or moving on gains nothing
-  capped,    ///< the largest number of iterations was reached
-  collapsed  ///< the curve has lost so much of its length that nothing holds it
-};
-
-/// What a shortening has done.
-struct Shortening_report
-{
-  Shortening_end end = Shortening_end::converged;
+  Shortening_outcome outcome = Shortening_outcome::straight;
   int number_of_iterations = 0;
   double length_before = 0; ///< of the polygon of the samples
   double length = 0;
@@ -74,18 +67,19 @@ public:
   /// O(iterations times `number_of_samples` projections).
   /// \param points gets the samples, on the surface and about equally far from each other
   /// \param radius of the ball; infinite for none
+  /// \return `held` where points are at the rim of the ball, `unfinished` after `most_iterations`
   /// \pre `number_of_samples` >= 3, `points` is not empty
-  Shortening_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
-                               double radius)
+  Variational_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
+                                double radius)
   {
     CGAL_precondition(number_of_samples >= 3);
     resample_polygon(points, number_of_samples, m_samples);
     m_center = center;
     m_radius = radius;
     start();
-    Shortening_report report;
+    Variational_report report;
     report.length_before = length();
-    report.end = report.length_before > 0 ? minimize(report) : Shortening_end::collapsed;
+    report.outcome = report.length_before > 0 ? minimize(report) : Shortening_outcome::collapsed;
     report.length = length();
     points.resize(number_of_samples);
     for (std::size_t i = 0; i < number_of_samples; ++i) {
@@ -93,6 +87,9 @@ public:
     }
     return report;
   }
+
+  /// The points of the last curve, with their sites.
+  const std::vector<Projected_point>& curve() const { return m_curve; }
 
 private:
   using Curve = std::vector<Projected_point>;
@@ -116,10 +113,8 @@ private:
   void start()
   {
     m_curve.clear();
-    Index near = no_index;
     for (const Vector_3& sample : m_samples) {
-      m_curve.push_back(m_projection(sample, near));
-      near = m_curve.back().site;
+      m_curve.push_back(m_projection(sample, no_index));
     }
     m_unit = length() / double(size());
   }
@@ -207,7 +202,7 @@ private:
     return sum;
   }
 
-  Shortening_end minimize(Shortening_report& report)
+  Shortening_outcome minimize(Variational_report& report)
   {
     double last_energy = energy(m_curve);
     double energy_before = last_energy; // some iterations ago
@@ -215,26 +210,34 @@ private:
     set_gradient();
     while (longest(m_gradient) > least_gradient) {
       if (report.number_of_iterations == most_iterations) {
-        return Shortening_end::capped;
+        return Shortening_outcome::unfinished;
       }
       ++report.number_of_iterations;
       const double slope = product(m_gradient, m_direction);
       step = descend(std::min(step, longest_step / longest(m_direction)), slope, last_energy);
       if (step == 0) {
-        return Shortening_end::converged;
+        return outcome_at_minimum();
       }
       if (length() < least_length_ratio * report.length_before) {
-        return Shortening_end::collapsed;
+        return Shortening_outcome::collapsed;
       }
       if (report.number_of_iterations % patience == 0) {
         if (energy_before - last_energy <= least_decrease * energy_before) {
-          return Shortening_end::converged;
+          return outcome_at_minimum();
         }
         energy_before = last_energy;
       }
       step = next_step(step, slope);
     }
-    return Shortening_end::converged;
+    return outcome_at_minimum();
+  }
+
+  Shortening_outcome outcome_at_minimum() const
+  {
+    const bool is_held = std::any_of(m_curve.begin(), m_curve.end(), [this](const Projected_point& p) {
+      return (p.point - m_center).norm() > m_radius;
+    });
+    return is_held ? Shortening_outcome::held : Shortening_outcome::straight;
   }
 
   /// Moves the curve against the direction by the longest of `step`, its half, and so on, that lowers the energy
