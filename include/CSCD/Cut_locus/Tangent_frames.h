@@ -6,6 +6,7 @@
 #ifndef CSCD_CUT_LOCUS_TANGENT_FRAMES_H
 #define CSCD_CUT_LOCUS_TANGENT_FRAMES_H
 
+#include <CSCD/Traits/is_bridging_face.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -15,34 +16,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <type_traits>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CSCD::internal {
-
-template <class Triangulation, class = void>
-struct Has_bridging_faces : std::false_type
-{
-};
-
-template <class Triangulation>
-struct Has_bridging_faces<Triangulation,
-                          std::void_t<decltype(std::declval<const Triangulation&>().is_bridging(Index()))>>
-    : std::true_type
-{
-};
-
-/// Whether `face` only bridges a border, and is no part of the surface.
-template <class Triangulation>
-bool is_bridging_face(const Triangulation& triangulation, Index face)
-{
-  if constexpr (Has_bridging_faces<Triangulation>::value) {
-    return triangulation.is_bridging(face);
-  } else {
-    return false;
-  }
-}
 
 /// A polar frame at every vertex, in which vectors are complex numbers: angles between the edges around a vertex are
 /// scaled so that they add up to a full turn; on a border they stay as they are. The first outgoing halfedge points

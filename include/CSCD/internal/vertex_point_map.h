@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a function with named parameters finds the points of a mesh.
+// The points of a mesh, as the caller of a function says.
 
-#ifndef CSCD_TRAITS_VERTEX_POINT_MAP_H
-#define CSCD_TRAITS_VERTEX_POINT_MAP_H
+#ifndef CSCD_INTERNAL_VERTEX_POINT_MAP_H
+#define CSCD_INTERNAL_VERTEX_POINT_MAP_H
 
 #include <CSCD/Named_parameters.h>
 
@@ -25,4 +25,4 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TRAITS_VERTEX_POINT_MAP_H
+#endif // CSCD_INTERNAL_VERTEX_POINT_MAP_H
