@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
-# doc/performance.md and README.md. Takes some minutes. Usage: benchmark/run.sh [REPETITIONS], 3 by default.
+# doc/performance.md, doc/geodesics.md and README.md. Takes some minutes. Usage: benchmark/run.sh [REPETITIONS], 3 by default.
 
 set -euo pipefail
 
@@ -21,12 +21,13 @@ if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_EXAMPLES=OFF)
 fi
 "${configure[@]}" >/dev/null
-cmake --build "$build_dir" --target benchmark_skeletonization benchmark_stages
+cmake --build "$build_dir" --target benchmark_skeletonization benchmark_stages benchmark_geodesics
 
-for program in benchmark_skeletonization benchmark_stages; do
+for program in benchmark_skeletonization benchmark_stages benchmark_geodesics; do
   "$build_dir/bin/benchmark/$program" --benchmark_min_time=0.1 --benchmark_repetitions="$repetitions" \
     --benchmark_out="$build_dir/$program.json" --benchmark_out_format=json
 done
 
 python3 "$source_dir/benchmark/write_tables.py" "$repetitions" \
   "$build_dir/benchmark_skeletonization.json" "$build_dir/benchmark_stages.json"
+python3 "$source_dir/benchmark/write_geodesics_tables.py" "$build_dir/benchmark_geodesics.json"

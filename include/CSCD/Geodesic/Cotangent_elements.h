@@ -11,14 +11,12 @@
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <CGAL/Iterator_range.h>
-
 #include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -54,7 +52,6 @@ public:
         add_face(triangulation, f);
       }
     }
-    collect_corners();
   }
 
   Index number_of_vertices() const { return Index(m_masses.size()); }
@@ -62,11 +59,6 @@ public:
   const std::vector<Face>& faces() const { return m_faces; }
   /// The number of all faces of the triangulation.
   Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
-  /// The corners at `vertex` of faces that carry area: the indices in `faces()`, times 3, plus that of the corner.
-  CGAL::Iterator_range<const Index*> corners(Index vertex) const
-  {
-    return {m_corners.data() + m_corner_begin[vertex], m_corners.data() + m_corner_begin[vertex + 1]};
-  }
   /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of bridging faces only.
   double mass(Index vertex) const { return m_masses[vertex]; }
 
@@ -162,29 +154,11 @@ private:
     }
   }
 
-  void collect_corners()
-  {
-    m_corner_begin.assign(std::size_t(number_of_vertices()) + 1, 0);
-    for (const Face& face : m_faces) {
-      for (const Index vertex : face.vertices) {
-        ++m_corner_begin[vertex + 1];
-      }
-    }
-    std::partial_sum(m_corner_begin.begin(), m_corner_begin.end(), m_corner_begin.begin());
-    m_corners.resize(3 * m_faces.size());
-    std::vector<Index> end = m_corner_begin;
-    for (Index corner = 0; corner < m_corners.size(); ++corner) {
-      m_corners[end[m_faces[corner / 3].vertices[corner % 3]]++] = corner;
-    }
-  }
-
   Index m_number_of_triangulation_faces;
   std::vector<Face> m_faces;
   std::vector<double> m_masses;
   std::vector<Index> m_component; // of every vertex
   std::vector<double> m_units;    // of every component
-  std::vector<Index> m_corners;
-  std::vector<Index> m_corner_begin; // of every vertex, and their number at the end
 };
 
 } // namespace CSCD::internal

@@ -290,8 +290,8 @@ private:
     }
   }
 
-  /// Shifts the potential, which the divergence has become, so that it is the distance, on average, at the vertices
-  /// around the sources.
+  /// Shifts the potential, which the divergence has become, so that it is the distance, on average, at the vertices of
+  /// the sources.
   void write_distances()
   {
     // A component that is not reached is shifted to infinity.
@@ -325,38 +325,13 @@ private:
   void add_shift(const Geodesic_source& source, std::size_t lane)
   {
     const Index component = elements().component(source.vertices[0]);
-    const auto potential = [&](Index vertex) { return m_divergence[place(vertex)][lane]; };
+    const double unit = elements().unit(component);
     double excess = 0;
-    if (source.is_vertex()) {
-      excess = mean_excess(source.vertices[0], potential);
-    } else if (elements().unit(component) > 0) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        excess +=
-            source.weights[k] * (potential(source.vertices[k]) - source.distances[k] / elements().unit(component));
-      }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double distance = unit > 0 ? source.distances[k] / unit : 0.;
+      excess += source.weights[k] * (m_divergence[place(source.vertices[k])][lane] - distance);
     }
     m_shifts[component][lane] += excess / m_number_of_sources[component][lane];
-  }
-
-  /// The mean of what the potential exceeds the length of the edge by, over the neighbors of `vertex`. At the vertex
-  /// itself it is too large, by a tenth of an edge: there is no smooth function that has a cone's tip.
-  template <class Potential>
-  double mean_excess(Index vertex, const Potential& potential) const
-  {
-    double sum = 0;
-    std::size_t number = 0;
-    for (const Index corner : elements().corners(vertex)) {
-      const Cotangent_elements::Face& face = elements().faces()[corner / 3];
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (face.vertices[k] != vertex) {
-          const std::array<double, 2> from = face.layout.corner(corner % 3);
-          const std::array<double, 2> to = face.layout.corner(k);
-          sum += potential(face.vertices[k]) - std::hypot(to[0] - from[0], to[1] - from[1]);
-          ++number;
-        }
-      }
-    }
-    return number > 0 ? sum / double(number) : potential(vertex);
   }
 
   const Heat_operators* m_operators = nullptr;

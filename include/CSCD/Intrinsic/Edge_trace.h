@@ -71,7 +71,7 @@ private:
     for (std::size_t i = 0;; ++i) {
       m_sides.push_back(side);
       const Index entered = triangulation.twin(m_crossings[i].halfedge);
-      const Point apex = unfold_apex(flat_triangle(triangulation, entered), side);
+      Point apex = unfold_apex(flat_triangle(triangulation, entered), side);
       if (i + 1 == m_crossings.size()) {
         return apex;
       }

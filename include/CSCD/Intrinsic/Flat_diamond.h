@@ -36,7 +36,12 @@ public:
   }
 
   /// The length of the other diagonal, if the diamond is convex.
-  double other_diagonal() const { return std::hypot(m_left_foot - m_right_foot, m_left_height + m_right_height); }
+  double other_diagonal() const
+  {
+    const double along = m_left_foot - m_right_foot;
+    const double across = m_left_height + m_right_height;
+    return std::sqrt(along * along + across * across);
+  }
 
 private:
   double m_base;
