@@ -12,7 +12,6 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/vertex_point_map.h>
 #include <CSCD/concepts.h>
 #include <CSCD/internal/vertex_point_map.h>
 

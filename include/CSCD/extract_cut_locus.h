@@ -16,14 +16,21 @@
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
 #include <CSCD/Cut_locus/find_loop_vertices.h>
-#include <CSCD/Geodesic/estimate_distances.h>
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Edge_trace.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Traits/Edge_crossing.h>
+#include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/Open_triangulation.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/vertex_point_map.h>
+#include <CSCD/Traits/normalize_extent.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/vertex_point_map.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -63,8 +70,11 @@ public:
   Cut_locus_extraction(const TriangleMesh& mesh, const VertexPointMap& point_map,
                        const std::vector<Vertex_descriptor>& sources)
       : m_mesh(mesh), m_collected(collect_triangles(mesh, point_map)),
-        m_surface(std::move(m_collected.triangles), std::move(m_collected.pairing)), m_frames(m_surface)
+        m_normalization(normalize_extent(m_collected.triangles.points)),
+        m_surface(std::move(m_collected.triangles), std::move(m_collected.pairing)), m_surface_frames(m_surface),
+        m_triangulation(m_surface)
   {
+    m_triangulation.make_delaunay();
     auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
     for (const Vertex_descriptor vertex : vertices(mesh)) {
       put(numbers, vertex, no_index);
@@ -83,13 +93,25 @@ public:
     }
   }
 
-  void estimate_distances() { m_distances = internal::estimate_distances(m_surface, m_sources); }
+  /// Estimates the distances by the heat method.
+  void estimate_distances()
+  {
+    std::vector<Geodesic_source> sources;
+    for (Index source : m_sources) {
+      sources.push_back(Geodesic_source::at_vertex(source));
+    }
+    Heat_field field;
+    Heat_method::Workspace workspace;
+    const Heat_method method(m_triangulation);
+    method(sources, field, workspace);
+    m_distances = std::move(field.distances);
+  }
 
   template <class VertexDistanceMap>
   void read_distances(const VertexDistanceMap& map)
   {
     for (Index i = 0; i < m_surface.number_of_vertices(); ++i) {
-      m_distances.push_back(CGAL::to_double(get(map, m_collected.descriptors[i])));
+      m_distances.push_back(CGAL::to_double(get(map, m_collected.descriptors[i])) / m_normalization.unit);
       if (std::isnan(m_distances.back())) {
         throw Input_error("the distance of vertex " + std::to_string(i) +
                           " is not a number: use infinity where no source is connected");
@@ -100,34 +122,58 @@ public:
   template <class CutLocusPolicy, class Graph>
   void operator()(const CutLocusPolicy& policy, const Cut_locus_settings& settings, Graph& graph)
   {
-    const Cut_measures<Open_triangulation> measures(m_frames, m_distances);
+    const Tangent_frames<Triangulation> frames(m_triangulation);
+    const Cut_measures<Triangulation> measures(frames, m_distances);
     const Org_tree tree(measures, find_loop_vertices(measures, m_sources));
     const Cut_tree cut =
         find_cut_tree(measures, tree, m_sources, settings.criterion, policy, settings.minimum_branch_length);
     collect_points(cut);
-    Cut_locus_smoothing smoothing(measures);
+    const Cut_measures<Open_triangulation> surface_measures(m_surface_frames, m_distances);
+    Cut_locus_smoothing smoothing(surface_measures);
     smoothing(m_points, m_edges, settings.number_of_iterations);
     fill(graph);
   }
 
 private:
-  /// Turns vertices of the tree into points, and what joins them into pairs of these.
+  using Triangulation = Intrinsic_triangulation<Open_triangulation>;
+
+  /// Turns vertices of the tree into points, and what joins them into curves over the faces.
   void collect_points(const Cut_tree& cut)
   {
-    const Surface_walk walk(m_frames);
+    const Surface_walk walk(m_surface_frames);
     std::vector<Index> point_of(m_surface.number_of_vertices(), no_index);
     for (Index vertex : cut.tree().order()) {
       if (cut.is_kept(vertex)) {
         point_of[vertex] = Index(m_points.size());
         m_points.push_back(walk.at_vertex(vertex));
-        if (!cut.is_root(vertex)) {
-          m_edges.emplace_back(point_of[cut.tree().parent(vertex)], point_of[vertex]);
-        }
+      }
+    }
+    for (Index vertex : cut.tree().order()) {
+      if (cut.is_kept(vertex) && !cut.is_root(vertex)) {
+        add_curve(cut.tree().halfedge_to_parent(vertex), point_of);
       }
     }
     for (Index halfedge : cut.chords()) {
-      m_edges.emplace_back(point_of[m_surface.origin(halfedge)], point_of[m_surface.target(halfedge)]);
+      add_curve(halfedge, point_of);
     }
+  }
+
+  /// Adds the points in which an edge of the triangulation crosses those of the mesh, and what joins them.
+  void add_curve(Index halfedge, const std::vector<Index>& point_of)
+  {
+    Index last = point_of[m_triangulation.origin(halfedge)];
+    if (!m_triangulation.is_input_edge(halfedge)) {
+      m_triangulation.trace(halfedge, m_trace);
+      for (const Edge_crossing& crossing : m_trace.crossings()) {
+        Face_point point{Open_triangulation::face(crossing.halfedge), {}};
+        point.weights[crossing.halfedge % 3] = 1 - crossing.position;
+        point.weights[Open_triangulation::next(crossing.halfedge) % 3] = crossing.position;
+        m_edges.emplace_back(last, Index(m_points.size()));
+        last = Index(m_points.size());
+        m_points.push_back(point);
+      }
+    }
+    m_edges.emplace_back(last, point_of[m_triangulation.target(halfedge)]);
   }
 
   template <class Graph>
@@ -135,11 +181,11 @@ private:
   {
     const auto face_range = faces(m_mesh);
     const std::vector<Face_descriptor> face_descriptors(face_range.begin(), face_range.end());
-    const Surface_walk walk(m_frames);
+    const Surface_walk walk(m_surface_frames);
     graph = Graph(m_points.size());
     for (Index i = 0; i < m_points.size(); ++i) {
       const Face_point& at = m_points[i];
-      const Vector_3 position = walk.position(at);
+      const Vector_3 position = m_normalization.to_input(walk.position(at));
       using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
       graph[i].point = Point(Coordinate(position.x()), Coordinate(position.y()), Coordinate(position.z()));
       // Triangles are collected from the target of the face's halfedge on.
@@ -149,7 +195,7 @@ private:
         // A face between reached vertices has none at infinity.
         distance += at.weights[k] * m_distances[m_surface.origin(3 * at.face + k)];
       }
-      graph[i].distance = distance;
+      graph[i].distance = m_normalization.unit * distance;
     }
     for (const auto& [a, b] : m_edges) {
       add_edge(a, b, graph);
@@ -158,12 +204,15 @@ private:
 
   const TriangleMesh& m_mesh;
   Collected_triangles<Vertex_descriptor> m_collected; // of which the descriptors remain
+  Normalization m_normalization;
   Open_triangulation m_surface;
-  Tangent_frames<Open_triangulation> m_frames;
+  Tangent_frames<Open_triangulation> m_surface_frames;
+  Triangulation m_triangulation;
   std::vector<Index> m_sources;
-  std::vector<double> m_distances;
+  std::vector<double> m_distances; // of every vertex
   std::vector<Face_point> m_points;
   std::vector<std::pair<Index, Index>> m_edges;
+  Edge_trace m_trace;
 };
 
 } // namespace internal
@@ -171,7 +220,8 @@ private:
 /// extracts the cut locus of some vertices of a triangle mesh: the points of the surface with more than one shortest
 /// way to the nearest source, and the ends of such curves.
 ///
-/// As the practical method of the supplement (appendix G.1): vertices are sought at which the Laplacian of the distance
+/// As the practical method of the supplement (appendix G.1), on the intrinsic Delaunay triangulation of the mesh:
+/// vertices are sought at which the Laplacian of the distance
 /// is strongly negative and gradients run against each other; they are joined along the ORG tree, the spanning tree
 /// that follows the ridges of the distance; loops around handles are closed, so that on a closed connected surface of
 /// genus g the cut locus of one source has first Betti number 2 g, and of k sources 2 g + k - 1; branches are made one

@@ -8,6 +8,10 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Cut_loop.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Edge_step.h>
@@ -17,9 +21,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -208,6 +214,45 @@ TEST(Cut_loop_finder, takes_the_flat_side_of_an_elliptic_tube)
   EXPECT_NEAR(target.y(), 0, 0.5);
   EXPECT_NEAR(target.x(), 10, 0.5);
   EXPECT_NEAR(loop.distance, arc.back() / 2, 0.2);
+}
+
+TEST(Cut_loop_finder, runs_along_intrinsic_edges)
+{
+  // Triangles several times as long as wide, of which Delaunay flips make better ones.
+  for (const Shape& shape :
+       {CSCD::test::anisotropic_tube(10, 1, 64, 24), CSCD::test::anisotropic_tube(10, 1, 16, 80)}) {
+    using Triangulation = CSCD::internal::Intrinsic_triangulation<Open_triangulation>;
+    const Open_triangulation surface = CSCD::test::to_open_triangulation(shape);
+    Triangulation triangulation(surface);
+    triangulation.make_delaunay();
+    const Tangent_frames<Triangulation> frames(triangulation);
+    Cut_loop_finder<Triangulation> finder(frames, surface.points());
+    CSCD::internal::Heat_method::Workspace workspace;
+    const CSCD::internal::Heat_method heat(triangulation);
+    std::size_t number_of_loops = 0;
+    for (Index source = 0; source < surface.number_of_vertices(); source += 13) {
+      CSCD::internal::Heat_field field;
+      heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
+      const Cut_measures<Triangulation> measures(frames, field.distances);
+      Cut_loop loop;
+      finder(measures, source, Cut_criterion(), Target_rule::nearest_in_space, loop);
+      if (loop.outcome != Cut_loop_outcome::found) {
+        continue;
+      }
+      ++number_of_loops;
+      double turn = 0;
+      for (const auto& step : loop.steps) {
+        const Vector_3& a = surface.point(begin_of(triangulation, step));
+        const Vector_3& b = surface.point(end_of(triangulation, step));
+        turn += std::remainder(std::atan2(b.z(), b.y()) - std::atan2(a.z(), a.y()), 2 * pi);
+      }
+      const double length = *std::max_element(shape.points.begin(), shape.points.end())->begin();
+      if (surface.point(source).x() > 3 && surface.point(source).x() < length - 3) {
+        EXPECT_NEAR(std::fabs(turn), 2 * pi, 1e-6) << "it goes around the tube";
+      }
+    }
+    EXPECT_GT(number_of_loops, 10u);
+  }
 }
 
 } // namespace

@@ -18,7 +18,7 @@
 namespace CSCD {
 
 /// Keeps what can be reached from the root of the tree through cut points. Noise elsewhere does no harm, but one vertex
-/// that is missed cuts off all that lies behind it. A model of `CutLocusPolicy`, as `Pruning_policy` is.
+/// that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
 struct Growing_policy
 {
   /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.

@@ -12,8 +12,8 @@
 namespace CSCD {
 
 /// Keeps every cut point and its way to the root of the tree: what remains when leaves that are none are removed until
-/// there are none left. Nothing is missed, but false cut points far away keep their ways too. A model of
-/// `CutLocusPolicy`, as `Growing_policy` is.
+/// there are none left. Nothing is missed, but false cut points far away keep their ways too. `Growing_policy`
+/// is the other choice.
 struct Pruning_policy
 {
   /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their ways to the root; linear.

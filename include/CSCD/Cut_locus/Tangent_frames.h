@@ -16,8 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <type_traits>
-#include <utility>
+#include <cstddef>
 #include <vector>
 
 namespace CSCD::internal {
