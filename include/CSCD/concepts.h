@@ -77,6 +77,13 @@ using corner = decltype(std::declval<const T&>().triangle(Index())[2]);
 // Found by argument-dependent look-up only. boost::graph_traits is not asked: it fails hard on what is no graph.
 template <class G>
 using faces = Element<decltype(faces(std::declval<const G&>()))>;
+template <class T>
+using begin = decltype(std::begin(std::declval<T&>()));
+template <class T>
+using end = decltype(std::end(std::declval<T&>()));
+template <class T>
+using reconstruction_report = decltype(std::declval<const T&>().reconstruction_report());
+
 template <class G>
 using vertices = decltype(vertices(std::declval<const G&>()));
 template <class G>
@@ -177,6 +184,12 @@ constexpr void check_skeletonization_traits()
 template <class T>
 inline constexpr bool is_triangle_mesh_v = internal::is_valid_v<internal::expressions::faces, T>&&
     internal::gives_v<std::size_t, internal::expressions::num_halfedges, T>;
+
+/// Whether `T` is a range of points, or of elements with points, and no mesh; may be asked of any type.
+template <class T>
+inline constexpr bool is_point_range_v = internal::is_valid_v<internal::expressions::begin, const T>&&
+                                             internal::is_valid_v<internal::expressions::end, const T> &&
+                                         !internal::is_valid_v<internal::expressions::faces, T>;
 
 /// refuses at compile time a type that is no `FaceListGraph`.
 template <class T>

@@ -15,6 +15,8 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace CSCD::test {
 
@@ -48,8 +50,7 @@ public:
 
   /// \name What leads back to the input
   /// @{
-  bool is_input_site(Index site) const { return m_traits.is_input_site(site); }
-  Site_descriptor descriptor(Index site) const { return m_traits.descriptor(site); }
+  auto descriptors(Index site) const { return m_traits.descriptors(site); }
   Point to_input_point(const Vector_3& p) const { return m_traits.to_input_point(p); }
   double to_input_length(double length) const { return m_traits.to_input_length(length); }
   std::size_t number_of_input_sites() const { return m_traits.number_of_input_sites(); }
@@ -58,7 +59,7 @@ public:
   std::size_t number_of_bridged_borders() const { return m_traits.number_of_bridged_borders(); }
   std::size_t number_of_inserted_vertices() const { return m_traits.number_of_inserted_vertices(); }
   std::size_t number_of_degenerate_faces() const { return m_traits.number_of_degenerate_faces(); }
-  std::size_t number_of_reversed_components() const { return m_traits.number_of_reversed_components(); }
+  std::vector<std::string> warnings() const { return m_traits.warnings(); }
   std::size_t genus() const { return m_traits.genus(); }
   double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
   /// @}
