@@ -5,15 +5,14 @@
 
 #include "skeletonize.h"
 
+#include "Input.h"
 #include "Progress_bar.h"
 #include "Skeletonization_result.h"
 #include "Usage_error.h"
 #include "compute_skeleton.h"
 #include "read_input.h"
-#include "types.h"
 #include "write_output.h"
 #include "write_report.h"
-#include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/write_file.h>
 
 #include <algorithm>
@@ -45,26 +44,26 @@ void say(const Skeletonize_options& options, const std::string& sentence)
   }
 }
 
-Skeletonization_result compute(const Mesh& mesh, const Skeletonize_options& options)
+Skeletonization_result compute(Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);
   }
-  return compute_skeleton(mesh, options, bar ? &*bar : nullptr);
+  return compute_skeleton(input, options, bar ? &*bar : nullptr);
 }
 
-void write_results(const Mesh& mesh, const Skeletonization_result& result, const CSCD::Mesh_repair_report& repairs,
-                   const Skeletonize_options& options)
+void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
   for (const std::string& output : options.outputs) {
     write_output(output, result.skeleton);
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, mesh, result, options.input);
+    write_viewer_page(options.html, input, result, options.input);
   }
   if (!options.report.empty()) {
-    CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, repairs, result.report); });
+    CSCD::write_file(options.report,
+                     [&](std::ostream& out) { write_report(out, options, input.repairs, result.report); });
   }
   const bool is_output_taken =
       std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
@@ -78,16 +77,15 @@ void write_results(const Mesh& mesh, const Skeletonization_result& result, const
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
-  Mesh mesh;
-  const CSCD::Mesh_repair_report repairs = read_input(options, mesh);
-  for (const std::string& sentence : repairs.sentences()) {
+  Input input = read_input(options);
+  for (const std::string& sentence : input.repairs.sentences()) {
     say(options, sentence);
   }
-  const Skeletonization_result result = compute(mesh, options);
+  const Skeletonization_result result = compute(input, options);
   for (const std::string& warning : result.report.warnings) {
     say(options, warning);
   }
-  write_results(mesh, result, repairs, options);
+  write_results(input, result, options);
 }
 
 } // namespace cscd

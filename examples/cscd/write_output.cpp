@@ -45,11 +45,11 @@ bool has_viewer_page()
   return !CSCD::three_js_source().empty();
 }
 
-void write_viewer_page(const std::string& filename, const Mesh& mesh, const Skeletonization_result& result,
+void write_viewer_page(const std::string& filename, const Input& input, const Skeletonization_result& result,
                        const std::string& title)
 {
   CSCD::write_file(filename, [&](std::ostream& out) {
-    CSCD::write_html_page(out, mesh, result.skeleton, result.separators, CSCD::three_js_source(), title);
+    CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(), title);
   });
 }
 

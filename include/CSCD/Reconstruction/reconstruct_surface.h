@@ -207,6 +207,7 @@ private:
     const Surface_components components(m_result.triangles, m_result.pairing);
     const Canonical_order order = canonical_order(m_result.triangles, m_result.pairing, components);
     renumber(m_result.triangles, order.vertices);
+    pair();
     std::vector<Index> point_of_vertex;
     point_of_vertex.reserve(order.vertices.size());
     for (Index old_number : order.vertices) {
