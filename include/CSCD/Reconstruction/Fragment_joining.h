@@ -7,6 +7,7 @@
 #define CSCD_RECONSTRUCTION_FRAGMENT_JOINING_H
 
 #include <CSCD/Reconstruction/Neighbor_table.h>
+#include <CSCD/Reconstruction/Point_tree.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -55,16 +56,21 @@ public:
         result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
       };
       const Neighbor_table neighbors(m_triangles.points, near_neighbors);
-      std::vector<double> spacing(m_triangles.points.size());
-      for (Index v = 0; v < spacing.size(); ++v) {
-        spacing[v] = neighbors.reach(v);
+      m_reach.resize(m_triangles.points.size());
+      for (Index vertex = 0; vertex < m_reach.size(); ++vertex) {
+        m_reach[vertex] = neighbors.reach(vertex);
       }
       for (const Candidate& candidate : find_near_candidates(neighbors)) {
         if (join_near(candidate.a, candidate.b)) {
           add(candidate);
         }
       }
-      for (const Candidate& candidate : find_wide_candidates(spacing)) {
+      for (const Candidate& candidate : find_far_candidates()) {
+        if (join_near(candidate.a, candidate.b)) {
+          add(candidate);
+        }
+      }
+      for (const Candidate& candidate : find_wide_candidates()) {
         if (join_wide(candidate.a, candidate.b)) {
           add(candidate);
         }
@@ -86,14 +92,23 @@ public:
   Index number_of_fragments() const { return m_number_of_fragments; }
 
 private:
-  /// Border vertices that are looked at from each one.
-  static constexpr Index number_of_neighbors = 48;
-  /// The widest gap, relative to the longest edge at its ends.
-  static constexpr double widest_gap = 4;
+  /// A vertex that is among so many nearest neighbors of one in another fragment belongs to the same body ...
   static constexpr Index near_neighbors = 16;
-  static constexpr double most_part = 0.1;
-  /// Least length of a border, relative to the gap at it.
-  static constexpr double least_border = 1;
+  /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
+  static constexpr double most_near_part = 0.15;
+  /// The widest gap over which fragments are joined, relative to how far those neighbors reach: about nine spacings of
+  /// points. Only missing data explain such gaps.
+  static constexpr double widest_gap = 4;
+  /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
+  static constexpr Index far_neighbors = 256;
+  /// Fragments of at most so many faces are no bodies of their own.
+  static constexpr std::size_t largest_debris = 800;
+  /// The least length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
+  static constexpr double least_border = 3;
+  /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
+  static constexpr double least_border_in_reaches = 4;
+  /// Border vertices among which the other end of such a gap is sought.
+  static constexpr Index border_neighbors = 48;
   /// Volumes below this, relative to the area to the power 3/2, do not tell which side is out: a half ball has 0.13.
   static constexpr double reliable_volume = 0.02;
 
@@ -253,8 +268,28 @@ private:
     return result;
   }
 
+  /// Pairs of vertices of a small group and of another one, across a wider gap.
+  std::vector<Candidate> find_far_candidates()
+  {
+    std::vector<Candidate> result;
+    const Point_tree tree(m_triangles.points);
+    for (Index a = 0; a < m_fragment.size(); ++a) {
+      if (m_size[group(a)] > largest_debris) {
+        continue;
+      }
+      tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index b, double squared_distance) {
+        const double gap = std::sqrt(squared_distance);
+        if (group(a) != group(b) && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
+          result.push_back({gap, std::min(a, b), std::max(a, b)});
+        }
+      });
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
   /// Pairs of border vertices of different fragments.
-  std::vector<Candidate> find_wide_candidates(const std::vector<double>& spacing) const
+  std::vector<Candidate> find_wide_candidates() const
   {
     std::vector<Index> vertices;
     std::vector<Vector_3> points;
@@ -265,13 +300,13 @@ private:
       }
     }
     std::vector<Candidate> result;
-    const Neighbor_table neighbors(points, number_of_neighbors);
+    const Neighbor_table neighbors(points, border_neighbors);
     for (Index i = 0; i < vertices.size(); ++i) {
       for (Index j : neighbors.neighbors(i)) {
         const Index a = vertices[i];
         const Index b = vertices[j];
         const double gap = distance(a, b);
-        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::max(spacing[a], spacing[b])) {
+        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
           result.push_back({gap, std::min(a, b), std::max(a, b)});
         }
       }
@@ -298,7 +333,7 @@ private:
     if (group_a == group_b) {
       return false;
     }
-    if (double(std::min(m_size[group_a], m_size[group_b])) > most_part * double(m_triangles.faces.size())) {
+    if (double(std::min(m_size[group_a], m_size[group_b])) > most_near_part * double(m_triangles.faces.size())) {
       return false;
     }
     unite(group_a, group_b, a, b);
@@ -313,8 +348,9 @@ private:
   {
     const Index group_a = group(a);
     const Index group_b = group(b);
-    const double gap = distance(a, b);
-    if (group_a == group_b || !has_border_of(a, least_border * gap) || !has_border_of(b, least_border * gap)) {
+    const double border =
+        std::max(least_border * distance(a, b), least_border_in_reaches * std::max(m_reach[a], m_reach[b]));
+    if (group_a == group_b || !has_border_of(a, border) || !has_border_of(b, border)) {
       return false;
     }
     unite(group_a, group_b, a, b);
@@ -432,6 +468,7 @@ private:
   std::vector<Index> m_fragment;                     // of every vertex
   std::vector<Index> m_next;                         // of the vertices on borders
   std::vector<Index> m_previous;                     // likewise
+  std::vector<double> m_reach;                       // how far the neighbors of every vertex reach
   std::vector<Vector_3> m_normal;                    // of every vertex
   std::vector<std::vector<Index>> m_border_vertices; // of every fragment
   Index m_number_of_fragments = 0;
