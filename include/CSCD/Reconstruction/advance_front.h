@@ -13,50 +13,93 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// The priority of a triangle in the front: that of CGAL, the radius of its smallest empty sphere, but triangles with
-/// an edge that is too long for the spacing of the points at its ends are never taken.
+/// What a triangle must respect at a point.
+struct Front_limit
+{
+  double longest_edge = 0;            ///< that a triangle may have at the point
+  Vector_3 normal = Vector_3::Zero(); ///< of unit length and either orientation, or zero if it is not known
+};
+
+/// The priority of a triangle in the front: that of CGAL, the radius of its smallest empty sphere. Triangles with an
+/// edge that is too long, or across the normals at its corners, are never taken.
 class Front_priority
 {
 public:
-  /// \param longest_edge the longest edge allowed at each point
-  explicit Front_priority(const std::vector<double>& longest_edge) : m_longest_edge(&longest_edge) {}
+  explicit Front_priority(const std::vector<Front_limit>& limits) : m_limits(&limits) {}
 
   template <class AdvancingFront, class CellHandle>
   double operator()(const AdvancingFront& front, CellHandle& cell, const int& index) const
   {
-    for (int i = 1; i <= 3; ++i) {
-      const auto a = cell->vertex((index + i) & 3);
-      const auto b = cell->vertex((index + i % 3 + 1) & 3);
-      if (front.triangulation_3().is_infinite(a) || front.triangulation_3().is_infinite(b)) {
-        continue;
-      }
-      const auto n = m_longest_edge->size();
-      if (a->info() >= n || b->info() >= n) {
-        continue; // CGAL's own point beside a plane
-      }
-      const double limit = std::max((*m_longest_edge)[a->info()], (*m_longest_edge)[b->info()]);
-      if (CGAL::squared_distance(a->point(), b->point()) > limit * limit) {
+    const double radius = front.smallest_radius_delaunay_sphere(cell, index);
+    if (radius == front.infinity()) {
+      return radius;
+    }
+    const auto corner = [&](int i) { return cell->vertex((index + 1 + i % 3) & 3); };
+    for (int i = 0; i < 3; ++i) {
+      const double longest = std::max(limit(corner(i)).longest_edge, limit(corner(i + 1)).longest_edge);
+      if (CGAL::squared_distance(corner(i)->point(), corner(i + 1)->point()) > longest * longest) {
         return front.infinity();
       }
     }
-    return front.smallest_radius_delaunay_sphere(cell, index);
+    if (is_across_normals(corner(0), corner(1), corner(2))) {
+      return front.infinity();
+    }
+    return radius * (1 + tie_break(corner(0)->info(), corner(1)->info(), corner(2)->info()));
   }
 
 private:
-  const std::vector<double>* m_longest_edge;
+  /// The least cosine of the angle between a triangle and the surface at its corners, if that is known.
+  static constexpr double least_cosine = 0.1;
+
+  template <class VertexHandle>
+  const Front_limit& limit(VertexHandle vertex) const
+  {
+    return (*m_limits)[vertex->info()];
+  }
+
+  template <class VertexHandle>
+  bool is_across_normals(VertexHandle a, VertexHandle b, VertexHandle c) const
+  {
+    const auto vector = CGAL::cross_product(b->point() - a->point(), c->point() - a->point());
+    const Vector_3 normal = Vector_3(vector.x(), vector.y(), vector.z()).stableNormalized();
+    const auto is_across = [&](VertexHandle vertex) {
+      const Vector_3& given = limit(vertex).normal;
+      return given != Vector_3::Zero() && std::abs(given.dot(normal)) < least_cosine;
+    };
+    return is_across(a) || is_across(b) || is_across(c);
+  }
+
+  /// A number between 0 and 1e-10 that hangs on the corners alone: equal triangles, as on a grid, would else be taken
+  /// in the order of their addresses.
+  static double tie_break(std::size_t a, std::size_t b, std::size_t c)
+  {
+    std::array<std::size_t, 3> corners{a, b, c};
+    std::sort(corners.begin(), corners.end());
+    std::uint32_t hash = 0;
+    for (std::size_t corner : corners) {
+      hash = (hash ^ std::uint32_t(corner)) * 2654435761u; // Knuth's multiplier
+      hash ^= hash >> 15;
+    }
+    return 1e-10 * double(hash) / double(std::numeric_limits<std::uint32_t>::max());
+  }
+
+  const std::vector<Front_limit>* m_limits;
 };
 
 /// Triangulates a surface through `points`, some of which may be left out; O(n log n) for points on a surface.
-/// \param longest_edge at each point, the longest edge that a triangle may have there
+/// \param limits what triangles must respect at each point
 /// \return triangles with consistent orientation in each component, each edge of which has at most two
 inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_3>& points,
-                                                       const std::vector<double>& longest_edge)
+                                                       const std::vector<Front_limit>& limits)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   std::vector<Kernel::Point_3> cgal_points;
@@ -66,7 +109,7 @@ inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_
   }
   std::vector<std::array<std::size_t, 3>> triangles;
   CGAL::advancing_front_surface_reconstruction(cgal_points.begin(), cgal_points.end(), std::back_inserter(triangles),
-                                               Front_priority(longest_edge));
+                                               Front_priority(limits));
   std::vector<std::array<Index, 3>> result;
   result.reserve(triangles.size());
   for (const std::array<std::size_t, 3>& t : triangles) {

@@ -13,6 +13,7 @@
 #include <CSCD/Reconstruction/advance_front.h>
 #include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Reconstruction/cut_along_loops.h>
+#include <CSCD/Reconstruction/fit_quadrics.h>
 #include <CSCD/Reconstruction/split_pinched_vertices.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
@@ -64,6 +65,7 @@ public:
   Reconstructed_surface operator()()
   {
     measure_spacing();
+    reduce_noise();
     triangulate();
     join_fragments();
     drop_small_fragments();
@@ -81,6 +83,11 @@ private:
   static constexpr Index spacing_neighbors = 6;
   /// The longest edge of a triangle, relative to how far the neighborhood of its ends reaches.
   static constexpr double longest_edge = 2;
+  /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
+  static constexpr double noise_quantile = 0.25;
+  /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
+  /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
+  static constexpr double largest_noise = 0.19;
   /// Fragments of fewer faces than this are left out if there is a larger one.
   static constexpr std::size_t least_fragment_size = 20;
 
@@ -93,21 +100,50 @@ private:
       const double* first = m_neighbors.distances(point).begin();
       spacing.push_back(std::accumulate(first, first + number, 0.) / number);
     }
-    const auto median = spacing.begin() + std::ptrdiff_t(spacing.size() / 2);
-    std::nth_element(spacing.begin(), median, spacing.end());
-    m_result.report.spacing = *median * m_cloud.normalization.unit;
+    m_spacing = quantile(std::move(spacing), 0.5);
+    m_result.report.spacing = m_spacing * m_cloud.normalization.unit;
+  }
+
+  /// Estimates the noise, and takes it out of the points if it is so large that triangles between them would fold.
+  void reduce_noise()
+  {
+    const std::vector<Quadric_fit> fits = fit_quadrics(m_cloud.points, m_neighbors);
+    std::vector<double> deviations;
+    deviations.reserve(fits.size());
+    for (const Quadric_fit& fit : fits) {
+      deviations.push_back(fit.deviation);
+    }
+    const double noise = quantile(std::move(deviations), noise_quantile) / m_spacing;
+    m_result.report.noise = noise;
+    m_result.report.is_smoothed = noise > largest_noise;
+    m_points = m_cloud.points;
+    if (m_result.report.is_smoothed) {
+      for (Index point = 0; point < m_points.size(); ++point) {
+        m_points[point] = fits[point].projection;
+      }
+    }
+  }
+
+  /// The value that the part `fraction` of `values` does not exceed.
+  static double quantile(std::vector<double> values, double fraction)
+  {
+    const auto place = values.begin() + std::ptrdiff_t(fraction * double(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
   }
 
   void triangulate()
   {
-    std::vector<double> longest;
-    longest.reserve(m_cloud.points.size());
-    for (Index point = 0; point < m_cloud.points.size(); ++point) {
-      longest.push_back(longest_edge * m_neighbors.reach(point));
+    std::vector<Front_limit> limits(m_points.size());
+    for (Index point = 0; point < m_points.size(); ++point) {
+      limits[point].longest_edge = longest_edge * m_neighbors.reach(point);
+      if (!m_cloud.normals.empty()) {
+        limits[point].normal = m_cloud.normals[point];
+      }
     }
     Indexed_triangles& triangles = m_result.triangles;
-    triangles.points = m_cloud.points;
-    triangles.faces = advance_front(m_cloud.points, longest);
+    triangles.points = m_points;
+    triangles.faces = advance_front(m_points, limits);
     if (triangles.faces.empty()) {
       throw Input_error("no surface could be made of the points: they do not sample one densely enough");
     }
@@ -236,6 +272,8 @@ private:
 
   const Point_cloud& m_cloud;
   Neighbor_table m_neighbors;
+  double m_spacing = 0;           // in the unit of the cloud
+  std::vector<Vector_3> m_points; // without noise
   Reconstructed_surface m_result;
   std::size_t m_number_of_components = 0;
 };
