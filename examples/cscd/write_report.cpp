@@ -83,6 +83,7 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
           {"spacing", r.spacing},
           {"noise", r.noise},
           {"is_smoothed", r.is_smoothed},
+          {"number_of_outliers", r.number_of_outliers},
           {"number_of_unused_points", r.number_of_unused_points},
           {"number_of_border_edges", r.number_of_border_edges},
           {"number_of_holes", r.number_of_holes},

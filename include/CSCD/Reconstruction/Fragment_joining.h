@@ -101,8 +101,10 @@ private:
   static constexpr double widest_gap = 4;
   /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
   static constexpr Index far_neighbors = 256;
-  /// Fragments of at most so many faces are no bodies of their own.
-  static constexpr std::size_t largest_debris = 800;
+  /// Fragments of at most so many faces are no bodies of their own: with a border ...
+  static constexpr std::size_t largest_open_debris = 800;
+  /// ... and without, when they look whole.
+  static constexpr std::size_t largest_closed_debris = 100;
   /// The least length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
   static constexpr double least_border = 3;
   /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
@@ -167,11 +169,13 @@ private:
   void find_borders()
   {
     m_border_vertices.resize(m_number_of_fragments);
+    m_has_border.assign(m_number_of_fragments, 0);
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       if (m_pairing.twin(h) == no_index) {
         m_next[target(h)] = origin(h);
         m_previous[origin(h)] = target(h);
         m_border_vertices[m_fragment[origin(h)]].push_back(origin(h));
+        m_has_border[m_fragment[origin(h)]] = 1;
       }
     }
   }
@@ -274,7 +278,7 @@ private:
     std::vector<Candidate> result;
     const Point_tree tree(m_triangles.points);
     for (Index a = 0; a < m_fragment.size(); ++a) {
-      if (m_size[group(a)] > largest_debris) {
+      if (!is_debris(group(a))) {
         continue;
       }
       tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index b, double squared_distance) {
@@ -286,6 +290,13 @@ private:
     }
     std::sort(result.begin(), result.end());
     return result;
+  }
+
+  bool is_debris(Index group) const
+  {
+    const bool is_open = std::any_of(m_members[group].begin(), m_members[group].end(),
+                                     [this](Index fragment) { return m_has_border[fragment] != 0; });
+    return m_size[group] <= (is_open ? largest_open_debris : largest_closed_debris);
   }
 
   /// Pairs of border vertices of different fragments.
@@ -476,6 +487,7 @@ private:
   std::vector<std::vector<Index>> m_members; // of the groups
   std::vector<std::size_t> m_size;           // faces of the groups
   std::vector<char> m_is_sure;               // whether the orientation of a group is beyond doubt
+  std::vector<char> m_has_border;            // of every fragment, before any face was opened
   std::vector<char> m_is_turned;             // of every fragment
   std::vector<char> m_is_visited;
   std::vector<char> m_is_removed;  // of every face

@@ -28,6 +28,7 @@ struct Reconstruction_report
   double spacing = 0;                          ///< median over the points of the mean distance to the nearest six
   double noise = 0;                            ///< deviation of the points from planes, relative to the spacing
   bool is_smoothed = false;                    ///< whether the points were moved to the planes
+  std::size_t number_of_outliers = 0;          ///< points far from all others: left out of the surface
   std::size_t number_of_unused_points = 0;     ///< points that are no vertices: they belong to the node of the nearest
   std::size_t number_of_border_edges = 0;      ///< edges at holes of the surface
   std::size_t number_of_holes = 0;             ///< holes that were closed

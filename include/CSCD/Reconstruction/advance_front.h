@@ -25,6 +25,7 @@ namespace CSCD::internal {
 /// What a triangle must respect at a point.
 struct Front_limit
 {
+  /// That a triangle may have at the point; if zero, the point is left out.
   double longest_edge = 0;            ///< that a triangle may have at the point
   Vector_3 normal = Vector_3::Zero(); ///< of unit length and either orientation, or zero if it is not known
 };
@@ -45,7 +46,9 @@ public:
     }
     const auto corner = [&](int i) { return cell->vertex((index + 1 + i % 3) & 3); };
     for (int i = 0; i < 3; ++i) {
-      const double longest = std::max(limit(corner(i)).longest_edge, limit(corner(i + 1)).longest_edge);
+      const double at_source = limit(corner(i)).longest_edge;
+      const double at_target = limit(corner(i + 1)).longest_edge;
+      const double longest = std::min(at_source, at_target) > 0 ? std::max(at_source, at_target) : 0;
       if (CGAL::squared_distance(corner(i)->point(), corner(i + 1)->point()) > longest * longest) {
         return front.infinity();
       }

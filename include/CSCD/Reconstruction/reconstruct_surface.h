@@ -35,6 +35,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -66,6 +67,7 @@ public:
   {
     measure_spacing();
     reduce_noise();
+    find_outliers();
     triangulate();
     join_fragments();
     drop_small_fragments();
@@ -83,6 +85,10 @@ private:
   static constexpr Index spacing_neighbors = 6;
   /// The longest edge of a triangle, relative to how far the neighborhood of its ends reaches.
   static constexpr double longest_edge = 2;
+  /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
+  static constexpr double outlier_reach = 4;
+  /// With more border edges than this for each point there is no surface: curves have about one.
+  static constexpr double most_border_edges = 0.6;
   /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
   /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
@@ -124,6 +130,23 @@ private:
     }
   }
 
+  /// Marks points that are far from all others, compared with how far those are from each other.
+  void find_outliers()
+  {
+    m_is_outlier.assign(m_points.size(), 0);
+    std::vector<double> reaches;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      reaches.clear();
+      for (Index neighbor : m_neighbors.neighbors(point)) {
+        reaches.push_back(m_neighbors.reach(neighbor));
+      }
+      if (m_neighbors.reach(point) > outlier_reach * quantile(reaches, 0.5)) {
+        m_is_outlier[point] = 1;
+        ++m_result.report.number_of_outliers;
+      }
+    }
+  }
+
   /// The value that the part `fraction` of `values` does not exceed.
   static double quantile(std::vector<double> values, double fraction)
   {
@@ -136,7 +159,7 @@ private:
   {
     std::vector<Front_limit> limits(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
-      limits[point].longest_edge = longest_edge * m_neighbors.reach(point);
+      limits[point].longest_edge = m_is_outlier[point] != 0 ? 0 : longest_edge * m_neighbors.reach(point);
       if (!m_cloud.normals.empty()) {
         limits[point].normal = m_cloud.normals[point];
       }
@@ -157,6 +180,11 @@ private:
     m_result.point_of_vertex.resize(triangles.points.size(), no_index);
     for (Index h = 0; h < m_result.pairing.number_of_halfedges(); ++h) {
       m_result.report.number_of_border_edges += m_result.pairing.twin(h) == no_index ? 1 : 0;
+    }
+    if (double(m_result.report.number_of_border_edges) > most_border_edges * double(m_points.size())) {
+      throw Input_error("the points do not sample a surface: what connects them has " +
+                        std::to_string(m_result.report.number_of_border_edges) + " border edges for " +
+                        std::to_string(m_points.size()) + " points; sample the surface more densely");
     }
     compact();
   }
@@ -274,6 +302,7 @@ private:
   Neighbor_table m_neighbors;
   double m_spacing = 0;           // in the unit of the cloud
   std::vector<Vector_3> m_points; // without noise
+  std::vector<char> m_is_outlier; // of every point
   Reconstructed_surface m_result;
   std::size_t m_number_of_components = 0;
 };

@@ -126,6 +126,11 @@ public:
         result.push_back(std::to_string(count) + ' ' + what);
       }
     };
+    if (double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points)) {
+      result.emplace_back("the points hardly sample the surface of a body: it has " +
+                          std::to_string(m_report.number_of_border_edges) + " border edges for " +
+                          std::to_string(m_report.number_of_points) + " points, and the skeleton may be wrong");
+    }
     warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
     warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
     warn(m_report.number_of_holes, "holes of the reconstructed surface: closed by faces without weight");
@@ -141,6 +146,10 @@ public:
   double seconds_to_compile() const { return m_seconds_to_compile; }
 
 private:
+  /// Border edges for each point from which on the surface is doubtful: 70 clouds of surfaces had at most 0.07, three
+  /// scans of trees 0.20 and more.
+  static constexpr double doubtful_border_edges = 0.12;
+
   template <class NormalMap>
   void compile(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
