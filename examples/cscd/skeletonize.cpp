@@ -14,6 +14,7 @@
 #include "write_output.h"
 #include "write_report.h"
 #include <CSCD/IO/write_file.h>
+#include <CSCD/exceptions.h>
 
 #include <algorithm>
 #include <iostream>
@@ -50,7 +51,12 @@ Skeletonization_result compute(Input& input, const Skeletonize_options& options)
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);
   }
-  return compute_skeleton(input, options, bar ? &*bar : nullptr);
+  try {
+    return compute_skeleton(input, options, bar ? &*bar : nullptr);
+  } catch (const CSCD::Input_error& error) {
+    const std::string name = options.input == standard_stream ? "standard input" : options.input;
+    throw CSCD::Input_error(name + ": " + error.what());
+  }
 }
 
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)

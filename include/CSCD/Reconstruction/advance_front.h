@@ -6,18 +6,20 @@
 #ifndef CSCD_RECONSTRUCTION_ADVANCE_FRONT_H
 #define CSCD_RECONSTRUCTION_ADVANCE_FRONT_H
 
+#include <CSCD/Reconstruction/Front_vertex_base.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Advancing_front_surface_reconstruction_cell_base_3.h>
+#include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_data_structure_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <iterator>
-#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -56,7 +58,7 @@ public:
     if (is_across_normals(corner(0), corner(1), corner(2))) {
       return front.infinity();
     }
-    return radius * (1 + tie_break(corner(0)->info(), corner(1)->info(), corner(2)->info()));
+    return radius;
   }
 
 private:
@@ -81,22 +83,11 @@ private:
     return is_across(a) || is_across(b) || is_across(c);
   }
 
-  /// A number between 0 and 1e-10 that hangs on the corners alone: equal triangles, as on a grid, would else be taken
-  /// in the order of their addresses.
-  static double tie_break(std::size_t a, std::size_t b, std::size_t c)
-  {
-    std::array<std::size_t, 3> corners{a, b, c};
-    std::sort(corners.begin(), corners.end());
-    std::uint32_t hash = 0;
-    for (std::size_t corner : corners) {
-      hash = (hash ^ std::uint32_t(corner)) * 2654435761u; // Knuth's multiplier
-      hash ^= hash >> 15;
-    }
-    return 1e-10 * double(hash) / double(std::numeric_limits<std::uint32_t>::max());
-  }
-
   const std::vector<Front_limit>* m_limits;
 };
+
+/// More cells than a Delaunay triangulation of points on a surface has for each point.
+inline constexpr std::size_t cells_per_point = 10;
 
 /// Triangulates a surface through `points`, some of which may be left out; O(n log n) for points on a surface.
 /// \param limits what triangles must respect at each point
@@ -105,18 +96,35 @@ inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_
                                                        const std::vector<Front_limit>& limits)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> cgal_points;
+  using Cell_base = CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>;
+  using Tds = CGAL::Triangulation_data_structure_3<Front_vertex_base<Kernel>, Cell_base>;
+  using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
+
+  std::vector<std::pair<Kernel::Point_3, std::size_t>> cgal_points;
   cgal_points.reserve(points.size());
-  for (const Vector_3& point : points) {
-    cgal_points.emplace_back(point.x(), point.y(), point.z());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    cgal_points.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()), i);
   }
-  std::vector<std::array<std::size_t, 3>> triangles;
-  CGAL::advancing_front_surface_reconstruction(cgal_points.begin(), cgal_points.end(), std::back_inserter(triangles),
-                                               Front_priority(limits));
+  // In one block each, vertices and cells have addresses in the order in which they are made: the front compares them.
+  Triangulation triangulation;
+  triangulation.tds().vertices().reserve(points.size() + 2);
+  triangulation.tds().cells().reserve(cells_per_point * points.size() + cells_per_point);
+  triangulation.insert(cgal_points.begin(), cgal_points.end());
+  Front_edge_numbers::clear();
+  CGAL::Advancing_front_surface_reconstruction<Triangulation, Front_priority> front(triangulation,
+                                                                                    Front_priority(limits));
+  front.run();
+  Front_edge_numbers::clear();
   std::vector<std::array<Index, 3>> result;
-  result.reserve(triangles.size());
-  for (const std::array<std::size_t, 3>& t : triangles) {
-    result.push_back({Index(t[0]), Index(t[1]), Index(t[2])});
+  if (triangulation.dimension() < 3) {
+    return result;
+  }
+  const auto& surface = front.triangulation_data_structure_2();
+  for (auto face = surface.faces_begin(); face != surface.faces_end(); ++face) {
+    if (face->is_on_surface()) {
+      const auto number = [&face](int i) { return Index(face->vertex(i)->vertex_3()->id()); };
+      result.push_back({number(0), number(1), number(2)});
+    }
   }
   return result;
 }

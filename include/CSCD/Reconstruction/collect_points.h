@@ -6,6 +6,7 @@
 #ifndef CSCD_RECONSTRUCTION_COLLECT_POINTS_H
 #define CSCD_RECONSTRUCTION_COLLECT_POINTS_H
 
+#include <CSCD/Reconstruction/Canonical_pose.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/normalize_extent.h>
 #include <CSCD/exceptions.h>
@@ -40,6 +41,7 @@ struct Point_cloud
   std::vector<Vector_3> normals;  ///< of unit length, zero where unknown; empty if the input has none
   std::vector<Index> input_point; ///< for every point of the input, the point that stands for it
   Normalization normalization;
+  Canonical_pose pose; ///< of the points
 
   std::size_t number_of_duplicates() const { return input_point.size() - points.size(); }
 };
@@ -54,6 +56,38 @@ template <class Triple>
 Vector_3 to_vector_3(const Triple& triple)
 {
   return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
+}
+
+/// Sorts a cloud of different points lexicographically in their canonical pose: so the numbers do not depend on the
+/// pose.
+inline void sort_canonically(Point_cloud& cloud)
+{
+  cloud.pose = Canonical_pose(cloud.points);
+  std::vector<Vector_3> posed;
+  posed.reserve(cloud.points.size());
+  for (const Vector_3& point : cloud.points) {
+    posed.push_back(cloud.pose(point));
+  }
+  std::vector<Index> order(cloud.points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(), [&posed](Index i, Index j) {
+    return std::lexicographical_compare(posed[i].data(), posed[i].data() + 3, posed[j].data(), posed[j].data() + 3);
+  });
+  std::vector<Index> number(order.size());
+  std::vector<Vector_3> points;
+  std::vector<Vector_3> normals;
+  for (Index i = 0; i < order.size(); ++i) {
+    number[order[i]] = i;
+    points.push_back(cloud.points[order[i]]);
+    if (!cloud.normals.empty()) {
+      normals.push_back(cloud.normals[order[i]]);
+    }
+  }
+  for (Index& point : cloud.input_point) {
+    point = number[point];
+  }
+  cloud.points = std::move(points);
+  cloud.normals = std::move(normals);
 }
 
 /// Merges points of equal coordinates and sorts the rest lexicographically; normals of merged points are added.
@@ -150,6 +184,7 @@ Point_cloud collect_points(const PointRange& range, const PointMap& point_map,
   cloud.normalization = normalize_extent(points);
   merge_and_sort(std::move(points), std::move(normals), cloud);
   check_extent(cloud.points);
+  sort_canonically(cloud);
   return cloud;
 }
 

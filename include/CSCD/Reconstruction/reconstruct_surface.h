@@ -35,6 +35,7 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,9 +86,12 @@ private:
   static constexpr Index spacing_neighbors = 6;
   /// The longest edge of a triangle, relative to how far the neighborhood of its ends reaches.
   static constexpr double longest_edge = 2;
+  /// How far points are moved, for the triangulation only, relative to the reach of their neighborhoods: far more than
+  /// rounding, far less than matters.
+  static constexpr double jitter = 1e-6;
   /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
   static constexpr double outlier_reach = 4;
-  /// With more border edges than this for each point there is no surface: curves have about one.
+  /// With more border edges than this for each vertex there is no surface: curves have about one.
   static constexpr double most_border_edges = 0.6;
   /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
@@ -155,18 +159,34 @@ private:
     return *place;
   }
 
+  /// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
+  static Vector_3 pseudo_random_vector(Index point)
+  {
+    std::minstd_rand random(point + 1);
+    random.discard(2); // the first numbers of neighboring seeds are alike
+    Vector_3 result = Vector_3::Zero();
+    for (double& coordinate : result) {
+      coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
+    }
+    return result;
+  }
+
   void triangulate()
   {
+    // What the front does must not hang on the pose, nor, among equal triangles, on the addresses of their points.
+    std::vector<Vector_3> posed(m_points.size());
     std::vector<Front_limit> limits(m_points.size());
     for (Index point = 0; point < m_points.size(); ++point) {
-      limits[point].longest_edge = m_is_outlier[point] != 0 ? 0 : longest_edge * m_neighbors.reach(point);
+      const double reach = m_cloud.pose.scale() * m_neighbors.reach(point);
+      posed[point] = m_cloud.pose(m_points[point]) + jitter * reach * pseudo_random_vector(point);
+      limits[point].longest_edge = m_is_outlier[point] != 0 ? 0 : longest_edge * reach;
       if (!m_cloud.normals.empty()) {
-        limits[point].normal = m_cloud.normals[point];
+        limits[point].normal = m_cloud.pose.turn(m_cloud.normals[point]);
       }
     }
     Indexed_triangles& triangles = m_result.triangles;
     triangles.points = m_points;
-    triangles.faces = advance_front(m_points, limits);
+    triangles.faces = advance_front(posed, limits);
     if (triangles.faces.empty()) {
       throw Input_error("no surface could be made of the points: they do not sample one densely enough");
     }
@@ -181,12 +201,13 @@ private:
     for (Index h = 0; h < m_result.pairing.number_of_halfedges(); ++h) {
       m_result.report.number_of_border_edges += m_result.pairing.twin(h) == no_index ? 1 : 0;
     }
-    if (double(m_result.report.number_of_border_edges) > most_border_edges * double(m_points.size())) {
-      throw Input_error("the points do not sample a surface: what connects them has " +
-                        std::to_string(m_result.report.number_of_border_edges) + " border edges for " +
-                        std::to_string(m_points.size()) + " points; sample the surface more densely");
-    }
     compact();
+    const std::size_t number_of_vertices = triangles.points.size();
+    if (double(m_result.report.number_of_border_edges) > most_border_edges * double(number_of_vertices)) {
+      throw Input_error("the points do not sample a surface: what connects them has " +
+                        std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
+                        std::to_string(number_of_vertices) + " points; sample the surface more densely");
+    }
   }
 
   /// Removes vertices without faces, and pairs the halfedges again.
