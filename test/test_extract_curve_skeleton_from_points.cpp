@@ -221,12 +221,11 @@ TEST_P(Sampled_shape, has_nearly_the_skeleton_of_the_mesh)
   EXPECT_LT(mean_distance(of_mesh, of_points), tolerance);
 }
 
-/// A cloud without symmetry.
+/// A cloud without symmetry, so dense that the front leaves no hole: where it does, CGAL's front still depends on
+/// addresses, and answers may differ in a few triangles.
 std::vector<Triple> some_points()
 {
-  const Shape shape = CSCD::test::double_torus(0.2);
-  const std::size_t number = 4000;
-  return CSCD::test::shaken(sampled(shape, number, 1), 0.2 * CSCD::test::mean_spacing(shape, number), 3);
+  return sampled(CSCD::test::double_torus(0.2), 8000, 1);
 }
 
 TEST(Point_skeleton, does_not_depend_on_the_pose)
