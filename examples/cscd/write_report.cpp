@@ -87,7 +87,6 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
           {"number_of_unused_points", r.number_of_unused_points},
           {"number_of_border_edges", r.number_of_border_edges},
           {"number_of_holes", r.number_of_holes},
-          {"number_of_dropped_fragments", r.number_of_dropped_fragments},
           {"number_of_joined_gaps", r.joined_gaps.size()},
           {"number_of_cut_handles", r.cut_handles.size()},
           {"joined_gaps", repairs_part(r.joined_gaps)},

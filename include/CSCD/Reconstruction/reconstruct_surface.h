@@ -71,7 +71,6 @@ public:
     find_outliers();
     triangulate();
     join_fragments();
-    drop_small_fragments();
     close();
     remove_false_handles();
     m_result.report.number_of_unused_points = m_cloud.points.size() - count_used_points();
@@ -98,8 +97,6 @@ private:
   /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
   /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
   static constexpr double largest_noise = 0.19;
-  /// Fragments of fewer faces than this are left out if there is a larger one.
-  static constexpr std::size_t least_fragment_size = 20;
 
   void measure_spacing()
   {
@@ -245,8 +242,6 @@ private:
     const Vector_3 input = m_cloud.normalization.to_input(center);
     return {{input.x(), input.y(), input.z()}, length * m_cloud.normalization.unit};
   }
-
-  void drop_small_fragments() {}
 
   /// Closes all holes and orients the surface.
   void close()
