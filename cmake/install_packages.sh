@@ -30,11 +30,11 @@ install_packages()
 # number_of_jobs prints how many compilers to run at once: one a core, but not more than memory allows.
 number_of_jobs()
 {
-  local cores gigabytes
+  local cores memory
   cores=$(nproc)
-  # A compiler takes up to 1 GB.
-  gigabytes=$(awk '/^MemAvailable:/ { print int($2 / 1024 / 1024) }' /proc/meminfo)
-  echo $((gigabytes < 1 ? 1 : gigabytes < cores ? gigabytes : cores))
+  # A compiler takes up to 2 GB.
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1024 / 1024 / 2) }' /proc/meminfo)
+  echo $((memory < 1 ? 1 : memory < cores ? memory : cores))
 }
 
 # What the library, its examples and the program cscd are built with; libcgal-demo has the meshes they are shown on.

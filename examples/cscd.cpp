@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program cscd: skeletons of meshes and point sets from the command line.
+// The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
+#include "cscd/Compare_options.h"
+#include "cscd/Evaluate_options.h"
 #include "cscd/Skeletonize_options.h"
 #include "cscd/Usage_error.h"
+#include "cscd/compare.h"
+#include "cscd/evaluate.h"
 #include "cscd/skeletonize.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -34,6 +38,8 @@ constexpr const char* examples = R"(Examples:
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
+  cscd evaluate bunny.off bunny.graph                how good a skeleton is, whoever made it
+  cscd compare bunny.graph other.swc                 how alike two skeletons are
 
 )";
 
@@ -41,6 +47,7 @@ constexpr const char* explanations = R"(
 Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PTS, PLY or OFF without faces. What has to be
 repaired is said on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
+Skeletons to measure: .graph .json .obj .ply .polylines.txt .swc.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
 /// Puts the examples before the rest of the help.
@@ -81,6 +88,52 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_flag("-q,--quiet", options.is_quiet, "say nothing but errors");
 }
 
+void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
+{
+  CLI::App* command = app.add_subcommand("evaluate", "measure how good a skeleton is for its mesh");
+  command->add_option("INPUT", options.input, "mesh file, or - for standard input")->required();
+  command
+      ->add_option("SKELETON", options.skeleton,
+                   "skeleton file, its ending names the format; - reads .graph from standard input")
+      ->required();
+  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+  command
+      ->add_option("--radii", options.radii,
+                   "radii of the reconstructed surfaces: estimated from the mesh, or the skeleton's own")
+      ->check(CLI::IsMember({cscd::estimated_radii, cscd::own_radii}))
+      ->capture_default_str();
+  command
+      ->add_option("--resolution", options.resolution,
+                   "cells of the reconstructed surfaces along the diagonal of the bounding box")
+      ->check(CLI::Range(1, 10000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--convolution-surface", options.convolution_surface,
+                   "file for the convolution surface as a mesh: .off .obj .ply .stl")
+      ->type_name("FILE");
+  command->add_option("--round-cones", options.round_cones, "file for the union of round cones as a mesh")
+      ->type_name("FILE");
+  command->add_flag("--json", options.is_json, "write all measures as JSON");
+  command->add_flag("-q,--quiet", options.is_quiet, "do not say what was repaired");
+}
+
+void add_compare(CLI::App& app, cscd::Compare_options& options)
+{
+  CLI::App* command = app.add_subcommand("compare", "measure how alike two skeletons are");
+  command->add_option("A", options.first, "skeleton file; - reads .graph from standard input")->required();
+  command->add_option("B", options.second, "skeleton file; - reads .graph from standard input")->required();
+  command
+      ->add_option("--match-distance", options.match_distance,
+                   "up to which tips, junctions and branches count as the same, relative to the diagonal of the "
+                   "bounding box")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("D")
+      ->capture_default_str();
+  command->add_flag("--json", options.is_json, "write all figures as JSON");
+}
+
 /// Says what is wrong in one line.
 void complain(std::string message)
 {
@@ -95,8 +148,12 @@ int run(int argc, char** argv)
   app.set_version_flag("--version", std::string("cscd ") + CSCD_VERSION);
   app.footer(explanations);
   app.require_subcommand(1);
-  cscd::Skeletonize_options options;
-  add_skeletonize(app, options);
+  cscd::Skeletonize_options skeletonize_options;
+  cscd::Evaluate_options evaluate_options;
+  cscd::Compare_options compare_options;
+  add_skeletonize(app, skeletonize_options);
+  add_evaluate(app, evaluate_options);
+  add_compare(app, compare_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // help or version
@@ -104,7 +161,13 @@ int run(int argc, char** argv)
   } catch (const CLI::ParseError& error) {
     throw cscd::Usage_error(error.what());
   }
-  cscd::skeletonize(options);
+  if (app.got_subcommand("evaluate")) {
+    cscd::evaluate(evaluate_options);
+  } else if (app.got_subcommand("compare")) {
+    cscd::compare(compare_options);
+  } else {
+    cscd::skeletonize(skeletonize_options);
+  }
   std::cout.flush();
   if (!std::cout) {
     throw CSCD::File_error("standard output cannot be written; check the pipe or the disk");

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: a part under
+# Installs what is missing (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: parts under
 # sanitizers, then all. Takes no arguments; may be run again.
 
 set -euo pipefail
@@ -45,6 +45,8 @@ step "format" cmake --build --preset release --target format_check
 step "build" cmake --build --preset release --parallel "$jobs"
 step "build for the address sanitizer" build_preset asan-ubsan
 step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
+step "build for the thread sanitizer" build_preset tsan
+step "tests under the thread sanitizer" ctest --preset tsan
 step "clang-tidy" build_preset tidy
 
 echo "Seconds up to here:"

@@ -3,9 +3,15 @@
 //
 // Which types are models of the concepts, and which are not; what is refused, and how, is seen in compile_errors.
 
+#include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Length_and_planarity_weight.h>
+#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Surface_levels.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/concepts.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>
@@ -41,6 +47,18 @@ struct Two_sites
   std::vector<int> neighbors(std::size_t i) const { return {i == 0 ? 1 : 0}; }
   std::size_t number_of_triangles() const { return 0; }
   std::array<std::size_t, 3> triangle(std::size_t /* f */) const { return {}; }
+  std::array<std::size_t, 1> descriptors(std::size_t i) const { return {i}; }
+  Point to_input_point(const Eigen::Vector3d& p) const { return {p.x(), p.y(), p.z()}; }
+  double to_input_length(double length) const { return length; }
+  int genus() const { return 0; }
+  int number_of_components() const { return 1; }
+  int number_of_input_sites() const { return 2; }
+  int number_of_isolated_vertices() const { return 0; }
+  int number_of_bridged_borders() const { return 0; }
+  int number_of_inserted_vertices() const { return 0; }
+  int number_of_degenerate_faces() const { return 0; }
+  std::vector<std::string> warnings() const { return {}; }
+  double seconds_to_compile() const { return 0; }
 };
 
 struct Two_sites_not_const : Two_sites
@@ -56,6 +74,26 @@ struct Two_sites_without_triangles : Two_sites
 struct Two_sites_with_named_neighbors : Two_sites
 {
   std::vector<std::string> neighbors(std::size_t /* i */) const { return {}; }
+};
+
+struct Two_sites_of_another_kind : Two_sites
+{
+  using Site_descriptor = std::string;
+};
+
+struct Two_sites_with_one_warning : Two_sites
+{
+  std::string warnings() const { return {}; }
+};
+
+struct Two_sites_without_genus : Two_sites
+{
+  void genus() const {}
+};
+
+struct Two_sites_without_a_count : Two_sites
+{
+  void number_of_bridged_borders() const {}
 };
 
 TEST(Concepts, Skeletonization_traits)
@@ -75,8 +113,118 @@ TEST(Concepts, Skeletonization_traits_one_requirement_missing)
   EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_not_const>::has_point);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_triangles>::has_triangle);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_named_neighbors>::has_neighbors);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_descriptors);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_one_warning>::has_warnings);
+  EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_site_descriptor);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_genus>::has_genus);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_a_count>::has_counts_of_input);
   EXPECT_FALSE(CSCD::is_skeletonization_traits_v<Two_sites_without_triangles>);
   EXPECT_FALSE(CSCD::is_skeletonization_traits_v<Two_sites_with_named_neighbors>);
+}
+
+struct Levels_by_value
+{
+  CSCD::internal::Surface_levels levels() const;
+};
+
+struct Body
+{
+  struct Answer
+  {
+    Eigen::Vector3d point;
+    unsigned face;
+  };
+
+  const CSCD::internal::Surface_levels& levels() const;
+  const CSCD::internal::Triangulated_surface& solid_surface() const;
+  bool is_inside(const Eigen::Vector3d& p) const;
+  Answer closest_point(const Eigen::Vector3d& p) const;
+  const Answer* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+  void crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::vector<double>& distances) const;
+};
+
+struct Body_that_is_always_hit : Body
+{
+  Answer first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+};
+
+struct Body_that_returns_crossings : Body
+{
+  std::vector<double> crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
+};
+
+struct Body_without_faces : Body
+{
+  struct Point
+  {
+    Eigen::Vector3d point;
+  };
+  Point closest_point(const Eigen::Vector3d& p) const;
+};
+
+TEST(Concepts, Multiresolution_skeletonization_traits)
+{
+  EXPECT_TRUE((CSCD::is_multiresolution_skeletonization_traits_v<CSCD::Triangle_mesh_traits<Mesh>>));
+  EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Body>);
+  EXPECT_FALSE(CSCD::is_multiresolution_skeletonization_traits_v<Levels_by_value>) << "the levels must stay";
+  EXPECT_FALSE(CSCD::is_multiresolution_skeletonization_traits_v<Two_sites>);
+  CSCD::check_multiresolution_skeletonization_traits<Body>();
+}
+
+TEST(Concepts, Solid_skeletonization_traits)
+{
+  EXPECT_TRUE((CSCD::is_solid_skeletonization_traits_v<CSCD::Triangle_mesh_traits<Mesh>>));
+  EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Body>);
+  EXPECT_FALSE(CSCD::is_solid_skeletonization_traits_v<Levels_by_value>);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_first_hit);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_returns_crossings>::has_crossings);
+  EXPECT_TRUE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_closest_point);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_without_faces>::has_closest_point);
+  CSCD::check_solid_skeletonization_traits<Body>();
+}
+
+struct Weight_in_words
+{
+  std::string operator()(const CSCD::Separator& separator) const;
+};
+
+TEST(Concepts, Separator_weight)
+{
+  EXPECT_TRUE(CSCD::is_separator_weight_v<CSCD::Length_and_planarity_weight>);
+  EXPECT_TRUE(CSCD::is_separator_weight_v<float (*)(CSCD::Separator)>);
+  EXPECT_FALSE(CSCD::is_separator_weight_v<Weight_in_words>);
+  EXPECT_FALSE(CSCD::is_separator_weight_v<double>);
+  CSCD::check_separator_weight<CSCD::Length_and_planarity_weight>();
+}
+
+struct Finder_that_answers_by_value
+{
+  CSCD::Search_result operator()(unsigned source, unsigned level_hint);
+};
+
+struct Policies_with_a_finder_for_bodies
+{
+  using Separator_finder = CSCD::Local_separator_finder<Body>;
+  Separator_finder make_separator_finder(const Body& body) const;
+  double separator_weight(const CSCD::Separator& separator) const;
+};
+
+struct Policies_with_a_weight_in_words : Policies_with_a_finder_for_bodies
+{
+  Weight_in_words separator_weight;
+};
+
+TEST(Concepts, Skeletonization_policies)
+{
+  using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<CSCD::Local_policies<Traits>, Traits>));
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_with_a_finder_for_bodies, Body>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_with_a_finder_for_bodies, Traits>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_with_a_weight_in_words, Body>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Body, Body>));
+  EXPECT_TRUE(CSCD::is_separator_finder_v<CSCD::Local_separator_finder<Traits>>);
+  EXPECT_FALSE(CSCD::is_separator_finder_v<Finder_that_answers_by_value>);
+  CSCD::check_skeletonization_policies<CSCD::Local_policies<Traits>, Traits>();
 }
 
 TEST(Concepts, Triangle_mesh)

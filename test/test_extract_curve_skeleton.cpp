@@ -5,6 +5,7 @@
 
 #include "support/Centreline_error.h"
 #include "support/Inside_count.h"
+#include "support/expect_skeleton.h"
 #include "support/invariants.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
@@ -119,8 +120,7 @@ TEST_F(Extract_curve_skeleton, replaces_what_was_in_the_output)
 {
   const auto old = add_vertex(m_skeleton);
   m_skeleton[old].vertices.push_back(*m_mesh.vertices().begin());
-  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
-  EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
+  CSCD::test::expect_skeleton(m_mesh, m_skeleton);
 }
 
 TEST_F(Extract_curve_skeleton, leaves_the_mesh_alone)
@@ -137,8 +137,7 @@ TEST_F(Extract_curve_skeleton, keeps_the_invariants_for_every_seed)
 {
   for (unsigned int seed = 0; seed < 10; ++seed) {
     SCOPED_TRACE(seed);
-    const auto report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::random_seed(seed));
-    EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
+    const auto report = CSCD::test::expect_skeleton(m_mesh, m_skeleton, parameters::random_seed(seed));
     EXPECT_EQ(report.number_of_tips, 3u);
     EXPECT_EQ(report.number_of_junctions, 1u);
   }
@@ -148,10 +147,8 @@ TEST_F(Extract_curve_skeleton, keeps_to_the_maximum_number_of_sources)
 {
   for (const std::size_t maximum : {std::size_t(1), std::size_t(10), std::size_t(100)}) {
     SCOPED_TRACE(maximum);
-    const auto report =
-        CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::maximum_number_of_sources(maximum));
+    const auto report = CSCD::test::expect_skeleton(m_mesh, m_skeleton, parameters::maximum_number_of_sources(maximum));
     EXPECT_LE(report.number_of_sources, maximum);
-    EXPECT_EQ(CSCD::test::violated_invariants(m_mesh, m_skeleton, report), Violations{});
   }
 }
 
@@ -238,14 +235,12 @@ TEST_F(Extract_curve_skeleton, stops_when_its_visitor_says_so_and_leaves_the_out
   ASSERT_GT(whole.number_of_questions, 0u);
   for (const std::size_t question : {std::size_t(1), whole.number_of_questions}) {
     SCOPED_TRACE(question);
-    Skeleton skeleton(1);
-    skeleton[0].point = Point(1, 2, 3);
+    Skeleton skeleton = CSCD::test::marked_skeleton<Skeleton>();
     Recording_visitor::Record record;
     const auto stopped = parameters::visitor(Recording_visitor(record, question));
     EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, stopped), CSCD::Cancelled_error);
     EXPECT_EQ(record.number_of_questions, question) << "asked again after it said no";
-    ASSERT_EQ(num_vertices(skeleton), 1u);
-    EXPECT_EQ(skeleton[0].point, Point(1, 2, 3));
+    CSCD::test::expect_is_marked(skeleton);
   }
 }
 
@@ -270,12 +265,10 @@ TEST_F(Extract_curve_skeleton, passes_on_what_its_visitor_throws_and_leaves_the_
   for (const auto stage : {CSCD::Skeletonization_stage::compile_surface, CSCD::Skeletonization_stage::find_separators,
                            CSCD::Skeletonization_stage::pack_separators, CSCD::Skeletonization_stage::build_skeleton}) {
     SCOPED_TRACE(CSCD::name(stage));
-    Skeleton skeleton(2);
-    add_edge(0, 1, skeleton);
+    Skeleton skeleton = CSCD::test::marked_skeleton<Skeleton>();
     EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, parameters::visitor(Throwing_visitor(stage))),
                  std::string);
-    EXPECT_EQ(num_vertices(skeleton), 2u);
-    EXPECT_EQ(num_edges(skeleton), 1u);
+    CSCD::test::expect_is_marked(skeleton);
   }
 }
 

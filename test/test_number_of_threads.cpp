@@ -3,9 +3,11 @@
 //
 // The answer is the same to the last bit from run to run and for any number of threads.
 
+#include "support/Allow_threads.h"
 #include "support/Skeleton_comparison.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -13,11 +15,7 @@
 #include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#endif
 
-#include <cstddef>
 #include <vector>
 
 namespace {
@@ -31,12 +29,16 @@ using CSCD::test::Shape_maker;
 /// Arbitrary, but not the default.
 constexpr unsigned seed = 5;
 
+/// Expects that as many threads are used as are asked for, if any number is.
 template <class ConcurrencyTag>
 Plain_skeleton skeletonize(const Mesh& mesh, unsigned number_of_threads)
 {
   Skeleton skeleton;
-  CSCD::extract_curve_skeleton<ConcurrencyTag>(
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton<ConcurrencyTag>(
       mesh, skeleton, CSCD::parameters::random_seed(seed).number_of_threads(number_of_threads));
+  if (number_of_threads > 0) {
+    EXPECT_EQ(report.number_of_threads, number_of_threads);
+  }
   return CSCD::test::plain(mesh, skeleton);
 }
 
@@ -60,9 +62,8 @@ TEST_P(Number_of_threads, changes_nothing)
   EXPECT_EQ(expected, skeletonize<CGAL::Sequential_tag>(mesh, 1)) << "from run to run";
   EXPECT_EQ(expected, skeletonize<CGAL::Parallel_if_available_tag>(mesh, 0));
 #ifdef CGAL_LINKED_WITH_TBB
-  // More threads than there may be cores: they take turns at any point of their work.
-  const std::size_t most_threads = 4;
-  const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, most_threads);
+  const unsigned most_threads = 4;
+  const CSCD::test::Allow_threads allow(most_threads);
   for (unsigned number_of_threads = 1; number_of_threads <= most_threads; ++number_of_threads) {
     SCOPED_TRACE(number_of_threads);
     EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(mesh, number_of_threads));

@@ -17,6 +17,7 @@
 #include <CSCD/exceptions.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <ostream>
@@ -37,11 +38,16 @@ void check_options(const Skeletonize_options& options)
   }
 }
 
+/// What the input is called in messages.
+std::string name_of_input(const Skeletonize_options& options)
+{
+  return options.input == standard_stream ? "standard input" : options.input;
+}
+
 void say(const Skeletonize_options& options, const std::string& sentence)
 {
   if (!options.is_quiet) {
-    std::cerr << "cscd: " << (options.input == standard_stream ? "standard input" : options.input) << ": " << sentence
-              << '\n';
+    std::cerr << "cscd: " << name_of_input(options) << ": " << sentence << '\n';
   }
 }
 
@@ -54,9 +60,14 @@ Skeletonization_result compute(Input& input, const Skeletonize_options& options)
   try {
     return compute_skeleton(input, options, bar ? &*bar : nullptr);
   } catch (const CSCD::Input_error& error) {
-    const std::string name = options.input == standard_stream ? "standard input" : options.input;
-    throw CSCD::Input_error(name + ": " + error.what());
+    throw CSCD::Input_error(name_of_input(options) + ": " + error.what());
   }
+}
+
+/// The name of the input file without its folder, which means nothing to whom the page is given.
+std::string title(const Skeletonize_options& options)
+{
+  return std::filesystem::path(name_of_input(options)).filename().string();
 }
 
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
@@ -65,7 +76,7 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     write_output(output, result.skeleton);
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, input, result, options.input);
+    write_viewer_page(options.html, input, result, title(options));
   }
   if (!options.report.empty()) {
     CSCD::write_file(options.report,

@@ -7,6 +7,9 @@
 #define CSCD_CURVE_SKELETONIZATION_H
 
 #include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Bump_branches.h>
+#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Selection/Disjoint_separators.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Selection/Separator_search.h>
 #include <CSCD/Selection/cut_handles.h>
@@ -34,11 +37,13 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -54,8 +59,8 @@ namespace CSCD {
 /// skeletonization.convert_to_skeleton(skeleton);
 /// \endcode
 ///
-/// \tparam Traits a model of `SkeletonizationTraits` with what `Policies` ask beyond that
-/// \tparam Policies the algorithms of the stages, see `Local_policies`
+/// \tparam Traits a model of `SkeletonizationTraits` and of `SolidSkeletonizationTraits`
+/// \tparam Policies a model of `SkeletonizationPolicies` for `Traits`: the algorithms of the stages
 /// \tparam Visitor a model of `SkeletonizationVisitor`, or a reference to one
 template <class Traits, class Policies = Local_policies<Traits>, class Visitor = Default_skeletonization_visitor>
 class Curve_skeletonization
@@ -74,6 +79,9 @@ public:
       : m_traits(traits), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
   {
     check_skeletonization_traits<Traits>();
+    check_solid_skeletonization_traits<Traits>();
+    check_skeletonization_policies<Policies, Traits>();
+    check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
     m_report.number_of_sites = traits.number_of_input_sites();
     m_report.number_of_isolated_vertices = traits.number_of_isolated_vertices();
     m_report.number_of_surface_components = traits.number_of_components();
@@ -108,7 +116,7 @@ public:
     return *this;
   }
   unsigned number_of_threads() const { return m_number_of_threads; }
-  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for one a core.
+  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
     m_number_of_threads = number;
@@ -214,9 +222,9 @@ private:
   /// The part of the search that its first pass is, for the progress.
   static constexpr double first_pass_share = 0.75;
   /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
-  static constexpr double unexplored_distance = 0.5;
+  static constexpr double unexplored_distance = 0.6;
   /// How many times as many separators are asked for there.
-  static constexpr unsigned exploration_factor = 3;
+  static constexpr unsigned exploration_factor = 2;
 
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)
@@ -255,22 +263,39 @@ private:
     return result;
   }
 
+  /// The separators that would be packed so far, less those of bumps.
+  std::vector<Index> pack_for_trial() const
+  {
+    const internal::Triangulated_surface& surface = m_traits.levels().finest().surface;
+    internal::Disjoint_separators disjoint(surface, m_separators, weights());
+    disjoint.pack([](Index) { return true; });
+    internal::Cut_graph cut_graph(surface, disjoint.arrangement());
+    cut_graph.cut(disjoint.arrangement());
+    const internal::Bump_branches bumps(cut_graph, m_separators, disjoint.packed());
+    std::vector<char> is_bump(m_separators.size(), 0);
+    for (Index separator : bumps.separators()) {
+      is_bump[separator] = 1;
+    }
+    std::vector<Index> packed = disjoint.packed();
+    packed.erase(std::remove_if(packed.begin(), packed.end(), [&](Index separator) { return is_bump[separator] != 0; }),
+                 packed.end());
+    return packed;
+  }
+
   /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends
   /// of limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
   template <class Search>
   void explore_ends(Search& search) const
   {
-    const internal::Surface_levels& levels = m_traits.levels();
-    const internal::Separator_packing packing(levels.finest().surface, m_separators, weights());
-    const internal::Surface_regions regions(levels, m_separators, packing.packed(),
+    const std::vector<Index> packed = pack_for_trial();
+    const internal::Surface_regions regions(m_traits.levels(), m_separators, packed,
                                             internal::Surface_regions::rough_size);
     search.explore(
         [&](Index vertex) {
           const Index level_vertex = regions.level().from_finest(vertex);
           const Index separator = regions.separator(level_vertex);
-          return separator != internal::no_index &&
-                 double(regions.distance(level_vertex)) >
-                     unexplored_distance * m_separators[packing.packed()[separator]].radius();
+          return separator != internal::no_index && double(regions.distance(level_vertex)) >
+                                                        unexplored_distance * m_separators[packed[separator]].radius();
         },
         exploration_factor);
   }

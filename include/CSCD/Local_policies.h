@@ -14,7 +14,7 @@ namespace CSCD {
 /// The local policies: everything touches only the surface around a source. The default model of
 /// `SkeletonizationPolicies`.
 /// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
-/// \tparam SeparatorWeight a model of `SeparatorWeight`: `double operator()(const Separator&) const`
+/// \tparam SeparatorWeight a model of `SeparatorWeight`
 template <class Traits, class SeparatorWeight = Length_and_planarity_weight>
 struct Local_policies
 {

@@ -1,21 +1,28 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The concepts of the library, in code: whether a type is a model, and functions that refuse at compile time what is
-// none, with one sentence for each missing expression.
+// The concepts of the library, in words and in code: what each asks for, whether a type is a model, and functions that
+// refuse at compile time what is none, with one sentence for each missing expression.
 
 #ifndef CSCD_CONCEPTS_H
 #define CSCD_CONCEPTS_H
 
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CSCD {
+
+struct Search_result;
 
 namespace internal {
 
@@ -47,6 +54,33 @@ struct Gives<std::void_t<Expression<T...>>, Result, Expression, T...> : std::is_
 template <class Result, template <class...> class Expression, class... T>
 inline constexpr bool gives_v = Gives<void, Result, Expression, T...>::value;
 
+template <class Void, class Object, template <class...> class Expression, class... T>
+struct Refers_to : std::false_type
+{
+};
+
+template <class Object, template <class...> class Expression, class... T>
+struct Refers_to<std::void_t<Expression<T...>>, Object, Expression, T...>
+    : std::bool_constant<std::is_lvalue_reference_v<Expression<T...>> &&
+                         std::is_convertible_v<Expression<T...>, const Object&>>
+{
+};
+
+/// Whether the type `Expression<T...>` is well formed and a reference to an `Object`, which may be held on to.
+template <class Object, template <class...> class Expression, class... T>
+inline constexpr bool refers_to_v = Refers_to<void, Object, Expression, T...>::value;
+
+/// Whether the type `Expression<T, More...>` is well formed and is, or can be converted to, the type `Own<T>`.
+template <template <class...> class Own, template <class...> class Expression, class T, class... More>
+constexpr bool gives_own_type()
+{
+  if constexpr (is_valid_v<Own, T> && is_valid_v<Expression, T, More...>) {
+    return std::is_same_v<Expression<T, More...>, Own<T>> || std::is_convertible_v<Expression<T, More...>, Own<T>>;
+  } else {
+    return false;
+  }
+}
+
 /// The type of the elements of a range.
 template <class Range>
 using Element = decltype(*std::begin(std::declval<Range&>()));
@@ -73,6 +107,66 @@ template <class T>
 using number_of_triangles = decltype(std::declval<const T&>().number_of_triangles());
 template <class T>
 using corner = decltype(std::declval<const T&>().triangle(Index())[2]);
+template <class T>
+using descriptor = Element<decltype(std::declval<const T&>().descriptors(Index()))>;
+template <class T>
+using to_input_point = decltype(std::declval<const T&>().to_input_point(Vector_3()));
+template <class T>
+using to_input_length = decltype(std::declval<const T&>().to_input_length(1.));
+template <class T>
+using number_of_input_sites = decltype(std::declval<const T&>().number_of_input_sites());
+template <class T>
+using number_of_isolated_vertices = decltype(std::declval<const T&>().number_of_isolated_vertices());
+template <class T>
+using number_of_components = decltype(std::declval<const T&>().number_of_components());
+template <class T>
+using number_of_bridged_borders = decltype(std::declval<const T&>().number_of_bridged_borders());
+template <class T>
+using number_of_inserted_vertices = decltype(std::declval<const T&>().number_of_inserted_vertices());
+template <class T>
+using number_of_degenerate_faces = decltype(std::declval<const T&>().number_of_degenerate_faces());
+template <class T>
+using warnings = decltype(std::declval<const T&>().warnings());
+template <class T>
+using genus = decltype(std::declval<const T&>().genus());
+template <class T>
+using seconds_to_compile = decltype(std::declval<const T&>().seconds_to_compile());
+
+template <class T>
+using levels = decltype(std::declval<const T&>().levels());
+
+template <class T>
+using solid_surface = decltype(std::declval<const T&>().solid_surface());
+template <class T>
+using is_inside = decltype(std::declval<const T&>().is_inside(Vector_3()));
+template <class T>
+using closest_point = decltype(std::declval<const T&>().closest_point(Vector_3()).point);
+template <class T>
+using closest_face = decltype(std::declval<const T&>().closest_point(Vector_3()).face);
+template <class T>
+using first_hit = decltype(std::declval<const T&>().first_hit(Vector_3(), Vector_3()));
+template <class T>
+using is_hit = decltype(!std::declval<const first_hit<T>&>());
+template <class T>
+using hit_point = decltype(std::declval<const first_hit<T>&>()->point);
+template <class T>
+using hit_face = decltype(std::declval<const first_hit<T>&>()->face);
+template <class T>
+using crossings =
+    decltype(std::declval<const T&>().crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>()));
+
+template <class W>
+using weight_of_separator = decltype(std::declval<const W&>()(std::declval<const Separator&>()));
+
+template <class F>
+using search = decltype(std::declval<F&>()(Index(), Index(), std::declval<Search_result&>()));
+
+template <class P>
+using Separator_finder = typename P::Separator_finder;
+template <class P, class T>
+using make_separator_finder = decltype(std::declval<const P&>().make_separator_finder(std::declval<const T&>()));
+template <class P>
+using separator_weight = decltype(std::declval<const P&>().separator_weight(std::declval<const Separator&>()));
 
 // Found by argument-dependent look-up only. boost::graph_traits is not asked: it fails hard on what is no graph.
 template <class G>
@@ -121,9 +215,33 @@ using go_further = decltype(std::declval<T&>().go_further());
 } // namespace internal
 
 /// \name SkeletonizationTraits
-/// A surface as the skeletonization sees it: sites `0` to `number_of_sites() - 1` with positions, weights (the areas
-/// that they stand for), normals, neighbours, and triangles over them. All functions take constant time, are const, and
-/// may be called by several threads at once. Models: `Triangle_mesh_traits`.
+/// A surface as the skeletonization sees it: sites `0` to `n - 1`, triangles over them, and the way back to the input.
+/// All functions take constant time, are const, and may be called by several threads at once. Positions and lengths are
+/// normalized (unit area, centroid at the origin), so that the skeleton depends on the shape alone.
+///
+/// | expression | value |
+/// |---|---|
+/// | `T::Point`, `T::Site_descriptor` | the types of the points of the input, and of what identifies a site there |
+/// | `t.number_of_sites()` | the number of sites, inserted ones included |
+/// | `t.point(i)`, `t.normal(i)` | the position of site `i`, and the outward unit normal there |
+/// | `t.weight(i)` | the area that site `i` stands for |
+/// | `t.neighbors(i)` | a range of the sites next to site `i` |
+/// | `t.number_of_triangles()`, `t.triangle(f)` | the triangles, each an array of three sites |
+/// | `t.descriptors(i)` | a range of what identifies, in the input, the sites for which site `i` stands; may be empty |
+/// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length in the coordinates of the input |
+/// | `t.genus()` | the number of handles, over all components |
+/// | `t.number_of_components()` | the number of connected components of the surface |
+/// | `t.number_of_input_sites()` | the number of sites of the input |
+/// | `t.number_of_isolated_vertices()` | the number of vertices of the input that are no sites |
+/// | `t.number_of_bridged_borders()` | the number of borders that were closed |
+/// | `t.number_of_inserted_vertices()` | the number of sites that are not of the input |
+/// | `t.number_of_degenerate_faces()` | the number of triangles of the input with (nearly) no area |
+/// | `t.warnings()` | a `std::vector<std::string>`: what is doubtful about the input or was mended |
+/// | `t.seconds_to_compile()` | the time that it took to make `t` |
+///
+/// If there is `t.reconstruction_report()`, a `Reconstruction_report`, the report of the skeletonization holds it.
+///
+/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -140,8 +258,26 @@ struct Skeletonization_traits_requirements
   static constexpr bool has_number_of_triangles =
       internal::gives_v<std::size_t, internal::expressions::number_of_triangles, T>;
   static constexpr bool has_triangle = internal::gives_v<std::size_t, internal::expressions::corner, T>;
+  static constexpr bool has_descriptors =
+      internal::gives_own_type<internal::expressions::Site_descriptor, internal::expressions::descriptor, T>();
+  static constexpr bool has_to_input_point =
+      internal::gives_own_type<internal::expressions::Point, internal::expressions::to_input_point, T>();
+  static constexpr bool has_to_input_length = internal::gives_v<double, internal::expressions::to_input_length, T>;
+  static constexpr bool has_genus = internal::gives_v<std::size_t, internal::expressions::genus, T>;
+  static constexpr bool has_number_of_components =
+      internal::gives_v<std::size_t, internal::expressions::number_of_components, T>;
+  static constexpr bool has_counts_of_input =
+      internal::gives_v<std::size_t, internal::expressions::number_of_input_sites, T> &&
+      internal::gives_v<std::size_t, internal::expressions::number_of_isolated_vertices, T> &&
+      internal::gives_v<std::size_t, internal::expressions::number_of_bridged_borders, T> &&
+      internal::gives_v<std::size_t, internal::expressions::number_of_inserted_vertices, T> &&
+      internal::gives_v<std::size_t, internal::expressions::number_of_degenerate_faces, T> &&
+      internal::gives_v<double, internal::expressions::seconds_to_compile, T>;
+  static constexpr bool has_warnings = internal::gives_v<std::vector<std::string>, internal::expressions::warnings, T>;
   static constexpr bool value = has_point_type && has_site_descriptor && has_number_of_sites && has_point &&
-                                has_weight && has_normal && has_neighbors && has_number_of_triangles && has_triangle;
+                                has_weight && has_normal && has_neighbors && has_number_of_triangles && has_triangle &&
+                                has_descriptors && has_warnings && has_to_input_point && has_to_input_length &&
+                                has_genus && has_number_of_components && has_counts_of_input;
 };
 
 /// Whether `T` is a model of `SkeletonizationTraits`.
@@ -172,12 +308,213 @@ constexpr void check_skeletonization_traits()
                 "CSCD: SkeletonizationTraits requires t.number_of_triangles() const, an integer");
   static_assert(Requirements::has_triangle,
                 "CSCD: SkeletonizationTraits requires t.triangle(f) const, an array of three indices");
+  static_assert(Requirements::has_descriptors,
+                "CSCD: SkeletonizationTraits requires t.descriptors(i) const, a range of T::Site_descriptor");
+  static_assert(Requirements::has_warnings,
+                "CSCD: SkeletonizationTraits requires t.warnings() const, convertible to std::vector<std::string>");
+  static_assert(
+      Requirements::has_to_input_point,
+      "CSCD: SkeletonizationTraits requires t.to_input_point(Eigen::Vector3d) const, convertible to T::Point");
+  static_assert(Requirements::has_to_input_length,
+                "CSCD: SkeletonizationTraits requires t.to_input_length(double) const, convertible to double");
+  static_assert(Requirements::has_genus, "CSCD: SkeletonizationTraits requires t.genus() const, an integer");
+  static_assert(Requirements::has_number_of_components,
+                "CSCD: SkeletonizationTraits requires t.number_of_components() const, an integer");
+  static_assert(Requirements::has_counts_of_input,
+                "CSCD: SkeletonizationTraits requires what the report tells of the input: the counts "
+                "number_of_input_sites, _isolated_vertices, _bridged_borders, _inserted_vertices, _degenerate_faces, "
+                "and seconds_to_compile()");
+}
+
+/// @}
+
+/// \name MultiresolutionSkeletonizationTraits
+/// A surface in levels of detail, which is all that `Local_separator_finder` asks for. The reference that it gives to
+/// them must hold as long as the object lives.
+///
+/// | expression | value |
+/// |---|---|
+/// | `t.levels()` | a `const internal::Surface_levels&`; the sites are the vertices of the finest level |
+///
+/// Models: `Triangle_mesh_traits`.
+/// @{
+
+/// Whether `T` is a model of `MultiresolutionSkeletonizationTraits`.
+template <class T>
+inline constexpr bool is_multiresolution_skeletonization_traits_v =
+    internal::refers_to_v<internal::Surface_levels, internal::expressions::levels, T>;
+
+/// refuses at compile time a type that is no model of `MultiresolutionSkeletonizationTraits`.
+template <class T>
+constexpr void check_multiresolution_skeletonization_traits()
+{
+  static_assert(is_multiresolution_skeletonization_traits_v<T>,
+                "CSCD: MultiresolutionSkeletonizationTraits requires t.levels() const, a reference to the levels of "
+                "detail");
+}
+
+/// @}
+
+/// \name SolidSkeletonizationTraits
+/// A `MultiresolutionSkeletonizationTraits` whose surface bounds a body: what the steps ask for that keep loops and
+/// nodes inside. All functions are const, and may be called by several threads at once; references hold as long as the
+/// object lives.
+///
+/// | expression | value |
+/// |---|---|
+/// | `t.solid_surface()` | a `const internal::Triangulated_surface&`: the surface that the queries refer to |
+/// | `t.is_inside(p)` | whether the body holds the point `p` |
+/// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p`, and its `face` |
+/// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
+/// | `t.crossings(p, q, v)` | fills the vector `v` with the distances, ascending, at which the segment `p` `q` meets it
+/// |
+///
+/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
+/// @{
+
+/// The requirements of the concept, one by one.
+template <class T>
+struct Solid_skeletonization_traits_requirements
+{
+  static constexpr bool has_levels = is_multiresolution_skeletonization_traits_v<T>;
+  static constexpr bool has_solid_surface =
+      internal::refers_to_v<internal::Triangulated_surface, internal::expressions::solid_surface, T>;
+  static constexpr bool has_is_inside = internal::gives_v<bool, internal::expressions::is_inside, T>;
+  static constexpr bool has_closest_point =
+      internal::gives_v<internal::Vector_3, internal::expressions::closest_point, T> &&
+      internal::gives_v<internal::Index, internal::expressions::closest_face, T>;
+  static constexpr bool has_first_hit = internal::gives_v<bool, internal::expressions::is_hit, T> &&
+                                        internal::gives_v<internal::Vector_3, internal::expressions::hit_point, T> &&
+                                        internal::gives_v<internal::Index, internal::expressions::hit_face, T>;
+  static constexpr bool has_crossings = internal::is_valid_v<internal::expressions::crossings, T>;
+  static constexpr bool value =
+      has_levels && has_solid_surface && has_is_inside && has_closest_point && has_first_hit && has_crossings;
+};
+
+/// Whether `T` is a model of `SolidSkeletonizationTraits`.
+template <class T>
+inline constexpr bool is_solid_skeletonization_traits_v = Solid_skeletonization_traits_requirements<T>::value;
+
+/// refuses at compile time a type that is no model of `SolidSkeletonizationTraits`.
+template <class T>
+constexpr void check_solid_skeletonization_traits()
+{
+  using Requirements = Solid_skeletonization_traits_requirements<T>;
+  check_multiresolution_skeletonization_traits<T>();
+  static_assert(Requirements::has_solid_surface,
+                "CSCD: SolidSkeletonizationTraits requires t.solid_surface() const, a reference to the surface of the "
+                "body");
+  static_assert(Requirements::has_is_inside,
+                "CSCD: SolidSkeletonizationTraits requires t.is_inside(p) const, convertible to bool");
+  static_assert(Requirements::has_closest_point,
+                "CSCD: SolidSkeletonizationTraits requires t.closest_point(p) const, with members point and face");
+  static_assert(Requirements::has_first_hit,
+                "CSCD: SolidSkeletonizationTraits requires t.first_hit(p, d) const, a pointer to what has members "
+                "point and face, or null");
+  static_assert(Requirements::has_crossings,
+                "CSCD: SolidSkeletonizationTraits requires t.crossings(p, q, v) const, which fills a "
+                "std::vector<double>");
+}
+
+/// @}
+
+/// \name SeparatorWeight
+/// Weighs separators: of two that overlap, the one of lesser weight is packed. A function object `w` that can be
+/// copied, with `w(separator)` const and convertible to double; equal weights are ordered by when the separators were
+/// found. Models: `Length_and_planarity_weight`.
+/// @{
+
+/// Whether `T` is a model of `SeparatorWeight`.
+template <class T>
+inline constexpr bool is_separator_weight_v =
+    internal::gives_v<double, internal::expressions::weight_of_separator, T>&& std::is_copy_constructible_v<T>;
+
+/// refuses at compile time a type that is no model of `SeparatorWeight`.
+template <class T>
+constexpr void check_separator_weight()
+{
+  static_assert(internal::gives_v<double, internal::expressions::weight_of_separator, T>,
+                "CSCD: SeparatorWeight requires w(separator) const, convertible to double");
+  static_assert(std::is_copy_constructible_v<T>, "CSCD: SeparatorWeight requires a copy constructor");
+}
+
+/// @}
+
+/// \name SeparatorFinder
+/// Finds the separator of one source after the other; one object serves one thread. `f(source, level_hint, result)`
+/// seeks the separator of `source`, a vertex of the finest level, preferably on the level `level_hint`, and writes all
+/// members of `result`, a `Search_result&` that may hold an earlier answer. What it writes depends on its arguments
+/// alone, not on earlier calls: else the answer would not be the same for every number of threads.
+/// Models: `Local_separator_finder`.
+/// @{
+
+/// Whether `T` is a model of `SeparatorFinder`.
+template <class T>
+inline constexpr bool is_separator_finder_v = internal::is_valid_v<internal::expressions::search, T>;
+
+/// refuses at compile time a type that is no model of `SeparatorFinder`.
+template <class T>
+constexpr void check_separator_finder()
+{
+  static_assert(is_separator_finder_v<T>,
+                "CSCD: SeparatorFinder requires f(source, level_hint, result) of two indices and a Search_result&");
+}
+
+/// @}
+
+/// \name SkeletonizationPolicies
+/// The algorithms of the pipeline's stages, for surfaces of type `T`.
+///
+/// | expression | value |
+/// |---|---|
+/// | `P::Separator_finder` | a model of `SeparatorFinder` |
+/// | `p.make_separator_finder(t)` | the finder of one thread, for the surface `t`; called by several threads at once |
+/// | `p.separator_weight(separator)` | the weight of a separator: a function, or a `SeparatorWeight` |
+///
+/// Policies can be moved. Models: `Local_policies`.
+/// @{
+
+/// The requirements of the concept, one by one.
+template <class P, class T>
+struct Skeletonization_policies_requirements
+{
+  static constexpr bool has_separator_finder_type = internal::is_valid_v<internal::expressions::Separator_finder, P>;
+  static constexpr bool has_make_separator_finder =
+      internal::gives_own_type<internal::expressions::Separator_finder, internal::expressions::make_separator_finder, P,
+                               T>();
+  static constexpr bool has_separator_weight = internal::gives_v<double, internal::expressions::separator_weight, P>;
+  static constexpr bool is_movable = std::is_move_constructible_v<P>;
+  static constexpr bool value =
+      has_separator_finder_type && has_make_separator_finder && has_separator_weight && is_movable;
+};
+
+/// Whether `P` is a model of `SkeletonizationPolicies` for surfaces of type `T`.
+template <class P, class T>
+inline constexpr bool is_skeletonization_policies_v = Skeletonization_policies_requirements<P, T>::value;
+
+/// refuses at compile time a type that is no model of `SkeletonizationPolicies` for surfaces of type `T`.
+template <class P, class T>
+constexpr void check_skeletonization_policies()
+{
+  using Requirements = Skeletonization_policies_requirements<P, T>;
+  static_assert(Requirements::has_separator_finder_type,
+                "CSCD: SkeletonizationPolicies requires the type P::Separator_finder");
+  static_assert(Requirements::has_make_separator_finder,
+                "CSCD: SkeletonizationPolicies requires p.make_separator_finder(t) const, a P::Separator_finder");
+  static_assert(Requirements::has_separator_weight,
+                "CSCD: SkeletonizationPolicies requires p.separator_weight(separator) const, convertible to double");
+  static_assert(Requirements::is_movable, "CSCD: SkeletonizationPolicies requires a move constructor");
+  if constexpr (Requirements::has_separator_finder_type) {
+    check_separator_finder<typename P::Separator_finder>();
+  }
 }
 
 /// @}
 
 /// \name TriangleMesh
-/// CGAL's `FaceListGraph`, of which all faces are triangles.
+/// CGAL's `FaceListGraph`, of which all faces are triangles. Of its functions these are used, found by
+/// argument-dependent look-up: `vertices(g)`, `faces(g)`, `num_halfedges(g)`, `halfedge(f, g)`, `next(h, g)` and
+/// `target(h, g)`. Models: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, and all others of CGAL's.
 /// @{
 
 /// Whether `T` looks like a `FaceListGraph`; may be asked of any type.
@@ -213,8 +550,9 @@ constexpr void check_triangle_mesh()
 
 /// \name CurveSkeletonGraph
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
-/// of its vertices have a `point` and the range `vertices` of the sites of the input, and perhaps a `radius`.
-/// Models: `Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`.
+/// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of the sites of
+/// the input, which are appended by `push_back()`, and perhaps a `radius`. Models: `Skeleton_graph`,
+/// `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`.
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -256,7 +594,15 @@ constexpr void check_curve_skeleton_graph()
 /// @}
 
 /// \name SkeletonizationVisitor
-/// Hears of the progress of a skeletonization and can stop it: see `Default_skeletonization_visitor`.
+/// Hears of the progress of a skeletonization and can stop it. All calls come from the thread that runs the pipeline.
+///
+/// | expression | when, and what it means |
+/// |---|---|
+/// | `v.on_stage_begin(stage)`, `v.on_stage_end(stage)` | a `Skeletonization_stage` begins, and is done |
+/// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |
+/// | `v.go_further()` | after each call of `progress()`: false stops the work by a `Cancelled_error` |
+///
+/// What it throws is passed on. Models: `Default_skeletonization_visitor`.
 /// @{
 
 /// The requirements of the concept, one by one.

@@ -58,6 +58,7 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
+  check_separator_weight<decltype(weight)>();
   using Policies = Local_policies<Traits, decltype(weight)>;
   Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)},
                                                                              visitor);
@@ -104,11 +105,11 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
 ///   \cgalParamNBegin{number_of_threads}
 ///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
 ///     \cgalParamType{unsigned int}
-///     \cgalParamDefault{0: one a core}
+///     \cgalParamDefault{0: as many as TBB allows, one a core unless `tbb::global_control` says otherwise}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_weight}
 ///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
-///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
+///     \cgalParamType{a model of `SeparatorWeight`}
 ///     \cgalParamDefault{`Length_and_planarity_weight`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}

@@ -26,7 +26,7 @@ class Write_dot : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_dot, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string dot_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_dot(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -44,7 +44,7 @@ double attribute(const std::string& line, const std::string& name)
 
 TYPED_TEST(Write_dot, reads_back_exactly)
 {
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(dot_text<TypeParam>());
   std::string line;
   ASSERT_TRUE(std::getline(in, line));
   EXPECT_EQ("graph G {", line);

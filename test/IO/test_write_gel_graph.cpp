@@ -26,7 +26,7 @@ class Write_gel_graph : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_gel_graph, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string gel_graph_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_gel_graph(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -35,7 +35,7 @@ std::string text()
 /// GEL graphs hold no radius.
 TYPED_TEST(Write_gel_graph, reads_back_exactly)
 {
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(gel_graph_text<TypeParam>());
   Parsed_skeleton parsed;
   std::string line;
   while (std::getline(in, line)) {

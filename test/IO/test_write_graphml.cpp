@@ -29,7 +29,7 @@ class Write_graphml : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_graphml, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string graphml_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_graphml(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -45,7 +45,7 @@ std::size_t node_number(const std::string& id)
 
 TYPED_TEST(Write_graphml, reads_back_exactly)
 {
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(graphml_text<TypeParam>());
   Tree tree;
   read_xml(in, tree);
   std::map<std::string, std::string> name_of_key;

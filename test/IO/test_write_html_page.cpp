@@ -3,9 +3,8 @@
 //
 // The text of the viewer page; what a browser makes of it is tested in test/page.
 
-#include "support/convert_shape.h"
-#include "support/shape_operations.h"
-#include "support/simple_shapes.h"
+#include "support/Shape.h"
+#include "support/fork_in_box.h"
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
@@ -34,35 +33,13 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CSCD::test::Box_mesh;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using Separators = std::vector<std::vector<Point>>;
+using CSCD::test::box_mesh;
+using CSCD::test::fork_in_box;
 
 constexpr std::uint32_t none = CSCD::internal::html_page_none;
-
-Mesh box_at(const CSCD::test::Triple& offset)
-{
-  return CSCD::test::to_mesh<Mesh>(CSCD::test::translated(CSCD::test::box("box", {4, 2, 1}), offset));
-}
-
-/// Three arms, one of them of two edges: nodes 0-1-2 and from 2 to 3 and to 4. Site i belongs to node i % 5.
-Skeleton three_arms(const Mesh& mesh)
-{
-  Skeleton skeleton(5);
-  const auto place = mesh.point(Mesh::Vertex_index(0));
-  for (std::size_t i = 0; i < 5; ++i) {
-    skeleton[i].point = place + Kernel::Vector_3(0.25 * static_cast<double>(i), 0, 0);
-    skeleton[i].radius = 0.5;
-  }
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    skeleton[v.idx() % 5].vertices.push_back(v);
-  }
-  add_edge(0, 1, skeleton);
-  add_edge(1, 2, skeleton);
-  add_edge(2, 3, skeleton);
-  add_edge(2, 4, skeleton);
-  return skeleton;
-}
 
 template <class AnyMesh, class AnySkeleton>
 std::string page_of(const AnyMesh& mesh, const AnySkeleton& skeleton, const Separators& separators = {},
@@ -130,9 +107,9 @@ TEST(Encode_base64, agrees_with_rfc_4648)
 
 TEST(Write_html_page, tells_the_figures)
 {
-  const Mesh mesh = box_at({0, 0, 0});
+  const Mesh mesh = box_mesh();
   const Separators separators{{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {Point(0, 0, 0), Point(1, 0, 0)}};
-  const nlohmann::json counts = data_of(page_of(mesh, three_arms(mesh), separators))["counts"];
+  const nlohmann::json counts = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh), separators))["counts"];
   EXPECT_EQ(counts["vertices"], num_vertices(mesh));
   EXPECT_EQ(counts["triangles"], num_faces(mesh));
   EXPECT_EQ(counts["nodes"], 5);
@@ -146,8 +123,9 @@ TEST(Write_html_page, tells_the_figures)
 
 TEST(Write_html_page, keeps_positions_far_from_the_origin)
 {
-  const Mesh mesh = box_at({1e9, -2e9, 3e9});
-  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh)));
+  const CSCD::test::Triple middle{1e9, -2e9, 3e9};
+  const Mesh mesh = box_mesh(middle);
+  const nlohmann::json data = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh, middle)));
   const auto frame = array_of<double>(data, "frame");
   const auto positions = array_of<float>(data, "positions");
   ASSERT_EQ(frame.size(), 4u);
@@ -160,7 +138,8 @@ TEST(Write_html_page, keeps_positions_far_from_the_origin)
       EXPECT_NEAR(frame[i] + frame[3] * static_cast<double>(coordinate), mesh.point(v)[static_cast<int>(i)], rounding);
     }
   }
-  EXPECT_EQ(array_of<float>(data, "node_radii"), std::vector<float>(5, static_cast<float>(0.5 / frame[3])));
+  EXPECT_EQ(array_of<float>(data, "node_radii"),
+            std::vector<float>(5, static_cast<float>(CSCD::test::fork_radius / frame[3])));
 }
 
 TEST(Write_html_page, survives_extreme_and_missing_extents)
@@ -179,8 +158,8 @@ TEST(Write_html_page, survives_extreme_and_missing_extents)
 
 TEST(Write_html_page, says_what_belongs_to_which_branch)
 {
-  const Mesh mesh = box_at({0, 0, 0});
-  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh)));
+  const Mesh mesh = box_mesh();
+  const nlohmann::json data = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh)));
   const auto of_node = array_of<std::uint32_t>(data, "branch_of_node");
   const auto of_edge = array_of<std::uint32_t>(data, "branch_of_edge");
   ASSERT_EQ(of_node.size(), 5u);
@@ -220,9 +199,9 @@ TEST(Write_html_page, knows_cycles_and_lone_nodes)
 
 TEST(Write_html_page, lists_separators)
 {
-  const Mesh mesh = box_at({0, 0, 0});
+  const Mesh mesh = box_mesh();
   const Separators separators{{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {}, {Point(2, 1, 1), Point(1, 0, 0)}};
-  const nlohmann::json data = data_of(page_of(mesh, three_arms(mesh), separators));
+  const nlohmann::json data = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh), separators));
   EXPECT_EQ(array_of<std::uint32_t>(data, "separator_offsets"), (std::vector<std::uint32_t>{0, 3, 3, 5}));
   EXPECT_EQ(array_of<float>(data, "separator_points").size(), 15u);
 }
@@ -284,11 +263,11 @@ TEST(Write_html_page, does_not_depend_on_the_locale)
     char do_thousands_sep() const override { return '.'; }
     std::string do_grouping() const override { return "\1"; }
   };
-  const Mesh mesh = box_at({0, 0, 0});
+  const Mesh mesh = box_mesh();
   std::ostringstream out;
   out.imbue(std::locale(std::locale::classic(), new Grouped));
-  CSCD::write_html_page(out, mesh, three_arms(mesh), Separators(), "", "title");
-  EXPECT_EQ(out.str(), page_of(mesh, three_arms(mesh)));
+  CSCD::write_html_page(out, mesh, fork_in_box<Skeleton>(mesh), Separators(), "", "title");
+  EXPECT_EQ(out.str(), page_of(mesh, fork_in_box<Skeleton>(mesh)));
 }
 
 TEST(Write_html_page, reports_a_stream_that_fails)

@@ -27,7 +27,7 @@ class Write_json : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_json, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string json_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_json(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -35,7 +35,7 @@ std::string text()
 
 TYPED_TEST(Write_json, reads_back_exactly)
 {
-  const nlohmann::json document = nlohmann::json::parse(text<TypeParam>());
+  const nlohmann::json document = nlohmann::json::parse(json_text<TypeParam>());
   Parsed_skeleton parsed;
   for (const nlohmann::json& node : document.at("nodes")) {
     parsed.points.emplace_back(node.at("point")[0], node.at("point")[1], node.at("point")[2]);
@@ -52,7 +52,7 @@ TYPED_TEST(Write_json, reads_back_exactly)
 TYPED_TEST(Write_json, tells_degree_and_number_of_sites)
 {
   const TypeParam skeleton = sample_skeleton<TypeParam>();
-  const nlohmann::json document = nlohmann::json::parse(text<TypeParam>());
+  const nlohmann::json document = nlohmann::json::parse(json_text<TypeParam>());
   for (std::size_t i = 0; i < num_vertices(skeleton); ++i) {
     EXPECT_EQ(out_degree(i, skeleton), document["nodes"][i].at("degree"));
     EXPECT_EQ(i, document["nodes"][i].at("number_of_sites"));

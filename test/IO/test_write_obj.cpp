@@ -27,7 +27,7 @@ class Write_obj : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_obj, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string obj_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_obj(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -35,7 +35,7 @@ std::string text()
 
 TYPED_TEST(Write_obj, reads_back_exactly)
 {
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(obj_text<TypeParam>());
   Parsed_skeleton parsed;
   std::size_t number_of_isolated_nodes = 0;
   std::string line;
@@ -65,7 +65,7 @@ TYPED_TEST(Write_obj, reads_back_exactly)
 
 TYPED_TEST(Write_obj, has_a_line_for_each_branch)
 {
-  const std::string content = text<TypeParam>();
+  const std::string content = obj_text<TypeParam>();
   EXPECT_NE(std::string::npos, content.find("\nl 1 2 3\n"));
   EXPECT_NE(std::string::npos, content.find("\np 7\n"));
   EXPECT_NE(std::string::npos, content.find("\nl 8 9 10 8\n"));

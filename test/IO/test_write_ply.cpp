@@ -26,7 +26,7 @@ class Write_ply : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_ply, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string ply_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_ply(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -35,7 +35,7 @@ std::string text()
 TYPED_TEST(Write_ply, reads_back_exactly)
 {
   constexpr bool has_radius = CSCD::has_radius_v<TypeParam>;
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(ply_text<TypeParam>());
   std::string header;
   for (std::string line; line != "end_header" && std::getline(in, line);) {
     header += line + "\n";

@@ -27,7 +27,7 @@ class Write_polylines : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_polylines, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string polylines_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_polylines(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -36,7 +36,7 @@ std::string text()
 TYPED_TEST(Write_polylines, reads_back_exactly)
 {
   const TypeParam skeleton = sample_skeleton<TypeParam>();
-  std::istringstream in(text<TypeParam>());
+  std::istringstream in(polylines_text<TypeParam>());
   for (const auto& branch : CSCD::split_into_branches(skeleton)) {
     std::string line;
     ASSERT_TRUE(std::getline(in, line));

@@ -27,7 +27,7 @@ class Write_swc : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_swc, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string swc_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_swc(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -85,7 +85,7 @@ std::size_t sample_index(const Swc_node& node)
 TYPED_TEST(Write_swc, reads_back_exactly)
 {
   const TypeParam skeleton = sample_skeleton<TypeParam>();
-  const Swc_file file = parse(text<TypeParam>());
+  const Swc_file file = parse(swc_text<TypeParam>());
   ASSERT_EQ(num_vertices(skeleton), file.nodes.size());
   Parsed_skeleton parsed;
   parsed.points.resize(file.nodes.size());
@@ -110,7 +110,7 @@ TYPED_TEST(Write_swc, reads_back_exactly)
 
 TYPED_TEST(Write_swc, is_a_forest_with_parents_first)
 {
-  const Swc_file file = parse(text<TypeParam>());
+  const Swc_file file = parse(swc_text<TypeParam>());
   std::size_t number_of_roots = 0;
   for (std::size_t i = 0; i < file.nodes.size(); ++i) {
     EXPECT_EQ(i + 1, file.nodes[i].id);
@@ -125,7 +125,7 @@ TYPED_TEST(Write_swc, is_a_forest_with_parents_first)
 TYPED_TEST(Write_swc, marks_forks_and_ends)
 {
   const TypeParam skeleton = sample_skeleton<TypeParam>();
-  for (const Swc_node& node : parse(text<TypeParam>()).nodes) {
+  for (const Swc_node& node : parse(swc_text<TypeParam>()).nodes) {
     const auto degree = out_degree(sample_index(node), skeleton);
     EXPECT_EQ(degree == 1 ? 6 : degree > 2 ? 5 : 0, node.type);
   }

@@ -29,7 +29,7 @@ class Write_vtp : public testing::Test
 using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
 TYPED_TEST_SUITE(Write_vtp, Skeletons);
 template <class SampleSkeleton>
-std::string text()
+std::string vtp_text()
 {
   return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_vtp(out, s); },
                                  sample_skeleton<SampleSkeleton>());
@@ -77,7 +77,7 @@ std::vector<std::vector<std::size_t>> cells(const Tree& parent)
 template <class SampleSkeleton>
 Tree piece()
 {
-  std::istringstream in(text<SampleSkeleton>());
+  std::istringstream in(vtp_text<SampleSkeleton>());
   Tree tree;
   read_xml(in, tree);
   EXPECT_EQ("PolyData", tree.get<std::string>("VTKFile.<xmlattr>.type"));

@@ -3,7 +3,7 @@
 //
 // What the result of a search covers.
 
-#include "Separator/Levels_traits.h"
+#include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Coverage.h>
 #include <CSCD/Separator/Local_separator_finder.h>
@@ -17,8 +17,7 @@ using CSCD::Search_outcome;
 using CSCD::Search_result;
 using CSCD::internal::Coverage;
 using CSCD::internal::Index;
-using CSCD::test::Levels_traits;
-
+using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 using Finder = CSCD::Local_separator_finder<Levels_traits>;
 
 TEST(Coverage, grows_around_separators_and_not_elsewhere)

@@ -3,6 +3,7 @@
 //
 // The pieces of a cut surface: areas, Euler numbers, sides, and the graph that they form.
 
+#include "Selection/Cut_surface.h"
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
@@ -32,37 +33,30 @@ using CSCD::internal::Separator_arrangement;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
 using CSCD::test::circle_separator;
+using CSCD::test::Cut_surface;
 using CSCD::test::section_separator;
+using CSCD::test::tube_section;
 
-/// A surface cut along separators, all of which must be disjoint.
-struct Cut_surface
+/// What might have been cut besides must not matter.
+void expect_is_that_of_the_arrangement_alone(const Cut_surface& cut)
 {
-  Cut_surface(const Triangulated_surface& cut_surface, std::vector<Separator> all)
-      : surface(cut_surface), separators(std::move(all)), arrangement(surface), cut_graph(surface, separators)
-  {
-    for (Index i = 0; i < separators.size(); ++i) {
-      EXPECT_TRUE(arrangement.insert(i, separators[i].crossings)) << "separators " << i << " crosses another one";
-    }
-    cut_graph.cut(arrangement);
+  Cut_graph alone(cut.surface, cut.arrangement);
+  alone.cut(cut.arrangement);
+  ASSERT_EQ(alone.pieces().size(), cut.cut_graph.pieces().size());
+  for (Index piece = 0; piece < alone.pieces().size(); ++piece) {
+    EXPECT_NEAR(alone.pieces()[piece].area, cut.cut_graph.pieces()[piece].area, 1e-6);
+    EXPECT_EQ(alone.pieces()[piece].euler, cut.cut_graph.pieces()[piece].euler);
+    EXPECT_EQ(alone.pieces()[piece].separators, cut.cut_graph.pieces()[piece].separators);
   }
-
-  int euler_number() const { return int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2); }
-
-  /// First Betti number of the graph of pieces and separators.
-  std::size_t betti_number(std::size_t number_of_components) const
-  {
-    return separators.size() + number_of_components - cut_graph.pieces().size();
+  for (Index vertex = 0; vertex < cut.surface.number_of_vertices(); ++vertex) {
+    ASSERT_EQ(alone.piece_of_vertex(vertex), cut.cut_graph.piece_of_vertex(vertex));
   }
-
-  const Triangulated_surface& surface;
-  std::vector<Separator> separators;
-  Separator_arrangement arrangement;
-  Cut_graph cut_graph;
-};
+}
 
 /// What holds for every cut.
 void expect_is_sound(const Cut_surface& cut)
 {
+  expect_is_that_of_the_arrangement_alone(cut);
   const std::vector<Cut_graph::Piece>& pieces = cut.cut_graph.pieces();
   double area = 0;
   int euler = 0;
@@ -164,7 +158,7 @@ TEST(Cut_graph, of_a_tube_is_a_path)
   std::vector<Separator> separators;
   const std::vector<double> places{2.03, 5.04, 7.55};
   for (double x : places) {
-    separators.push_back(section_separator(surface, {x, 0, 0}, {1, 0, 0}, {x, 0, 1}));
+    separators.push_back(tube_section(surface, x));
   }
   const Cut_surface cut(surface, separators);
   expect_is_sound(cut);
@@ -188,7 +182,7 @@ TEST(Cut_graph, knows_slices_without_vertices)
   const double step = 0.01;
   for (int i = 0; i < 20; ++i) {
     const double x = first + step * i;
-    separators.push_back(section_separator(surface, {x, 0, 0}, {1, 0, 0}, {x, 0, 1}));
+    separators.push_back(tube_section(surface, x));
   }
   // The order of insertion does not follow the tube.
   std::swap(separators[3], separators[15]);
@@ -292,8 +286,8 @@ TEST(Cut_graph, keeps_components_apart)
   const CSCD::test::Shape shape = CSCD::test::merged(
       "", {CSCD::test::capsule(6, 1, 16), CSCD::test::translated(CSCD::test::torus(3, 1, 16), {0, 10, 0})});
   const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const Cut_surface cut(surface, {section_separator(surface, {3.01, 0, 0}, {1, 0, 0}, {3, 0, 1}),
-                                  section_separator(surface, {0.01, 10, 0}, {1, 0, 0}, {0, 13, 1})});
+  const Cut_surface cut(
+      surface, {tube_section(surface, 3.01), section_separator(surface, {0.01, 10, 0}, {1, 0, 0}, {0, 13, 1})});
   expect_is_sound(cut);
   expect_is_as_flooded(cut);
   EXPECT_EQ(cut.cut_graph.pieces().size(), 3u);
@@ -305,7 +299,7 @@ TEST(Cut_graph, cuts_along_a_part_of_the_separators_that_it_was_prepared_for)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::capsule(6, 1, 24));
   std::vector<Separator> separators;
   for (double x : {1.01, 2.02, 2.03, 4.04}) {
-    separators.push_back(section_separator(surface, {x, 0, 0}, {1, 0, 0}, {x, 0, 1}));
+    separators.push_back(tube_section(surface, x));
   }
   Separator_arrangement arrangement(surface);
   Cut_graph used(surface, separators);

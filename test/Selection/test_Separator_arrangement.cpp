@@ -27,14 +27,13 @@ using CSCD::internal::Separator_arrangement;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
 using CSCD::test::circle_separator;
-using CSCD::test::section_separator;
 
 class Separator_arrangement_test : public testing::Test
 {
 protected:
   Separator section(double x, const Vector_3& axis = {1, 0, 0}) const
   {
-    return section_separator(m_surface, {x, 0, 0}, axis.normalized(), {x, 0, 1});
+    return CSCD::test::tube_section(m_surface, x, axis);
   }
 
   Triangulated_surface m_surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 12, CSCD::test::Tube_end::flat));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Of separators that overlap the lighter one is packed; bumps are pruned, limbs stay.
+// What is packed is cut along; bumps are pruned, limbs stay.
 
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
@@ -34,31 +34,11 @@ class Separator_packing_test : public testing::Test
 protected:
   Separator section(double x, const Vector_3& axis = {1, 0, 0}) const
   {
-    return section_separator(m_tube, {x, 0, 0}, axis.normalized(), {x, 0, 1});
+    return CSCD::test::tube_section(m_tube, x, axis);
   }
 
   Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
 };
-
-TEST_F(Separator_packing_test, keeps_what_is_disjoint_by_increasing_weight)
-{
-  const std::vector<Separator> separators{section(2), section(4), section(6), section(8)};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {4, 2, 3, 1}).packed(), (Indices{3, 1, 2, 0}));
-  EXPECT_EQ(Separator_packing(m_tube, separators, {1, 1, 1, 1}).packed(), (Indices{0, 1, 2, 3}));
-}
-
-TEST_F(Separator_packing_test, keeps_the_lighter_of_two_that_cross)
-{
-  const std::vector<Separator> separators{section(5), section(5, {1, 0.6, 0})};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {1, 2}).packed(), Indices{0});
-  EXPECT_EQ(Separator_packing(m_tube, separators, {2, 1}).packed(), Indices{1});
-}
-
-TEST_F(Separator_packing_test, keeps_the_lighter_of_two_that_nearly_coincide)
-{
-  const std::vector<Separator> separators{section(5), section(5.05), section(6)};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {3, 2, 1}).packed(), (Indices{2, 1}));
-}
 
 TEST_F(Separator_packing_test, cuts_along_what_is_packed)
 {
@@ -86,6 +66,21 @@ TEST_F(Separator_packing_test, packs_again_what_a_bump_was_in_the_way_of)
   const std::vector<Separator> separators{section(2), section(8), circle_separator(m_tube, vertex, 0.8),
                                           section(x + 0.05)};
   EXPECT_EQ(Separator_packing(m_tube, separators, {2, 3, 1, 4}).packed(), (Indices{0, 1, 3}));
+}
+
+TEST_F(Separator_packing_test, prunes_bump_after_bump_to_the_last)
+{
+  // Circles with the same center are not packed together: each takes the place of the one pruned before it.
+  const Index vertex = CSCD::test::nearest_vertex(m_tube, {5, 0, 1});
+  std::vector<Separator> separators{section(2), section(8)};
+  std::vector<double> weights{9, 9};
+  for (double part : {0.5, 0.6, 0.7, 0.8, 0.9}) {
+    separators.push_back(circle_separator(m_tube, vertex, part));
+    weights.push_back(part);
+  }
+  const Separator_packing packing(m_tube, separators, weights);
+  EXPECT_EQ(packing.packed(), (Indices{0, 1}));
+  EXPECT_EQ(packing.cut_graph().pieces().size(), 3u) << "the cut graph is that of what is packed";
 }
 
 TEST(Separator_packing, keeps_limbs_and_prunes_their_ends_only_with_them)

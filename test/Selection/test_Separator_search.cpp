@@ -3,7 +3,8 @@
 //
 // The search for separators: complete, bounded, and the same for any number of threads.
 
-#include "Separator/Levels_traits.h"
+#include "archetypes/Multiresolution_traits_archetype.h"
+#include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_search.h>
 #include <CSCD/Separator/Local_separator_finder.h>
@@ -24,8 +25,7 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::internal::Separator_search;
-using CSCD::test::Levels_traits;
-
+using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 using Finder = CSCD::Local_separator_finder<Levels_traits>;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
@@ -87,6 +87,7 @@ TEST(Separator_search, covers_the_surface)
 
 TEST(Separator_search, answers_the_same_for_every_number_of_threads)
 {
+  const CSCD::test::Allow_threads allow(3);
   for (const CSCD::test::Shape& shape :
        {CSCD::test::hand(0.12), CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1)}) {
     SCOPED_TRACE(shape.name);

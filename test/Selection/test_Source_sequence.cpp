@@ -3,7 +3,7 @@
 //
 // The order in which sources are tried.
 
-#include "Separator/Levels_traits.h"
+#include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Coverage.h>
 #include <CSCD/Selection/Source_sequence.h>
@@ -24,7 +24,7 @@ using CSCD::Search_result;
 using CSCD::internal::Coverage;
 using CSCD::internal::Index;
 using CSCD::internal::Source_sequence;
-using CSCD::test::Levels_traits;
+using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 
 TEST(Source_sequence, tries_every_vertex_once_unless_it_is_covered)
 {

@@ -57,6 +57,13 @@ inline Separator section_separator(const CSCD::internal::Triangulated_surface& s
   return best;
 }
 
+/// The section through the point `x` of the axis of a tube along x, across it or normal to `axis`.
+inline Separator tube_section(const CSCD::internal::Triangulated_surface& surface, double x,
+                              const CSCD::internal::Vector_3& axis = {1, 0, 0})
+{
+  return section_separator(surface, {x, 0, 0}, axis.normalized(), {x, 0, 1});
+}
+
 /// The circle around `vertex` that crosses every edge there at `position` from the vertex. The vertex is on its right.
 inline Separator circle_separator(const CSCD::internal::Triangulated_surface& surface, CSCD::internal::Index vertex,
                                   double position)

@@ -3,8 +3,8 @@
 //
 // The finder of local separators on bodies whose limbs are known.
 
-#include "Separator/Levels_traits.h"
 #include "Separator/is_closed_curve.h"
+#include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Local_separator_finder.h>
@@ -20,8 +20,7 @@ namespace {
 using CSCD::Search_outcome;
 using CSCD::Search_result;
 using CSCD::internal::Index;
-using CSCD::test::Levels_traits;
-
+using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 using Finder = CSCD::Local_separator_finder<Levels_traits>;
 
 TEST(Local_separator_finder, finds_simple_curves_around_limbs)

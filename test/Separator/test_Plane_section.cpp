@@ -29,7 +29,7 @@ using CSCD::internal::Vector_3;
 using CSCD::test::is_closed_curve;
 using CSCD::test::pi;
 
-constexpr double no_limit = std::numeric_limits<double>::max();
+constexpr double any_length = std::numeric_limits<double>::max();
 
 /// Whether no edge is crossed twice.
 bool is_simple(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
@@ -47,7 +47,7 @@ TEST(Plane_section, is_a_circle_on_a_tube)
   Plane_section section(surface);
   const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
   const double height = surface.point(vertex).x();
-  ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, no_limit));
+  ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, any_length));
   EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
   EXPECT_TRUE(is_simple(surface, section.crossings()));
   EXPECT_NEAR(section.length(), 2 * pi, 0.01);
@@ -67,7 +67,7 @@ TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
   const Vector_3 axis = Vector_3(1, 1, 0).normalized();
   const Vector_3 center(10, 0, 0);
   const Index vertex = CSCD::test::nearest_vertex(surface, {10, 0, 1});
-  ASSERT_TRUE(section.cut_at_vertex(vertex, axis, no_limit));
+  ASSERT_TRUE(section.cut_at_vertex(vertex, axis, any_length));
   // Half axes 1 and the square root of 2: the complete elliptic integral 4 sqrt(2) E(1/2).
   EXPECT_NEAR(section.length(), 7.6404, 0.02);
   for (const Vector_3& point : section.points()) {
@@ -82,7 +82,7 @@ TEST(Plane_section, passes_beside_vertices_and_edges_that_lie_in_the_plane)
   Plane_section section(surface);
   for (const double x : {0.125, 0.5, 0.875, 1.}) {
     const Index vertex = CSCD::test::nearest_vertex(surface, {x, 0, 0.25});
-    ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, no_limit));
+    ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, any_length));
     EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
     EXPECT_TRUE(is_simple(surface, section.crossings()));
     EXPECT_NEAR(section.length(), 4, 0.01);
@@ -113,7 +113,7 @@ TEST(Plane_section, closes_for_every_vertex_and_every_axis)
         for (const Index h : surface.outgoing(vertex)) {
           is_minimum = is_minimum && axis.dot(surface.point(surface.target(h))) >= axis.dot(surface.point(vertex));
         }
-        ASSERT_EQ(section.cut_at_vertex(vertex, axis, no_limit), !is_minimum);
+        ASSERT_EQ(section.cut_at_vertex(vertex, axis, any_length), !is_minimum);
         if (!is_minimum) {
           ASSERT_TRUE(is_closed_curve(surface, section.crossings()));
           ASSERT_TRUE(is_simple(surface, section.crossings()));
@@ -130,13 +130,13 @@ TEST(Plane_section, through_a_face_follows_the_cycle_there)
   std::size_t on_one_side = 0;
   std::size_t on_other_side = 0;
   for (Index face = 0; face < surface.number_of_faces(); ++face) {
-    if (!section.cut_at_face(face, {1, 0, 0}, {0.01, 0, 0}, no_limit)) {
+    if (!section.cut_at_face(face, {1, 0, 0}, {0.01, 0, 0}, any_length)) {
       continue;
     }
     // The plane cuts the tube of the torus twice.
     EXPECT_NEAR(section.length(), 2 * pi, 0.05);
-    double least = no_limit;
-    double most = -no_limit;
+    double least = any_length;
+    double most = -any_length;
     for (const Vector_3& point : section.points()) {
       least = std::fmin(least, point.y());
       most = std::fmax(most, point.y());
@@ -157,7 +157,7 @@ TEST(Plane_section, is_given_up_when_it_gets_too_long)
   EXPECT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, 6.5));
   EXPECT_FALSE(section.cut_at_vertex(vertex, {1, 0, 0}, 5));
   EXPECT_FALSE(section.cut_at_vertex(vertex, {0, 0, 1}, 10)) << "along the tube";
-  EXPECT_FALSE(section.cut_at_face(0, {1, 0, 0}, {5, 0, 0}, no_limit)) << "the plane misses this face";
+  EXPECT_FALSE(section.cut_at_face(0, {1, 0, 0}, {5, 0, 0}, any_length)) << "the plane misses this face";
 }
 
 TEST(Plane_section, refuses_an_axis_that_is_no_number)
@@ -165,7 +165,7 @@ TEST(Plane_section, refuses_an_axis_that_is_no_number)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::cube());
   Plane_section section(surface);
   const Vector_3 nothing = Vector_3::Constant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(section.cut_at_face(0, nothing, {0, 0, 0}, no_limit));
+  EXPECT_FALSE(section.cut_at_face(0, nothing, {0, 0, 0}, any_length));
 }
 
 TEST(Plane_section, knows_the_axis_of_a_tube_and_of_a_cone)
@@ -176,7 +176,8 @@ TEST(Plane_section, knows_the_axis_of_a_tube_and_of_a_cone)
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
     Plane_section section(surface);
     for (const Vector_3& tilted : {Vector_3(1, 0, 0), Vector_3(1, 0.3, 0), Vector_3(1, -0.2, 0.4)}) {
-      ASSERT_TRUE(section.cut_at_vertex(CSCD::test::nearest_vertex(surface, {5, 0, 1}), tilted.normalized(), no_limit));
+      ASSERT_TRUE(
+          section.cut_at_vertex(CSCD::test::nearest_vertex(surface, {5, 0, 1}), tilted.normalized(), any_length));
       EXPECT_GT(std::fabs(section.symmetry_axis().x()), std::cos(0.05));
       EXPECT_NEAR(section.symmetry_axis().norm(), 1, 1e-9);
     }

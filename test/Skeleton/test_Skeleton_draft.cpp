@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What changes a draft keeps its cycles: splitting, bypassing, contracting, merging, making simple, smoothing.
+// What changes a draft keeps its cycles: splitting, bypassing, contracting, merging, making simple, dropping
+// overshoots, smoothing.
 
 #include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/drop_overshoots.h>
 #include <CSCD/Skeleton/make_simple.h>
 #include <CSCD/Skeleton/merge_junctions.h>
 #include <CSCD/Skeleton/smooth_branches.h>
@@ -223,6 +225,68 @@ TEST(merge_junctions, keeps_cycles)
   Skeleton_draft theta = make_draft(5, {{0, 2}, {2, 1}, {0, 3}, {3, 1}, {0, 4}, {4, 1}}, 100);
   CSCD::internal::merge_junctions(theta);
   EXPECT_EQ(euler_number(theta), -1);
+}
+
+/// A junction at the origin, of this radius, with two tips to its left and a branch over nodes at these places on the
+/// line; the last one is a tip. Nodes are numbered in this order.
+Skeleton_draft junction_with_branch(const std::vector<double>& places, double radius)
+{
+  Skeleton_draft draft = make_draft(3, {{0, 1}, {0, 2}}, radius);
+  draft[1].position = {-9, 1, 0};
+  draft[2].position = {-9, -1, 0};
+  Index last = 0;
+  for (double x : places) {
+    const Index node = draft.add_node({x, 0, 0}, radius);
+    draft.add_edge(last, node);
+    last = node;
+  }
+  return draft;
+}
+
+TEST(drop_overshoots, drops_nodes_that_the_branch_would_turn_back_from)
+{
+  Skeleton_draft draft = junction_with_branch({-1, 3, 6}, 2);
+  CSCD::internal::drop_overshoots(draft);
+  EXPECT_TRUE(draft[3].is_removed);
+  EXPECT_EQ(edges(draft), (Edges{{0, 1}, {0, 2}, {0, 4}, {4, 5}}));
+  EXPECT_TRUE(is_consistent(draft));
+}
+
+TEST(drop_overshoots, drops_several_in_a_row)
+{
+  Skeleton_draft draft = junction_with_branch({1.5, 1, 0.5, 3, 6}, 2);
+  CSCD::internal::drop_overshoots(draft);
+  EXPECT_EQ(edges(draft), (Edges{{0, 1}, {0, 2}, {0, 5}, {5, 6}, {6, 7}}))
+      << "back from 1.5, back from 1, but on from 0.5";
+  EXPECT_TRUE(is_consistent(draft));
+}
+
+TEST(drop_overshoots, leaves_branches_alone_that_go_on)
+{
+  for (Skeleton_draft draft : {junction_with_branch({1, 3, 6}, 2), junction_with_branch({-3, 3, 6}, 2)}) {
+    const Edges before = edges(draft);
+    CSCD::internal::drop_overshoots(draft);
+    EXPECT_EQ(edges(draft), before) << "nor those that turn back outside of the junction's ball";
+  }
+}
+
+TEST(drop_overshoots, leaves_tips_where_they_are)
+{
+  Skeleton_draft draft = junction_with_branch({-1, 3}, 2);
+  const Edges before = edges(draft);
+  CSCD::internal::drop_overshoots(draft);
+  EXPECT_EQ(edges(draft), before);
+}
+
+TEST(drop_overshoots, keeps_cycles_and_makes_no_parallel_edges)
+{
+  // A triangle at the junction, whose nodes both turn back.
+  Skeleton_draft draft = junction_with_branch({-1, -0.5}, 2);
+  draft.add_edge(4, 0);
+  ASSERT_EQ(euler_number(draft), 0);
+  const Edges before = edges(draft);
+  CSCD::internal::drop_overshoots(draft);
+  EXPECT_EQ(edges(draft), before);
 }
 
 TEST(smooth_branches, moves_nodes_within_branches_only)

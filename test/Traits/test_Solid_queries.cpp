@@ -3,7 +3,7 @@
 //
 // The answers about the body are those that its known shape gives.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Traits/Solid_queries.h>
 
@@ -22,11 +22,7 @@ using CSCD::internal::Index;
 using CSCD::internal::Solid_queries;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
-
-Triangulated_surface compiled(const CSCD::test::Shape& shape)
-{
-  return Triangulated_surface(CSCD::test::to_indexed_triangles(shape));
-}
+using CSCD::test::to_surface;
 
 Vector_3 random_vector(std::mt19937_64& random, double size)
 {
@@ -37,7 +33,7 @@ Vector_3 random_vector(std::mt19937_64& random, double size)
 
 TEST(Solid_queries, knows_the_cube)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(2));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(2));
   const Solid_queries queries(surface);
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -56,7 +52,7 @@ TEST(Solid_queries, knows_the_cube)
 TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
 {
   // Points of a grid, from which any direction of small integer slope meets edges and vertices.
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(3));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
   const Solid_queries queries(surface);
   for (int x = -2; x <= 18; ++x) {
     for (int y = -2; y <= 18; ++y) {
@@ -73,7 +69,7 @@ TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
 
 TEST(Solid_queries, meets_edges_and_vertices_once)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(1));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(1));
   const Solid_queries queries(surface);
   for (const Vector_3& target : surface.points()) {
     const Vector_3 center = Vector_3::Constant(0.5);
@@ -86,7 +82,7 @@ TEST(Solid_queries, meets_edges_and_vertices_once)
 
 TEST(Solid_queries, knows_the_sphere)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::sphere(4));
+  const Triangulated_surface surface = to_surface(CSCD::test::sphere(4));
   const Solid_queries queries(surface);
   const double deviation = 0.004; // of the triangles from the sphere
   std::mt19937_64 random(2);
@@ -112,14 +108,51 @@ TEST(Solid_queries, knows_the_sphere)
   }
 }
 
+TEST(Solid_queries, counts_the_crossings_of_a_segment)
+{
+  const Triangulated_surface surface = to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.1, 1));
+  const Solid_queries queries(surface);
+  std::mt19937_64 random(4);
+  std::vector<double> distances;
+  std::size_t most = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Vector_3 from = random_vector(random, 4);
+    const Vector_3 to = random_vector(random, 4);
+    queries.crossings(from, to, distances);
+    most = std::max(most, distances.size());
+    ASSERT_TRUE(std::is_sorted(distances.begin(), distances.end()));
+    // From one crossing to the next, inside and outside alternate.
+    bool is_inside = queries.is_inside(from);
+    double last = 0;
+    distances.push_back((to - from).norm());
+    for (double distance : distances) {
+      ASSERT_EQ(queries.is_inside(from + (last + distance) / 2 * (to - from).normalized()), is_inside);
+      is_inside = !is_inside;
+      last = distance;
+    }
+    const auto hit = queries.first_hit(from, to - from);
+    if (distances.size() > 1) {
+      ASSERT_TRUE(hit);
+      ASSERT_NEAR(hit->distance, distances.front(), 1e-12);
+    } else if (hit) {
+      ASSERT_GT(hit->distance, distances.front());
+    }
+  }
+  EXPECT_GE(most, 4u) << "some segments pass through both sides of the ring";
+  queries.crossings({3, 0, 0}, {3, 0, 0}, distances);
+  EXPECT_TRUE(distances.empty());
+}
+
 TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));
+  const Triangulated_surface surface = to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 12), 0.2, 1));
   const Solid_queries queries(surface);
   std::mt19937_64 random(3);
   for (int i = 0; i < 200; ++i) {
     const Vector_3 point = random_vector(random, 4);
     const double found = (queries.closest_point(point).point - point).norm();
+    const Index any = Index(i) % surface.number_of_faces();
+    EXPECT_EQ(found, (queries.closest_point(point, any).point - point).norm()); // whatever is said to be near
     // No point of a fine sample of the faces is nearer.
     for (Index f = 0; f < surface.number_of_faces(); ++f) {
       const Vector_3& a = surface.point(surface.origin(3 * f));
@@ -134,7 +167,7 @@ TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
 
 TEST(Solid_queries, respects_a_cavity)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::hollow_sphere(3));
+  const Triangulated_surface surface = to_surface(CSCD::test::hollow_sphere(3));
   const Solid_queries queries(surface);
   EXPECT_FALSE(queries.is_inside({0.1, 0.1, 0.1}));
   EXPECT_TRUE(queries.is_inside({0.5, 0.5, 0.2}));
@@ -150,7 +183,7 @@ TEST(Solid_queries, survives_faces_without_area)
   shape.triangles.push_back({0, 8, 5});
   shape.triangles.push_back({8, 1, 5});
   shape.triangles.push_back({0, 1, 8}); // collinear
-  const Triangulated_surface surface = compiled(shape);
+  const Triangulated_surface surface = to_surface(shape);
   ASSERT_FALSE(surface.defect());
   const Solid_queries queries(surface);
   EXPECT_TRUE(queries.is_inside({0.5, 0.3, 0.4}));
@@ -164,7 +197,7 @@ TEST(Solid_queries, answers_on_a_flat_body)
   CSCD::test::Shape pillow;
   pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
-  const Triangulated_surface surface = compiled(pillow);
+  const Triangulated_surface surface = to_surface(pillow);
   const Solid_queries queries(surface);
   EXPECT_FALSE(queries.is_inside({0.2, 0.2, 0.1}));
   EXPECT_FALSE(queries.is_inside({0.2, 0.2, -0.1}));

@@ -4,6 +4,7 @@
 // The flat arrays agree with the triangles that they were compiled from.
 
 #include "Traits/to_indexed_triangles.h"
+#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Traits/Triangulated_surface.h>
 
@@ -22,15 +23,11 @@ using CSCD::internal::Indexed_triangles;
 using CSCD::internal::no_index;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
-
-Triangulated_surface compiled(const CSCD::test::Shape& shape)
-{
-  return Triangulated_surface(CSCD::test::to_indexed_triangles(shape));
-}
+using CSCD::test::to_surface;
 
 TEST(Triangulated_surface, connects_halfedges)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::torus(3, 1, 12));
+  const Triangulated_surface surface = to_surface(CSCD::test::torus(3, 1, 12));
   ASSERT_FALSE(surface.defect());
   EXPECT_EQ(surface.number_of_vertices() + surface.number_of_faces(), surface.number_of_halfedges() / 2);
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
@@ -48,7 +45,7 @@ TEST(Triangulated_surface, connects_halfedges)
 
 TEST(Triangulated_surface, lists_rings_counterclockwise)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::sphere(2));
+  const Triangulated_surface surface = to_surface(CSCD::test::sphere(2));
   std::size_t sum = 0;
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
     const auto ring = surface.outgoing(vertex);
@@ -70,7 +67,7 @@ TEST(Triangulated_surface, lists_rings_counterclockwise)
 
 TEST(Triangulated_surface, measures)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::subdivided_cube(2));
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(2));
   EXPECT_NEAR(surface.total_area(), 6, 1e-12);
   double face_sum = 0;
   for (Index face = 0; face < surface.number_of_faces(); ++face) {
@@ -108,7 +105,7 @@ TEST(Triangulated_surface, accepts_a_pillow)
 
 TEST(Triangulated_surface, finds_a_vertex_of_high_degree)
 {
-  const Triangulated_surface surface = compiled(CSCD::test::double_cone(2000));
+  const Triangulated_surface surface = to_surface(CSCD::test::double_cone(2000));
   ASSERT_FALSE(surface.defect());
   EXPECT_EQ(surface.degree(2000), 2000u);
 }

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surface traits with no more than the pipeline and the local policies ask for, and without any type of a mesh.
+// A SkeletonizationTraits and SolidSkeletonizationTraits with no more than the concepts ask for, and without any type
+// of a mesh.
 
 #ifndef CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 
 #include "Point_archetype.h"
+#include "Surface_point_archetype.h"
 #include "Triangle_mesh_archetype.h"
 #include "support/Shape.h"
 #include <CSCD/Traits/Triangle_mesh_traits.h>
@@ -46,10 +48,6 @@ public:
   auto neighbors(Index site) const { return m_traits.neighbors(site); }
   Index number_of_triangles() const { return m_traits.number_of_triangles(); }
   std::array<Index, 3> triangle(Index face) const { return m_traits.triangle(face); }
-  /// @}
-
-  /// \name What leads back to the input
-  /// @{
   auto descriptors(Index site) const { return m_traits.descriptors(site); }
   Point to_input_point(const Vector_3& p) const { return m_traits.to_input_point(p); }
   double to_input_length(double length) const { return m_traits.to_input_length(length); }
@@ -64,15 +62,23 @@ public:
   double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
   /// @}
 
-  /// \name What the local policies and the placement of nodes ask for
+  /// \name SolidSkeletonizationTraits
   /// @{
   const internal::Surface_levels& levels() const { return m_traits.levels(); }
   const internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
   bool is_inside(const Vector_3& p) const { return m_traits.is_inside(p); }
-  internal::Surface_point closest_point(const Vector_3& p) const { return m_traits.closest_point(p); }
-  std::optional<internal::Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  Surface_point_archetype closest_point(const Vector_3& p) const
   {
-    return m_traits.first_hit(origin, direction);
+    return surface_point_archetype(m_traits.closest_point(p));
+  }
+  std::optional<Surface_point_archetype> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  {
+    const auto hit = m_traits.first_hit(origin, direction);
+    return hit ? std::optional(surface_point_archetype(*hit)) : std::nullopt;
+  }
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    m_traits.crossings(from, to, distances);
   }
   /// @}
 

@@ -7,6 +7,7 @@
 #include <CSCD/concepts.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 struct Traits
@@ -20,6 +21,18 @@ struct Traits
   std::vector<int> neighbors(int i) const;
   int number_of_triangles() const;
   std::array<int, 3> triangle(int f) const;
+  std::vector<int> descriptors(int i) const;
+  Point to_input_point(const Eigen::Vector3d& p) const;
+  double to_input_length(double length) const;
+  int genus() const;
+  int number_of_components() const;
+  int number_of_input_sites() const;
+  int number_of_isolated_vertices() const;
+  int number_of_bridged_borders() const;
+  int number_of_inserted_vertices() const;
+  int number_of_degenerate_faces() const;
+  std::vector<std::string> warnings() const;
+  double seconds_to_compile() const;
 };
 
 int main()

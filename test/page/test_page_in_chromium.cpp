@@ -5,8 +5,8 @@
 // all its switches, compares the pixels before and after, and writes what it found into an element of that name.
 // Skipped where there is no Chromium or where three.js was not found when this was built.
 
-#include "support/convert_shape.h"
-#include "support/simple_shapes.h"
+#include "support/Temporary_folder.h"
+#include "support/fork_in_box.h"
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/Skeleton_graph.h>
 
@@ -19,8 +19,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <three_js_source.h>
@@ -30,9 +28,11 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point>;
+using Mesh = CSCD::test::Box_mesh;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 using Separators = std::vector<std::vector<Point>>;
+using CSCD::test::box_mesh;
+using CSCD::test::fork_in_box;
 
 /// What a shell command writes to its standard output.
 std::string output_of(const std::string& command)
@@ -69,23 +69,13 @@ protected:
     if (CSCD::three_js_source().empty()) {
       GTEST_SKIP() << "three.js was not found when this test was built (package libjs-three)";
     }
-    std::string name = (std::filesystem::temp_directory_path() / "cscd-page-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    m_folder = name;
-  }
-
-  void TearDown() override
-  {
-    if (!m_folder.empty()) {
-      std::filesystem::remove_all(m_folder);
-    }
   }
 
   template <class AnySkeleton>
   void write_page(const Mesh& mesh, const AnySkeleton& skeleton, const Separators& separators,
                   const std::string& three_js)
   {
-    std::ofstream out(m_folder / "page.html", std::ios::binary);
+    std::ofstream out(m_folder.file("page.html"), std::ios::binary);
     CSCD::write_html_page(out, mesh, skeleton, separators, three_js, "A page <to> be \"tested\" & seen");
   }
 
@@ -99,8 +89,7 @@ protected:
         " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist"
         " --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic"
         " --disable-dev-shm-usage --window-size=640,420 --virtual-time-budget=5000 --user-data-dir='" +
-        (m_folder / "profile").string() + "' --dump-dom 'file://" + (m_folder / "page.html").string() +
-        "#selftest' 2>/dev/null";
+        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "#selftest' 2>/dev/null";
     const std::string dom = output_of(command);
     const std::string begin = "<pre id=\"selftest\">";
     const std::size_t first = dom.find(begin);
@@ -109,39 +98,9 @@ protected:
                : dom.substr(first + begin.size(), dom.find("</pre>", first) - first - begin.size());
   }
 
-  std::filesystem::path m_folder;
+  test_support::Temporary_folder m_folder;
   std::string m_chromium;
 };
-
-Mesh limb()
-{
-  return CSCD::test::to_mesh<Mesh>(CSCD::test::box("limb", {4, 1, 1}));
-}
-
-/// A fork along the box `limb()`; all nodes have the same radius.
-template <class AnySkeleton>
-AnySkeleton fork_in(const Mesh& mesh)
-{
-  const std::vector<Point> points{Point(-1.6, 0, 0),    Point(-0.8, 0, 0),    Point(0, 0, 0),
-                                  Point(0.8, 0.3, 0.2), Point(1.6, 0.3, 0.3), Point(1.6, -0.3, -0.3)};
-  const Point low = mesh.point(*mesh.vertices().begin());
-  Kernel::Vector_3 to_middle(0, 0, 0);
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    to_middle = to_middle + (mesh.point(v) - low) / static_cast<double>(num_vertices(mesh));
-  }
-  AnySkeleton skeleton(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    skeleton[i].point = low + to_middle + (points[i] - CGAL::ORIGIN);
-  }
-  std::size_t next = 0;
-  for (const Mesh::Vertex_index v : mesh.vertices()) {
-    skeleton[next++ % points.size()].vertices.push_back(v);
-  }
-  for (const auto& [a, b] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {2, 3}, {3, 4}, {2, 5}}) {
-    add_edge(a, b, skeleton);
-  }
-  return skeleton;
-}
 
 Separators girdles_of(const Skeleton& skeleton)
 {
@@ -161,11 +120,8 @@ bool contains(const std::string& text, const std::string& part)
 
 TEST_F(Page_in_chromium, draws_and_all_switches_work)
 {
-  const Mesh mesh = limb();
-  Skeleton skeleton = fork_in<Skeleton>(mesh);
-  for (std::size_t i = 0; i < num_vertices(skeleton); ++i) {
-    skeleton[i].radius = 0.4;
-  }
+  const Mesh mesh = box_mesh();
+  const auto skeleton = fork_in_box<Skeleton>(mesh);
   write_page(mesh, skeleton, girdles_of(skeleton), CSCD::three_js_source());
   const std::string result = self_test();
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
@@ -178,8 +134,8 @@ TEST_F(Page_in_chromium, draws_and_all_switches_work)
 TEST_F(Page_in_chromium, does_without_radii_and_separators)
 {
   using Cgal_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
-  const Mesh mesh = limb();
-  write_page(mesh, fork_in<Cgal_skeleton>(mesh), {}, CSCD::three_js_source());
+  const Mesh mesh = box_mesh();
+  write_page(mesh, fork_in_box<Cgal_skeleton>(mesh), {}, CSCD::three_js_source());
   const std::string result = self_test();
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_TRUE(contains(result, "absent balls")) << result;
@@ -188,15 +144,15 @@ TEST_F(Page_in_chromium, does_without_radii_and_separators)
 
 TEST_F(Page_in_chromium, tells_what_went_wrong)
 {
-  const Mesh mesh = limb();
-  write_page(mesh, fork_in<Skeleton>(mesh), {}, "");
+  const Mesh mesh = box_mesh();
+  write_page(mesh, fork_in_box<Skeleton>(mesh), {}, "");
   const std::string without_three = self_test();
   EXPECT_TRUE(contains(without_three, "written without three.js")) << without_three;
   EXPECT_FALSE(contains(without_three, "selftest passed")) << without_three;
 
   const std::string complaint = "\nconsole.error('a complaint');";
   const std::string access = "\nnew Image().src = 'file:///picture.png';";
-  write_page(mesh, fork_in<Skeleton>(mesh), {}, CSCD::three_js_source() + complaint + access);
+  write_page(mesh, fork_in_box<Skeleton>(mesh), {}, CSCD::three_js_source() + complaint + access);
   const std::string with_errors = self_test();
   EXPECT_TRUE(contains(with_errors, "failed error: a complaint")) << with_errors;
   EXPECT_TRUE(contains(with_errors, "content security policy")) << with_errors;

@@ -116,6 +116,8 @@ TEST_F(Cscd, help_begins_with_examples)
     EXPECT_EQ("", outcome.err);
   }
   EXPECT_NE(std::string::npos, run("skeletonize --help").out.find("--separators"));
+  EXPECT_NE(std::string::npos, run("evaluate --help").out.find("--radii"));
+  EXPECT_NE(std::string::npos, run("compare --help").out.find("--match-distance"));
 }
 
 TEST_F(Cscd, tells_its_version)
@@ -351,8 +353,9 @@ TEST_F(Cscd, number_of_sources_can_be_bounded)
 
 TEST_F(Cscd, writes_a_page_with_all_in_it)
 {
-  m_folder.write("torus.off", off(torus()));
-  const Outcome outcome = run("skeletonize torus.off --html t.html");
+  std::filesystem::create_directory(m_folder.path() / "meshes");
+  m_folder.write("meshes/torus.off", off(torus()));
+  const Outcome outcome = run("skeletonize meshes/torus.off --html t.html");
   if (outcome.status == 1 && outcome.err.find("built without three.js") != std::string::npos) {
     GTEST_SKIP() << "three.js (package libjs-three) is not there";
   }
@@ -361,8 +364,152 @@ TEST_F(Cscd, writes_a_page_with_all_in_it)
   EXPECT_EQ(0u, page.rfind("<!DOCTYPE html>", 0)) << page.substr(0, 100);
   EXPECT_LT(500000u, page.size()); // three.js is inside
   EXPECT_EQ(std::string::npos, page.find("<script src"));
-  EXPECT_NE(std::string::npos, page.find("torus.off"));
+  EXPECT_NE(std::string::npos, page.find("<title>torus.off</title>"));
   EXPECT_NE(std::string::npos, page.find("OrbitControls = function"));
+}
+
+/// A graph of GEL of a circle in the middle of the torus.
+std::string circle(double radius = 3, std::size_t number_of_nodes = 60)
+{
+  constexpr double pi = 3.141592653589793;
+  std::ostringstream out;
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    const double angle = 2 * pi * double(i) / double(number_of_nodes);
+    out << "n " << radius * std::cos(angle) << ' ' << radius * std::sin(angle) << " 0\n";
+  }
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    out << "c " << i << ' ' << (i + 1) % number_of_nodes << '\n';
+  }
+  return out.str();
+}
+
+TEST_F(Cscd, evaluates_a_skeleton)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("circle.graph", circle());
+  const Outcome outcome = run("evaluate torus.off circle.graph --json");
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ("", outcome.err);
+  const nlohmann::json measures = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(CSCD_VERSION, measures.at("version"));
+  EXPECT_EQ("torus.off", measures.at("input"));
+  EXPECT_EQ("circle.graph", measures.at("skeleton"));
+  EXPECT_EQ("estimated", measures.at("radii"));
+  EXPECT_EQ(1440, measures.at("number_of_points"));
+  EXPECT_EQ(true, measures.at("has_topology_of_surface"));
+  EXPECT_EQ(1, measures.at("counts").at("betti_number"));
+  EXPECT_EQ(1, measures.at("position").at("genus"));
+  EXPECT_EQ(1, measures.at("position").at("fraction_of_length_inside"));
+  EXPECT_NEAR(0, measures.at("position").at("offset_by_length").get<double>(), 0.01);
+  EXPECT_NEAR(1. / 3, measures.at("counts").at("mean_turning").get<double>(), 0.01);
+  EXPECT_LT(measures.at("round_cones").at("mean"), 0.001);
+  EXPECT_LT(measures.at("convolution").at("mean"), 0.01);
+  EXPECT_EQ(0.005, measures.at("convolution").at("cell_size"));
+  EXPECT_EQ(2, number_of_files());
+}
+
+TEST_F(Cscd, evaluates_for_people)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("circle.graph", circle());
+  const Outcome outcome = run("evaluate torus.off circle.graph");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\ncircle.graph: 60 nodes, 60 edges, "
+                                  "1 component, 1 cycle, 0 tips, 0 junctions\ntopology: that of the surface\n",
+                                  0))
+      << outcome.out;
+  EXPECT_NE(std::string::npos, outcome.out.find("inside: 100.00 % of the nodes, 100.00 % of the length\n"));
+  EXPECT_NE(std::string::npos, outcome.out.find("\nconvolution surface "));
+}
+
+TEST_F(Cscd, evaluates_what_it_made_in_all_formats)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0,
+            run("skeletonize torus.off -q -o t.graph -o t.json -o t.obj -o t.ply -o t.polylines.txt -o t.swc").status);
+  double mean = 0;
+  for (const std::string name : {"t.graph", "t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc"}) {
+    const Outcome outcome = run("evaluate torus.off " + name + " --json --resolution 60");
+    ASSERT_EQ(0, outcome.status) << outcome.err;
+    const double found = nlohmann::json::parse(outcome.out).at("convolution").at("mean");
+    mean = mean == 0 ? found : mean;
+    EXPECT_NEAR(mean, found, 1e-9) << name;
+  }
+  const Outcome piped = run("evaluate torus.off - --json --resolution 60 < t.graph");
+  EXPECT_NEAR(mean, nlohmann::json::parse(piped.out).at("convolution").at("mean"), 1e-12);
+}
+
+TEST_F(Cscd, own_radii_are_used_on_request)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0, run("skeletonize torus.off -q -o t.json -o t.graph").status);
+  const Outcome outcome = run("evaluate torus.off t.json --json --radii own --resolution 60");
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  const nlohmann::json measures = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ("own", measures.at("radii"));
+  EXPECT_LT(measures.at("round_cones").at("mean"), 0.01);
+  expect_refusal("evaluate torus.off t.graph --radii own", 2, {"radii", "estimated"});
+}
+
+TEST_F(Cscd, writes_the_reconstructed_surfaces)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("circle.graph", circle());
+  const Outcome outcome = run("evaluate torus.off circle.graph --resolution 60 --json --convolution-surface c.off "
+                              "--round-cones r.ply");
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  const nlohmann::json measures = nlohmann::json::parse(outcome.out);
+  std::istringstream in(content("c.off").substr(3));
+  std::size_t number_of_vertices = 0;
+  std::size_t number_of_faces = 0;
+  in >> number_of_vertices >> number_of_faces;
+  EXPECT_EQ(measures.at("convolution").at("number_of_faces"), number_of_faces);
+  EXPECT_EQ(number_of_faces, 2 * number_of_vertices); // as of any torus
+  EXPECT_EQ(0u, content("r.ply").rfind("ply\n", 0));
+}
+
+TEST_F(Cscd, compares_two_skeletons)
+{
+  m_folder.write("a.graph", circle(3));
+  m_folder.write("b.graph", circle(3.3, 80));
+  const Outcome outcome = run("compare a.graph b.graph --json --match-distance 0.05");
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  const nlohmann::json comparison = nlohmann::json::parse(outcome.out);
+  const double diagonal = comparison.at("diagonal");
+  EXPECT_NEAR(6.6 * std::sqrt(2), diagonal, 1e-6);
+  EXPECT_NEAR(0.3 / diagonal, comparison.at("mean_distance").get<double>(), 0.01 / diagonal);
+  EXPECT_EQ(true, comparison.at("has_same_structure"));
+  EXPECT_EQ(1, comparison.at("branches").at("number_matched"));
+  EXPECT_EQ(0.05, comparison.at("match_distance"));
+  const Outcome text = run("compare a.graph - < b.graph");
+  EXPECT_EQ(0, text.status);
+  EXPECT_EQ(0u, text.out.rfind("a.graph and -: branches are joined in the same way\n", 0)) << text.out;
+  EXPECT_NE(std::string::npos, text.out.find("branches:  0 of 1 and 1 match\n")) << text.out;
+}
+
+TEST_F(Cscd, refuses_what_it_cannot_measure)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("circle.graph", circle());
+  m_folder.write("far.graph", "n 1e6 0 0\n");
+  m_folder.write("bad.graph", "n 1 0\n");
+  expect_refusal("evaluate torus.off", 1, {"SKELETON"});
+  expect_refusal("evaluate torus.off circle.vtp", 1, {"circle.vtp", "written", ".swc"});
+  expect_refusal("evaluate torus.off circle.graph --resolution 0", 1, {"--resolution"});
+  expect_refusal("evaluate torus.off circle.graph --radii big", 1, {"--radii"});
+  expect_refusal("evaluate torus.off circle.graph --round-cones r.txt", 1, {"r.txt", ".off .obj .ply .stl"});
+  expect_refusal("evaluate - - --format off < torus.off", 1, {"standard input"});
+  expect_refusal("evaluate torus.off missing.graph", 2, {"missing.graph: cannot be opened"});
+  expect_refusal("evaluate missing.off circle.graph", 2, {"missing.off: cannot be opened"});
+  expect_refusal("evaluate torus.off far.graph", 2, {"node 0 of the skeleton is far from the surface"});
+  expect_refusal("evaluate torus.off bad.graph", 2, {"bad.graph, line 1"});
+  expect_refusal("evaluate torus.off circle.graph --resolution 9 --round-cones no/r.off", 2, {"no/r.off"});
+  expect_refusal("compare circle.graph", 1, {"B"});
+  expect_refusal("compare circle.graph circle.graph --match-distance -1", 1, {"--match-distance"});
+  expect_refusal("compare circle.graph circle.dot", 1, {"circle.dot"});
+  expect_refusal("compare - - < circle.graph", 1, {"standard input"});
+  expect_refusal("compare circle.graph bad.graph", 2, {"bad.graph, line 1"});
+  EXPECT_EQ(4, number_of_files());
 }
 
 } // namespace

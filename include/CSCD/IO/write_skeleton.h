@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_WRITE_SKELETON_H
 #define CSCD_IO_WRITE_SKELETON_H
 
+#include <CSCD/IO/internal/skeleton_endings.h>
 #include <CSCD/IO/write_dot.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
@@ -16,43 +17,14 @@
 #include <CSCD/IO/write_polylines.h>
 #include <CSCD/IO/write_swc.h>
 #include <CSCD/IO/write_vtp.h>
-#include <CSCD/exceptions.h>
 
-#include <boost/algorithm/string/case_conv.hpp>
-#include <boost/algorithm/string/join.hpp>
-#include <boost/algorithm/string/predicate.hpp>
-
-#include <algorithm>
 #include <array>
-#include <cstddef>
-#include <locale>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace CSCD {
 
 namespace internal {
-
-/// The endings of the formats that skeletons are written in.
-inline constexpr std::array<const char*, 9> skeleton_endings{".graph", ".json", ".obj", ".ply",    ".polylines.txt",
-                                                             ".swc",   ".vtp",  ".dot", ".graphml"};
-
-/// The position in `skeleton_endings` of the ending of `filename`, in lower or upper case.
-/// \throw File_error if it is not one of them
-inline std::size_t skeleton_ending(const std::string& filename)
-{
-  const std::string lower = boost::algorithm::to_lower_copy(filename, std::locale::classic());
-  const auto* ending = std::find_if(skeleton_endings.begin(), skeleton_endings.end(), [&](const char* candidate) {
-    return boost::algorithm::ends_with(lower, candidate);
-  });
-  if (ending == skeleton_endings.end()) {
-    throw File_error(
-        filename + ": the ending names no known skeleton format; use one of " +
-        boost::algorithm::join(std::vector<std::string>(skeleton_endings.begin(), skeleton_endings.end()), " "));
-  }
-  return static_cast<std::size_t>(ending - skeleton_endings.begin());
-}
 
 /// The writers, in the order of `skeleton_endings`.
 template <class Skeleton>

@@ -10,8 +10,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -35,8 +34,7 @@ public:
       : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()),
         m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
         m_failure_radius(float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area()))),
-        m_heap(levels.finest().surface.number_of_vertices()), m_reached(levels.finest().surface.number_of_vertices()),
-        m_distance(levels.finest().surface.number_of_vertices())
+        m_front(levels.finest().surface.number_of_vertices())
   {
     for (Index level = 0; level < levels.size(); ++level) {
       m_count[level].assign(levels[level].surface.number_of_vertices(), 0);
@@ -107,9 +105,9 @@ private:
   void cover_separator(const Separator& separator)
   {
     const Surface_level& level = m_levels[separator.level];
-    begin_band();
+    m_front.clear();
     for (const Edge_crossing& crossing : separator.crossings) {
-      add_seed(level.from_finest(m_levels.finest().surface.origin(crossing.halfedge)));
+      m_front.reach(level.from_finest(m_levels.finest().surface.origin(crossing.halfedge)), 0);
     }
     grow_band(separator.level, float(band_width * separator.radius()));
     set_hints(separator);
@@ -117,44 +115,23 @@ private:
 
   void cover_vertex(Index source, Index level, float radius)
   {
-    begin_band();
-    add_seed(m_levels[level].from_finest(source));
+    m_front.clear();
+    m_front.reach(m_levels[level].from_finest(source), 0);
     grow_band(level, radius);
   }
 
-  void begin_band()
-  {
-    m_reached.clear();
-    m_heap.clear();
-  }
-
-  void add_seed(Index vertex)
-  {
-    if (m_reached.mark(vertex)) {
-      m_distance[vertex] = 0;
-      m_heap.push(vertex, 0);
-    }
-  }
-
+  /// Counts the vertices of `level` that are at most `width` away from what the front has reached.
   void grow_band(Index level, float width)
   {
-    while (!m_heap.empty()) {
-      const Indexed_heap::Entry entry = m_heap.pop();
-      increase(m_count[level][entry.vertex]);
-      for (const Corner& corner : m_levels[level].corners.neighbors(entry.vertex)) {
-        const float distance = entry.key + corner.length;
-        if (distance > width) {
-          continue;
-        }
-        if (m_reached.mark(corner.neighbor)) {
-          m_distance[corner.neighbor] = distance;
-          m_heap.push(corner.neighbor, distance);
-        } else if (distance < m_distance[corner.neighbor]) {
-          m_distance[corner.neighbor] = distance;
-          m_heap.decrease(corner.neighbor, distance);
+    m_front.spread([&](Index vertex, float vertex_distance) {
+      increase(m_count[level][vertex]);
+      for (const Corner& corner : m_levels[level].corners.neighbors(vertex)) {
+        const float distance = vertex_distance + corner.length;
+        if (distance <= width) {
+          m_front.reach(corner.neighbor, distance);
         }
       }
-    }
+    });
   }
 
   void set_hints(const Separator& separator)
@@ -179,9 +156,7 @@ private:
   std::vector<std::vector<std::uint8_t>> m_count;
   std::vector<std::uint8_t> m_hint;
   float m_failure_radius;
-  Indexed_heap m_heap;
-  Epoch_marks m_reached;
-  std::vector<float> m_distance;
+  Distance_front m_front;
 };
 
 } // namespace CSCD::internal

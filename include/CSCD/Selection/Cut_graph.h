@@ -48,26 +48,33 @@ public:
   };
 
   /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
-  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators)
-      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
-        m_first_interval(surface.number_of_halfedges(), no_index), m_uncrossed_sets(surface.number_of_vertices())
+  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators) : Cut_graph(surface)
   {
     for (const Separator& separator : separators) {
       for (const Edge_crossing& crossing : separator.crossings) {
         m_crossed_edge[surface.edge(crossing.halfedge)] = 1;
       }
     }
-    join_uncrossed();
+    gather();
+  }
+
+  /// Prepares to cut `surface` along those in `arrangement` alone.
+  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement) : Cut_graph(surface)
+  {
+    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
+      m_crossed_edge[point.edge] = 1;
+    }
+    gather();
   }
 
   /// Cuts along the separators in `arrangement`; their positions are those in the order of insertion.
-  /// Linear in the size of the surface, with a small constant.
+  /// Linear in the number of edges that any separator crosses, and O(m log m) in the number m of crossings.
   void cut(const Separator_arrangement& arrangement)
   {
-    m_sets = m_uncrossed_sets;
+    m_sets = Disjoint_sets(m_clusters.size());
     split_edges(arrangement);
     join_remaining_edges();
-    join_through_faces(arrangement);
+    split_faces(arrangement);
     label_pieces();
     measure_pieces(arrangement);
     find_sides(arrangement);
@@ -76,49 +83,31 @@ public:
   const std::vector<Piece>& pieces() const { return m_pieces; }
   /// The pieces beside the packed separator at position `i`.
   const Sides& sides(Index i) const { return m_sides[i]; }
-  Index piece_of_vertex(Index vertex) const { return m_label[vertex]; }
+  Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
 
 private:
+  explicit Cut_graph(const Triangulated_surface& surface)
+      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
+        m_first_interval(surface.number_of_halfedges(), no_index), m_cluster(surface.number_of_vertices(), no_index)
+  {
+  }
+
   /// A part of a face between chords, while the boundary of the face is walked.
   struct Open_chord
   {
     Index chord;
-    Index interval;           ///< the set of the boundary just before the chord begins
-    double taken_outside = 0; ///< part of the face that chords before this one have cut off from the same region
-    double begin_place = 0;   ///< where the chord begins, on the way around the face
+    Index interval;       ///< the set of the boundary just before the chord begins
+    double taken_outside; ///< part of the face that chords before this one have cut off from the same region
+    double begin_place;   ///< where the chord begins, on the way around the face
   };
 
-  void join_uncrossed()
+  /// Numbers the clusters by their least vertex, and sums up what cannot be cut.
+  void gather()
   {
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (m_surface.edge(h) != h) {
-        continue;
-      }
-      if (m_crossed_edge[h] != 0) {
-        m_crossable_edges.push_back(h);
-      } else {
-        m_uncrossed_sets.join(m_surface.origin(h), m_surface.target(h));
-      }
-    }
-    measure_uncrossed();
-  }
-
-  /// Sums up what cannot be cut: all but the crossable edges and their faces.
-  void measure_uncrossed()
-  {
-    const Index n = m_surface.number_of_vertices();
-    std::vector<Index> cluster(n, no_index);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      Index& number = cluster[m_uncrossed_sets.find(vertex)];
-      if (number == no_index) {
-        number = Index(m_clusters.size());
-        m_clusters.push_back({vertex, 0, 0});
-      }
-      ++m_clusters[number].euler;
-    }
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (m_crossed_edge[m_surface.edge(h)] == 0 && m_surface.edge(h) == h) {
-        --m_clusters[cluster[m_uncrossed_sets.find(m_surface.origin(h))]].euler;
+    std::vector<Index> front;
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      if (m_cluster[vertex] == no_index) {
+        gather_cluster(vertex, front);
       }
     }
     for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
@@ -126,10 +115,40 @@ private:
         m_crossable_faces.push_back(face);
         continue;
       }
-      Cluster& home = m_clusters[cluster[m_uncrossed_sets.find(m_surface.origin(3 * face))]];
+      Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
       ++home.euler;
       home.area += double(m_surface.face_area(face));
     }
+  }
+
+  /// Floods the cluster of `first`, over edges that no separator crosses, and counts its vertices and edges.
+  void gather_cluster(Index first, std::vector<Index>& front)
+  {
+    const auto number = Index(m_clusters.size());
+    int euler = 0;
+    m_cluster[first] = number;
+    front.assign(1, first);
+    while (!front.empty()) {
+      const Index vertex = front.back();
+      front.pop_back();
+      ++euler;
+      for (Index halfedge : m_surface.outgoing(vertex)) {
+        const bool is_edge = m_surface.edge(halfedge) == halfedge;
+        if (m_crossed_edge[m_surface.edge(halfedge)] != 0) {
+          if (is_edge) {
+            m_crossable_edges.push_back(halfedge);
+          }
+          continue;
+        }
+        euler -= is_edge ? 1 : 0;
+        const Index target = m_surface.target(halfedge);
+        if (m_cluster[target] == no_index) {
+          m_cluster[target] = number;
+          front.push_back(target);
+        }
+      }
+    }
+    m_clusters.push_back({euler, 0});
   }
 
   bool is_crossable(Index face) const
@@ -157,16 +176,18 @@ private:
     });
     m_intervals.clear();
     m_interval_before.resize(points.size());
+    m_order.resize(points.size());
     for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
+      m_order[m_sorted_points[i]] = Index(i);
       const Index edge = points[m_sorted_points[i]].edge;
       if (m_first_interval[edge] == no_index) {
         m_first_interval[edge] = Index(m_intervals.size());
-        m_intervals.push_back(m_surface.origin(edge));
+        m_intervals.push_back(m_cluster[m_surface.origin(edge)]);
       }
       m_interval_before[m_sorted_points[i]] = Index(m_intervals.size() - 1);
       const bool is_last = i + 1 == m_sorted_points.size() || points[m_sorted_points[i + 1]].edge != edge;
       if (is_last) {
-        m_intervals.push_back(m_surface.target(edge));
+        m_intervals.push_back(m_cluster[m_surface.target(edge)]);
       } else {
         m_intervals.push_back(m_sets.add());
       }
@@ -177,7 +198,7 @@ private:
   {
     for (Index edge : m_crossable_edges) {
       if (m_first_interval[edge] == no_index) {
-        m_sets.join(m_surface.origin(edge), m_surface.target(edge));
+        m_sets.join(m_cluster[m_surface.origin(edge)], m_cluster[m_surface.target(edge)]);
       }
     }
   }
@@ -189,86 +210,61 @@ private:
     return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
   }
 
-  /// Collects the ends of the chords of `face` in their order around it.
-  void collect_ends(const Separator_arrangement& arrangement, Index face)
+  /// Splits every face that is cut into its parts, and joins what each part connects.
+  void split_faces(const Separator_arrangement& arrangement)
   {
-    m_ends.clear();
-    for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
-      m_ends.push_back({arrangement.chords()[chord].begin, chord});
-      m_ends.push_back({arrangement.chords()[chord].end, chord});
-    }
-    std::sort(m_ends.begin(), m_ends.end(),
-              [&](const Chord_end& a, const Chord_end& b) { return arrangement.is_before(a.point, b.point, face); });
-  }
-
-  /// Joins what a face connects: the boundary just before a chord begins and just after it ends.
-  void join_through_faces(const Separator_arrangement& arrangement)
-  {
-    for_each_cut_face(arrangement, [&](Index face) {
-      collect_ends(arrangement, face);
-      m_open.clear();
-      for (const Chord_end& end : m_ends) {
-        if (m_open.empty() || m_open.back().chord != end.chord) {
-          m_open.push_back({end.chord, interval_beside(arrangement, end.point, face, false)});
-        } else {
-          m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
-          m_open.pop_back();
-        }
-      }
-    });
-  }
-
-  template <class Function>
-  void for_each_cut_face(const Separator_arrangement& arrangement, const Function& function)
-  {
+    m_parts.clear();
     const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
     for (Index chord = 0; chord < chords.size(); ++chord) {
       // Each face once: at the chord that its list begins with.
       if (arrangement.first_chord(chords[chord].face) == chord) {
-        function(chords[chord].face);
+        split_face(arrangement, chords[chord].face);
       }
     }
   }
 
-  /// Numbers the pieces by their least vertex, and labels all sets.
-  void label_pieces()
+  /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
+  /// just after it ends.
+  void split_face(const Separator_arrangement& arrangement, Index face)
   {
-    m_label.assign(m_sets.size(), no_index);
-    Index number_of_pieces = 0;
-    for (Index element = 0; element < m_sets.size(); ++element) {
-      const Index root = m_sets.find(element);
-      if (m_label[root] == no_index) {
-        m_label[root] = number_of_pieces++;
+    collect_ends(arrangement, face);
+    const double area = double(m_surface.face_area(face));
+    m_open.clear();
+    double taken = 0;
+    for (const Chord_end& end : m_ends) {
+      const double place = boundary_place(arrangement, end.point, face);
+      const Index interval_before = interval_beside(arrangement, end.point, face, false);
+      if (m_open.empty() || m_open.back().chord != end.chord) {
+        m_open.push_back({end.chord, interval_before, taken, place});
+        taken = 0;
+        continue;
       }
-      m_label[element] = m_label[root];
+      const double part = cut_off_part(m_open.back().begin_place, place);
+      m_parts.push_back({interval_before, (part - taken) * area});
+      m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
+      taken = m_open.back().taken_outside + part;
+      m_open.pop_back();
     }
-    m_pieces.assign(number_of_pieces, Piece());
+    m_parts.push_back({interval_beside(arrangement, m_ends.front().point, face, false), (1 - taken) * area});
   }
 
-  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
-  /// the Euler number; what counts is vertices, parts of edges and parts of faces.
-  void measure_pieces(const Separator_arrangement& arrangement)
+  /// Collects the ends of the chords of `face` in their order around it, that of `Separator_arrangement::is_before()`.
+  void collect_ends(const Separator_arrangement& arrangement, Index face)
   {
-    for (const Cluster& cluster : m_clusters) {
-      m_pieces[m_label[cluster.vertex]].euler += cluster.euler;
-      m_pieces[m_label[cluster.vertex]].area += cluster.area;
+    m_ends.clear();
+    const auto place = [&](Index point) {
+      const Index edge = arrangement.points()[point].edge;
+      const bool is_reversed = Triangulated_surface::face(edge) != face;
+      const auto size = std::uint64_t(m_order.size());
+      return arrangement.side(edge, face) * size + (is_reversed ? size - 1 - m_order[point] : m_order[point]);
+    };
+    for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
+      const Index begin = arrangement.chords()[chord].begin;
+      const Index end = arrangement.chords()[chord].end;
+      m_ends.push_back({place(begin), begin, chord});
+      m_ends.push_back({place(end), end, chord});
     }
-    for (Index edge : m_crossable_edges) {
-      if (m_first_interval[edge] == no_index) {
-        --m_pieces[m_label[m_surface.origin(edge)]].euler;
-      }
-    }
-    for (Index interval : m_intervals) {
-      --m_pieces[m_label[interval]].euler;
-    }
-    for (Index face : m_crossable_faces) {
-      if (arrangement.first_chord(face) == no_index) {
-        Piece& piece = m_pieces[m_label[m_surface.origin(3 * face)]];
-        ++piece.euler;
-        piece.area += double(m_surface.face_area(face));
-      }
-    }
-    for_each_cut_face(arrangement, [&](Index face) { measure_cut_face(arrangement, face); });
+    std::sort(m_ends.begin(), m_ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
   }
 
   /// The place of an edge point on the way around `face`, in [0, 3): side plus position along it.
@@ -306,29 +302,50 @@ private:
     return std::abs(doubled);
   }
 
-  void measure_cut_face(const Separator_arrangement& arrangement, Index face)
+  /// Numbers the pieces by their least vertex, and labels all sets.
+  void label_pieces()
   {
-    collect_ends(arrangement, face);
-    const double area = double(m_surface.face_area(face));
-    m_open.clear();
-    double taken = 0;
-    for (const Chord_end& end : m_ends) {
-      const double place = boundary_place(arrangement, end.point, face);
-      if (m_open.empty() || m_open.back().chord != end.chord) {
-        m_open.push_back({end.chord, no_index, taken, place});
-        taken = 0;
-        continue;
+    m_label.assign(m_sets.size(), no_index);
+    Index number_of_pieces = 0;
+    for (Index element = 0; element < m_sets.size(); ++element) {
+      const Index root = m_sets.find(element);
+      if (m_label[root] == no_index) {
+        m_label[root] = number_of_pieces++;
       }
-      const double part = cut_off_part(m_open.back().begin_place, place);
-      Piece& inside = m_pieces[m_label[interval_beside(arrangement, end.point, face, false)]];
-      ++inside.euler;
-      inside.area += (part - taken) * area;
-      taken = m_open.back().taken_outside + part;
-      m_open.pop_back();
+      m_label[element] = m_label[root];
     }
-    Piece& outside = m_pieces[m_label[interval_beside(arrangement, m_ends.front().point, face, false)]];
-    ++outside.euler;
-    outside.area += (1 - taken) * area;
+    m_pieces.assign(number_of_pieces, Piece());
+  }
+
+  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
+  /// the Euler number; what counts is vertices, parts of edges and parts of faces.
+  void measure_pieces(const Separator_arrangement& arrangement)
+  {
+    for (Index cluster = 0; cluster < m_clusters.size(); ++cluster) {
+      Piece& piece = m_pieces[m_label[cluster]];
+      piece.euler += m_clusters[cluster].euler;
+      piece.area += m_clusters[cluster].area;
+    }
+    for (Index edge : m_crossable_edges) {
+      if (m_first_interval[edge] == no_index) {
+        --m_pieces[piece_of_vertex(m_surface.origin(edge))].euler;
+      }
+    }
+    for (Index interval : m_intervals) {
+      --m_pieces[m_label[interval]].euler;
+    }
+    for (Index face : m_crossable_faces) {
+      if (arrangement.first_chord(face) == no_index) {
+        Piece& piece = m_pieces[piece_of_vertex(m_surface.origin(3 * face))];
+        ++piece.euler;
+        piece.area += double(m_surface.face_area(face));
+      }
+    }
+    for (const Part& part : m_parts) {
+      Piece& piece = m_pieces[m_label[part.interval]];
+      ++piece.euler;
+      piece.area += part.area;
+    }
   }
 
   void find_sides(const Separator_arrangement& arrangement)
@@ -349,31 +366,40 @@ private:
   /// Vertices that are joined whatever is cut, and what lies between them.
   struct Cluster
   {
-    Index vertex; ///< one of its vertices
-    int euler;
+    int euler; ///< its vertices, edges and faces, counted as for the Euler number
     double area;
   };
 
   struct Chord_end
   {
+    std::uint64_t place; ///< in the order around the face
     Index point;
     Index chord;
   };
 
+  /// A part of a face between chords.
+  struct Part
+  {
+    Index interval; ///< the set of a part of an edge beside it
+    double area;
+  };
+
   const Triangulated_surface& m_surface;
-  std::vector<std::uint8_t> m_crossed_edge;
+  std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
   std::vector<Index> m_crossable_edges;
   std::vector<Index> m_crossable_faces;
   std::vector<Cluster> m_clusters;
   std::vector<Index> m_first_interval;
-  Disjoint_sets m_uncrossed_sets;
-  Disjoint_sets m_sets;
-  std::vector<Index> m_label;
+  std::vector<Index> m_cluster; ///< of every vertex
+  Disjoint_sets m_sets;         ///< of clusters and of inner parts of edges
+  std::vector<Index> m_label;   ///< the piece of each of them
   std::vector<Index> m_sorted_points;
+  std::vector<Index> m_order; ///< of every point among the sorted ones
   std::vector<Index> m_intervals;
   std::vector<Index> m_interval_before;
   std::vector<Chord_end> m_ends;
   std::vector<Open_chord> m_open;
+  std::vector<Part> m_parts;
   std::vector<Piece> m_pieces;
   std::vector<Sides> m_sides;
 };

@@ -13,8 +13,7 @@
 #include <CSCD/Traits/Surface_levels.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
@@ -33,9 +32,8 @@ class Handle_loops
 public:
   Handle_loops(const Surface_level& finest, const Cut_graph& cut_graph, const Separator_arrangement& arrangement)
       : m_surface(finest.surface), m_corners(finest.corners), m_cut_graph(cut_graph), m_arrangement(arrangement),
-        m_is_crossed(m_surface.number_of_halfedges(), 0), m_distance(m_surface.number_of_vertices()),
-        m_parent(m_surface.number_of_vertices()), m_reached(m_surface.number_of_vertices()),
-        m_heap(m_surface.number_of_vertices())
+        m_is_crossed(m_surface.number_of_halfedges(), 0), m_front(m_surface.number_of_vertices()),
+        m_parent(m_surface.number_of_vertices())
   {
     for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
       m_is_crossed[point.edge] = 1;
@@ -71,34 +69,19 @@ private:
 
   void grow_tree(Index piece, Index root)
   {
-    m_reached.clear();
-    m_heap.clear();
-    reach(root, 0, no_index);
-    while (!m_heap.empty()) {
-      const Indexed_heap::Entry entry = m_heap.pop();
-      const Corner* corner = m_corners.fan(entry.vertex).begin();
-      for (Index halfedge : m_surface.outgoing(entry.vertex)) {
-        if (!is_crossed(halfedge) && m_cut_graph.piece_of_vertex(corner->neighbor) == piece) {
-          reach(corner->neighbor, entry.key + corner->length, entry.vertex);
+    m_front.clear();
+    m_front.reach(root, 0);
+    m_parent[root] = no_index;
+    m_front.spread([&](Index vertex, float distance) {
+      const Corner* corner = m_corners.fan(vertex).begin();
+      for (Index halfedge : m_surface.outgoing(vertex)) {
+        if (!is_crossed(halfedge) && m_cut_graph.piece_of_vertex(corner->neighbor) == piece &&
+            m_front.reach(corner->neighbor, distance + corner->length)) {
+          m_parent[corner->neighbor] = vertex;
         }
         ++corner;
       }
-    }
-  }
-
-  void reach(Index vertex, float distance, Index parent)
-  {
-    const bool is_new = m_reached.mark(vertex);
-    if (!is_new && distance >= m_distance[vertex]) {
-      return;
-    }
-    m_distance[vertex] = distance;
-    m_parent[vertex] = parent;
-    if (is_new) {
-      m_heap.push(vertex, distance);
-    } else {
-      m_heap.decrease(vertex, distance);
-    }
+    });
   }
 
   /// What lies beyond a separator counts as a disc: the faces along it are one.
@@ -118,8 +101,8 @@ private:
       const Index a = m_surface.origin(h);
       const Index b = m_surface.target(h);
       if (m_surface.edge(h) == h && !is_crossed(h) && m_cut_graph.piece_of_vertex(a) == piece &&
-          m_reached.is_marked(a) && m_reached.is_marked(b) && m_parent[a] != b && m_parent[b] != a) {
-        m_edges.push_back({h, m_distance[a] + m_distance[b] + float(m_surface.length(h))});
+          m_front.is_reached(a) && m_front.is_reached(b) && m_parent[a] != b && m_parent[b] != a) {
+        m_edges.push_back({h, m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h))});
       }
     }
     std::stable_sort(m_edges.begin(), m_edges.end(),
@@ -157,10 +140,8 @@ private:
   const Cut_graph& m_cut_graph;
   const Separator_arrangement& m_arrangement;
   std::vector<std::uint8_t> m_is_crossed;
-  std::vector<float> m_distance;
+  Distance_front m_front;
   std::vector<Index> m_parent;
-  Epoch_marks m_reached;
-  Indexed_heap m_heap;
   Disjoint_sets m_faces;
   std::vector<Cotree_edge> m_edges;
 };

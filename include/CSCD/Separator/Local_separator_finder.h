@@ -46,7 +46,7 @@ struct Search_result
   double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
 };
 
-/// The default policy for finding separators: polar front, stopped early, on the level of detail that suits the limb;
+/// The default model of `SeparatorFinder`: polar front, stopped early, on the level of detail that suits the limb;
 /// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
 ///
 /// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each

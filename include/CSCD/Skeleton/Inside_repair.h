@@ -10,7 +10,6 @@
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -25,39 +24,30 @@ class Inside_repair
 {
 public:
   Inside_repair(const Traits& traits, Skeleton_draft& draft)
-      : m_traits(traits), m_draft(draft), m_sample_length(relative_sample_length * diagonal(traits))
+      : m_traits(traits), m_draft(draft), m_offset(relative_offset * diagonal(traits)), m_is_outside(draft.size(), 0)
   {
+    for (Index node = 0; node < draft.size(); ++node) {
+      m_is_outside[node] = !draft[node].is_removed && !traits.is_inside(draft[node].position) ? 1 : 0;
+    }
   }
 
   /// Repairs what can be repaired, in a few rounds.
   void operator()()
   {
-    std::vector<std::pair<Index, Index>> edges;
+    repair_nodes();
+    std::vector<Edge> edges;
     m_draft.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
-    for (int round = 0; round < most_rounds; ++round) {
-      const bool has_moved = repair_nodes();
-      const bool has_split = repair_edges(edges);
-      if (!has_moved && !has_split) {
-        return;
-      }
-      if (has_moved) {
-        // The edges of a moved node are not those that were found good.
-        edges.clear();
-        m_draft.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
-      }
+    for (int round = 0; round < most_rounds && !edges.empty(); ++round) {
+      edges = repair_edges(edges);
     }
   }
 
   std::size_t number_of_nodes_outside() const
   {
-    std::size_t count = 0;
-    for (Index node = 0; node < m_draft.size(); ++node) {
-      count += !m_draft[node].is_removed && !m_traits.is_inside(m_draft[node].position) ? 1 : 0;
-    }
-    return count;
+    return std::size_t(std::count(m_is_outside.begin(), m_is_outside.end(), char(1)));
   }
 
-  std::size_t number_of_edges_outside() const
+  std::size_t number_of_edges_outside()
   {
     std::size_t count = 0;
     m_draft.for_each_edge([&](Index a, Index b) { count += first_stretch_outside(a, b) ? 1 : 0; });
@@ -65,10 +55,11 @@ public:
   }
 
 private:
+  using Edge = std::pair<Index, Index>;
+
   static constexpr int most_rounds = 4;
-  /// Edges are tested at points this far apart, relative to the diagonal of the bounding box.
-  static constexpr double relative_sample_length = 1. / 250;
-  /// Rays into the body start this far from the surface, relative to the same.
+  /// Rays into the body start this far from the surface, and shorter stretches outside are taken for rounding; relative
+  /// to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
   static double diagonal(const Traits& traits)
@@ -85,8 +76,7 @@ private:
   {
     const auto nearest = m_traits.closest_point(point);
     const Vector_3 inward = -m_traits.solid_surface().face_vector(nearest.face).normalized();
-    const double offset = relative_offset * m_sample_length / relative_sample_length;
-    const auto hit = m_traits.first_hit(nearest.point + offset * inward, inward);
+    const auto hit = m_traits.first_hit(nearest.point + m_offset * inward, inward);
     if (!hit) {
       return std::nullopt;
     }
@@ -94,45 +84,43 @@ private:
     return m_traits.is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
   }
 
-  bool repair_nodes()
+  void repair_nodes()
   {
-    bool has_moved = false;
     for (Index node = 0; node < m_draft.size(); ++node) {
-      if (m_draft[node].is_removed || m_traits.is_inside(m_draft[node].position)) {
+      if (m_is_outside[node] == 0) {
         continue;
       }
       if (const std::optional<Vector_3> middle = middle_behind(m_draft[node].position)) {
         m_draft[node].position = *middle;
-        has_moved = true;
+        m_is_outside[node] = 0;
       }
     }
-    return has_moved;
   }
 
   /// The middle of the first stretch of the edge that is outside.
-  std::optional<Vector_3> first_stretch_outside(Index a, Index b) const
+  std::optional<Vector_3> first_stretch_outside(Index a, Index b)
   {
     const Vector_3& from = m_draft[a].position;
     const Vector_3& to = m_draft[b].position;
-    const int samples = int(std::ceil((to - from).norm() / m_sample_length));
-    const auto at = [&](int i) -> Vector_3 { return from + (double(i) / samples) * (to - from); };
-    for (int i = 1; i < samples; ++i) {
-      if (m_traits.is_inside(at(i))) {
-        continue;
+    m_traits.crossings(from, to, m_crossings);
+    const double length = (to - from).norm();
+    m_crossings.push_back(length);
+    bool is_outside = m_is_outside[a] != 0;
+    double last = 0;
+    for (double crossing : m_crossings) {
+      if (is_outside && crossing - last > m_offset) {
+        return Vector_3(from + (last + crossing) / (2 * length) * (to - from));
       }
-      int last = i;
-      while (last + 1 < samples && !m_traits.is_inside(at(last + 1))) {
-        ++last;
-      }
-      return (at(i) + at(last)) / 2;
+      is_outside = !is_outside;
+      last = crossing;
     }
     return std::nullopt;
   }
 
-  /// Splits the edges in `edges` that leave the body, and leaves in it the parts, which may leave it again.
-  bool repair_edges(std::vector<std::pair<Index, Index>>& edges)
+  /// Splits those of `edges` that leave the body. \return the parts, which may leave it again
+  std::vector<Edge> repair_edges(const std::vector<Edge>& edges)
   {
-    std::vector<std::pair<Index, Index>> parts;
+    std::vector<Edge> parts;
     for (const auto& [a, b] : edges) {
       const std::optional<Vector_3> outside = first_stretch_outside(a, b);
       if (!outside) {
@@ -140,17 +128,19 @@ private:
       }
       if (const std::optional<Vector_3> middle = middle_behind(*outside)) {
         const Index node = m_draft.split_edge(a, b, *middle, (m_draft[a].radius + m_draft[b].radius) / 2);
+        m_is_outside.push_back(0);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
       }
     }
-    edges = std::move(parts);
-    return !edges.empty();
+    return parts;
   }
 
   const Traits& m_traits;
   Skeleton_draft& m_draft;
-  double m_sample_length;
+  double m_offset;
+  std::vector<char> m_is_outside; ///< for every node
+  std::vector<double> m_crossings;
 };
 
 } // namespace CSCD::internal

@@ -9,10 +9,9 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -33,9 +32,7 @@ public:
   Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
                   const std::vector<Index>& packed, Index most_vertices)
       : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(most_vertices)]),
-        m_separator(m_level.surface.number_of_vertices(), no_index),
-        m_distance(m_level.surface.number_of_vertices(), std::numeric_limits<float>::max()),
-        m_heap(m_level.surface.number_of_vertices())
+        m_separator(m_level.surface.number_of_vertices(), no_index), m_front(m_level.surface.number_of_vertices())
   {
     for (Index i = 0; i < packed.size(); ++i) {
       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
@@ -52,8 +49,11 @@ public:
   const Surface_level& level() const { return m_level; }
   /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
   Index separator(Index vertex) const { return m_separator[vertex]; }
-  /// The distance from it.
-  float distance(Index vertex) const { return m_distance[vertex]; }
+  /// The distance from it, infinite where there is none.
+  float distance(Index vertex) const
+  {
+    return m_front.is_reached(vertex) ? m_front.distance(vertex) : std::numeric_limits<float>::infinity();
+  }
 
 private:
   const Vector_3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
@@ -66,34 +66,24 @@ private:
 
   void reach(Index vertex, float distance, Index separator)
   {
-    if (distance >= m_distance[vertex]) {
-      return;
-    }
-    const bool is_new = m_separator[vertex] == no_index;
-    m_distance[vertex] = distance;
-    m_separator[vertex] = separator;
-    if (is_new) {
-      m_heap.push(vertex, distance);
-    } else {
-      m_heap.decrease(vertex, distance);
+    if (m_front.reach(vertex, distance)) {
+      m_separator[vertex] = separator;
     }
   }
 
   void spread()
   {
-    while (!m_heap.empty()) {
-      const Indexed_heap::Entry entry = m_heap.pop();
-      for (const Corner& corner : m_level.corners.neighbors(entry.vertex)) {
-        reach(corner.neighbor, entry.key + corner.length, m_separator[entry.vertex]);
+    m_front.spread([&](Index vertex, float distance) {
+      for (const Corner& corner : m_level.corners.neighbors(vertex)) {
+        reach(corner.neighbor, distance + corner.length, m_separator[vertex]);
       }
-    }
+    });
   }
 
   const Surface_level& m_finest;
   const Surface_level& m_level;
   std::vector<Index> m_separator;
-  std::vector<float> m_distance;
-  Indexed_heap m_heap;
+  Distance_front m_front;
 };
 
 } // namespace CSCD::internal

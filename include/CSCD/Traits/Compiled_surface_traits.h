@@ -113,6 +113,11 @@ public:
   {
     return queries().first_hit(origin, direction);
   }
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    queries().crossings(from, to, distances);
+  }
   /// @}
 
   /// \name Counts

@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <numeric>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -29,9 +30,7 @@ public:
   Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points)
       : m_twin(3 * faces.size(), no_index)
   {
-    if (!faces.empty()) {
-      pair(faces.front().data(), number_of_points);
-    }
+    pair(faces, number_of_points);
   }
 
   static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
@@ -40,82 +39,114 @@ public:
   Index number_of_halfedges() const { return Index(m_twin.size()); }
   /// The oppositely directed halfedge of the same edge; `no_index` on a border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
+  /// The twins of all halfedges.
+  std::vector<Index> twins() && { return std::move(m_twin); }
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
   Index conflict() const { return m_conflict; }
   bool has_border() const { return m_has_border; }
 
 private:
-  /// A halfedge in the bucket of its smaller end.
+  /// An ascending halfedge, from its smaller to its larger end, in the bucket of the smaller one.
   struct Entry
   {
     Index larger_end;
-    Index code; ///< twice the halfedge, and one more if it leaves the smaller end
+    Index halfedge;
 
-    Index halfedge() const { return code / 2; }
     bool operator<(const Entry& other) const
     {
-      return std::tie(larger_end, code) < std::tie(other.larger_end, other.code);
+      return std::tie(larger_end, halfedge) < std::tie(other.larger_end, other.halfedge);
     }
   };
 
   /// Buckets of more entries than this are sorted, so that vertices of high degree do not cost their degree squared.
-  static constexpr std::ptrdiff_t small_bucket = 32;
+  static constexpr Index small_bucket = 16;
 
-  void pair(const Index* origin, std::size_t number_of_points)
+  /// Calls `function(halfedge, origin, target)` for all halfedges.
+  template <class Function>
+  static void for_each_halfedge(const std::vector<std::array<Index, 3>>& faces, const Function& function)
   {
-    const Index n = number_of_halfedges();
-    std::vector<Index> begin(number_of_points + 1, 0);
-    for (Index h = 0; h < n; ++h) {
-      ++begin[std::min(origin[h], origin[next(h)]) + 1];
+    Index halfedge = 0;
+    for (const auto& [a, b, c] : faces) {
+      function(halfedge++, a, b);
+      function(halfedge++, b, c);
+      function(halfedge++, c, a);
     }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    std::vector<Index> fill(begin.begin(), begin.end() - 1);
-    std::vector<Entry> entries(n);
-    for (Index h = 0; h < n; ++h) {
-      const auto [smaller, larger] = std::minmax(origin[h], origin[next(h)]);
-      entries[fill[smaller]++] = {larger, 2 * h + (origin[h] == smaller)};
+  }
+
+  void pair(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points)
+  {
+    fill_buckets(faces, number_of_points);
+    for (Index vertex = 0; vertex < number_of_points; ++vertex) {
+      check_bucket(vertex);
     }
-    for (std::size_t vertex = 0; vertex < number_of_points && m_conflict == no_index; ++vertex) {
-      pair_bucket(entries.data() + begin[vertex], entries.data() + begin[vertex + 1]);
-    }
+    for_each_halfedge(faces, [this](Index halfedge, Index origin, Index target) {
+      if (origin > target) {
+        pair_descending(halfedge, origin, target);
+      }
+    });
+    std::vector<Index>().swap(m_begin);
+    std::vector<Entry>().swap(m_entries);
     m_has_border = std::find(m_twin.begin(), m_twin.end(), no_index) != m_twin.end();
   }
 
-  void pair_bucket(Entry* first, Entry* last)
+  void fill_buckets(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points)
   {
-    const bool is_sorted = last - first > small_bucket;
-    if (is_sorted) {
+    m_begin.assign(number_of_points + 1, 0);
+    for_each_halfedge(faces, [this](Index, Index origin, Index target) { m_begin[origin + 1] += origin < target; });
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
+    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
+    m_entries.resize(m_begin.back());
+    for_each_halfedge(faces, [&](Index halfedge, Index origin, Index target) {
+      if (origin < target) {
+        m_entries[fill[origin]++] = {target, halfedge};
+      }
+    });
+  }
+
+  bool is_sorted(Index vertex) const { return m_begin[vertex + 1] - m_begin[vertex] > small_bucket; }
+
+  /// Seeks two entries for the same edge; sorts the bucket if it is large.
+  void check_bucket(Index vertex)
+  {
+    const auto first = m_entries.begin() + m_begin[vertex];
+    const auto last = m_entries.begin() + m_begin[vertex + 1];
+    if (is_sorted(vertex)) {
       std::sort(first, last);
     }
-    for (; first != last; ++first) {
-      if (m_twin[first->halfedge()] == no_index) {
-        pair_first(*first, first + 1, last, is_sorted);
-      }
+    const auto is_same_edge = [](const Entry& a, const Entry& b) { return a.larger_end == b.larger_end; };
+    for (auto it = first; it != last && m_conflict == no_index; ++it) {
+      const auto end = is_sorted(vertex) ? std::min(it + 2, last) : last;
+      const auto other = std::find_if(it + 1, end, [&](const Entry& entry) { return is_same_edge(*it, entry); });
+      m_conflict = other == end ? no_index : other->halfedge;
     }
   }
 
-  /// Finds the partner of `entry`, the first halfedge of its edge, among the others of its bucket.
-  void pair_first(const Entry& entry, const Entry* other, const Entry* last, bool is_sorted)
+  /// Pairs the halfedge `h` from `larger_end` to `smaller_end` with the ascending one of its edge, if there is one.
+  void pair_descending(Index h, Index larger_end, Index smaller_end)
   {
-    Index& twin = m_twin[entry.halfedge()];
-    for (; other != last; ++other) {
-      if (other->larger_end != entry.larger_end) {
-        if (is_sorted) {
-          return;
-        }
-        continue;
-      }
-      if (twin != no_index || other->code % 2 == entry.code % 2) {
-        m_conflict = other->halfedge();
-        return;
-      }
-      twin = other->halfedge();
-      m_twin[twin] = entry.halfedge();
+    auto first = m_entries.begin() + m_begin[smaller_end];
+    const auto last = m_entries.begin() + m_begin[smaller_end + 1];
+    if (is_sorted(smaller_end)) {
+      first = std::lower_bound(first, last, Entry{larger_end, 0});
     }
+    while (first != last && first->larger_end != larger_end) {
+      ++first;
+    }
+    if (first == last) {
+      return;
+    }
+    if (m_twin[first->halfedge] != no_index) {
+      m_conflict = m_conflict == no_index ? h : m_conflict;
+      return;
+    }
+    m_twin[h] = first->halfedge;
+    m_twin[first->halfedge] = h;
   }
 
   std::vector<Index> m_twin;
+  std::vector<Index> m_begin; // of every bucket, while halfedges are paired
+  std::vector<Entry> m_entries;
   Index m_conflict = no_index;
   bool m_has_border = false;
 };

@@ -70,9 +70,13 @@ public:
   }
 
   /// The point of the surface that is nearest to `point`.
-  Surface_point closest_point(const Vector_3& point) const
+  /// \param near a face that may be near, such as that of the answer for a neighbour of `point`: it saves time
+  Surface_point closest_point(const Vector_3& point, Index near = no_index) const
   {
     Distance_minimizer minimizer{*this, point, {}, {}};
+    if (near != no_index) {
+      minimizer.try_face(near);
+    }
     Eigen::BVMinimize(m_tree, minimizer);
     return minimizer.nearest;
   }
@@ -88,6 +92,20 @@ public:
       return std::nullopt;
     }
     return minimizer.hit;
+  }
+
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface to `distances`, in
+  /// ascending order.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    distances.clear();
+    const double length = (to - from).norm();
+    if (!(length > 0)) {
+      return;
+    }
+    Crossing_collector collector{*this, Ray(from, (to - from) / length), length, distances};
+    Eigen::BVIntersect(m_tree, collector);
+    std::sort(distances.begin(), distances.end());
   }
 
 private:
@@ -164,6 +182,26 @@ private:
     }
   };
 
+  struct Crossing_collector
+  {
+    const Solid_queries& queries;
+    Ray ray;
+    double length;
+    std::vector<double>& distances;
+
+    bool intersectVolume(const Box& box) const { return ray.entry(box) <= length; }
+    bool intersectObject(Index block)
+    {
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        const double distance = queries.hit_distance(face, ray);
+        if (distance <= length) {
+          distances.push_back(distance);
+        }
+      }
+      return false;
+    }
+  };
+
   struct Hit_minimizer
   {
     using Scalar = double; // as Eigen names it
@@ -196,18 +234,28 @@ private:
     Surface_point nearest;
     std::optional<double> squared_distance;
 
-    double minimumOnVolume(const Box& box) const { return box.squaredExteriorDistance(point); }
+    /// \return the squared distance of `face`
+    double try_face(Index face)
+    {
+      const Vector_3 candidate = queries.closest_point_of_face(face, point);
+      const double distance = (candidate - point).squaredNorm();
+      if (!squared_distance || distance < *squared_distance) {
+        squared_distance = distance;
+        nearest = {candidate, face};
+      }
+      return distance;
+    }
+    /// Boxes that hold nothing nearer than what is known are not entered.
+    double minimumOnVolume(const Box& box) const
+    {
+      const double distance = box.squaredExteriorDistance(point);
+      return squared_distance && distance >= *squared_distance ? infinity : distance;
+    }
     double minimumOnObject(Index block)
     {
       double least = infinity;
       for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        const Vector_3 candidate = queries.closest_point_of_face(face, point);
-        const double distance = (candidate - point).squaredNorm();
-        least = std::min(least, distance);
-        if (!squared_distance || distance < *squared_distance) {
-          squared_distance = distance;
-          nearest = {candidate, face};
-        }
+        least = std::min(least, try_face(face));
       }
       return least;
     }

@@ -6,6 +6,7 @@
 #ifndef CSCD_TRAITS_TRIANGULATED_SURFACE_H
 #define CSCD_TRAITS_TRIANGULATED_SURFACE_H
 
+#include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -48,8 +49,8 @@ public:
     for (const std::array<Index, 3>& face : triangles.faces) {
       m_origin.insert(m_origin.end(), face.begin(), face.end());
     }
+    pair_halfedges(triangles.faces);
     std::vector<std::array<Index, 3>>().swap(triangles.faces);
-    pair_halfedges();
     if (!m_defect) {
       order_rings();
     }
@@ -126,47 +127,18 @@ public:
   /// @}
 
 private:
-  /// Buckets the halfedges by their smaller end and matches those with equal larger end.
-  void pair_halfedges()
+  /// Pairs the halfedges of `faces`, and finds the first that has no partner.
+  void pair_halfedges(const std::vector<std::array<Index, 3>>& faces)
   {
-    const std::size_t n = m_points.size();
-    std::vector<Index> bucket(n + 1, 0);
-    const auto ends = [this](Index h) { return std::minmax(m_origin[h], m_origin[next(h)]); };
-    for (Index h = 0; h < number_of_halfedges(); ++h) {
-      ++bucket[ends(h).first + 1];
+    Halfedge_pairing pairing(faces, m_points.size());
+    Index lone = pairing.conflict();
+    m_twin = std::move(pairing).twins();
+    if (lone == no_index) {
+      const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
+      lone = border == m_twin.end() ? no_index : Index(border - m_twin.begin());
     }
-    std::partial_sum(bucket.begin(), bucket.end(), bucket.begin());
-    std::vector<Index> sorted(m_origin.size());
-    std::vector<Index> fill(bucket.begin(), bucket.end() - 1);
-    for (Index h = 0; h < number_of_halfedges(); ++h) {
-      sorted[fill[ends(h).first]++] = h;
-    }
-    m_twin.assign(m_origin.size(), no_index);
-    for (std::size_t vertex = 0; vertex < n && !m_defect; ++vertex) {
-      match_bucket(sorted.data() + bucket[vertex], sorted.data() + bucket[vertex + 1]);
-    }
-  }
-
-  void match_bucket(const Index* begin, const Index* end)
-  {
-    for (const Index* it = begin; it != end; ++it) {
-      if (m_twin[*it] != no_index) {
-        continue;
-      }
-      Index partner = no_index;
-      for (const Index* other = it + 1; other != end; ++other) {
-        if (m_origin[*other] == m_origin[next(*it)] && m_origin[next(*other)] == m_origin[*it] &&
-            m_twin[*other] == no_index) {
-          partner = *other;
-          break;
-        }
-      }
-      if (partner == no_index) {
-        m_defect = {m_origin[*it], m_origin[next(*it)]};
-        return;
-      }
-      m_twin[*it] = partner;
-      m_twin[partner] = *it;
+    if (lone != no_index) {
+      m_defect = {m_origin[lone], target(lone)};
     }
   }
 

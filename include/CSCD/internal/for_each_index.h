@@ -6,13 +6,14 @@
 #ifndef CSCD_INTERNAL_FOR_EACH_INDEX_H
 #define CSCD_INTERNAL_FOR_EACH_INDEX_H
 
+#include <CSCD/internal/Loop_order.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/info.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -58,26 +59,38 @@ class For_each_index<ConcurrencyTag, Worker,
 {
 public:
   /// \param make_worker makes the worker of a thread when it first needs one
-  /// \param number_of_threads 0: as many as there are cores; more than that are never used
+  /// \param number_of_threads 0: as many as TBB allows, one a core unless the application has set another limit by
+  ///        `tbb::global_control`; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(bounded(number_of_threads, unsigned(tbb::info::default_concurrency()))),
-        m_arena(int(m_number_of_threads)), m_workers(std::move(make_worker))
+      : m_number_of_threads(bounded(number_of_threads, most_threads())), m_arena(int(m_number_of_threads)),
+        m_workers(std::move(make_worker))
   {
   }
 
   template <class Function>
   void operator()(Index size, const Function& function)
   {
+    [[maybe_unused]] const Loop_order::Loop loop;
     m_arena.execute([&] {
       tbb::parallel_for(
-          Index(0), size, [&](Index i) { function(i, m_workers.local()); }, tbb::simple_partitioner());
+          Index(0), size,
+          [&](Index i) {
+            [[maybe_unused]] const Loop_order::Call call;
+            function(i, m_workers.local());
+          },
+          tbb::simple_partitioner());
     });
   }
 
   unsigned number_of_threads() const { return m_number_of_threads; }
 
 private:
+  static unsigned most_threads()
+  {
+    return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  }
+
   static unsigned bounded(unsigned asked, unsigned available)
   {
     return asked == 0 ? available : std::min(asked, available);

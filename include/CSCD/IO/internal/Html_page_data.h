@@ -29,6 +29,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -157,21 +158,22 @@ private:
 
   void add_mesh()
   {
-    auto number = get(CGAL::dynamic_vertex_property_t<std::uint32_t>(), m_mesh);
-    std::uint32_t next = 0;
+    // A property of the mesh would be faster to ask, but adding one writes to the mesh: others may be reading it.
+    std::unordered_map<Mesh_vertex, std::uint32_t> number;
+    number.reserve(num_vertices(m_mesh));
     for (Mesh_vertex v : boost::make_iterator_range(vertices(m_mesh))) {
-      put(number, v, next++);
+      number.emplace(v, static_cast<std::uint32_t>(number.size()));
       append(m_data.positions, to_doubles(get(m_vertex_points, v)));
     }
     for (auto f : boost::make_iterator_range(faces(m_mesh))) {
       for (Mesh_vertex v : CGAL::vertices_around_face(halfedge(f, m_mesh), m_mesh)) {
-        m_data.triangles.push_back(get(number, v));
+        m_data.triangles.push_back(number.at(v));
       }
     }
-    m_data.node_of_vertex.assign(next, html_page_none);
+    m_data.node_of_vertex.assign(number.size(), html_page_none);
     for (Node node : nodes()) {
       for (Mesh_vertex v : m_skeleton[node].vertices) {
-        m_data.node_of_vertex[get(number, v)] = static_cast<std::uint32_t>(node);
+        m_data.node_of_vertex[number.at(v)] = static_cast<std::uint32_t>(node);
       }
     }
   }

@@ -72,6 +72,17 @@ public:
     }
   }
 
+  /// Whether the next character is a digit.
+  bool is_at_digit() const { return m_at != m_end && *m_at >= '0' && *m_at <= '9'; }
+
+  /// Passes over `character` if it is the next one. \return whether it is
+  bool skip_character(char character)
+  {
+    const bool is_next = m_at != m_end && *m_at == character;
+    m_at += is_next ? 1 : 0;
+    return is_next;
+  }
+
   /// Reads up to the next blank; empty if there is nothing before it.
   std::string_view word()
   {

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures of skeletons, for programs and for people.
+
+#ifndef CSCD_PROGRAM_WRITE_MEASURES_H
+#define CSCD_PROGRAM_WRITE_MEASURES_H
+
+#include "Compare_options.h"
+#include "Evaluate_options.h"
+#include <CSCD/Measure/Skeleton_comparison.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+
+#include <ostream>
+
+namespace cscd {
+
+/// Writes the measures as a JSON object; what is not defined is null.
+void write_measures_as_json(std::ostream& out, const Evaluate_options& options,
+                            const CSCD::Skeleton_measures& measures);
+
+/// Writes the measures in lines for people.
+void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures);
+
+/// Writes the comparison as a JSON object.
+void write_comparison_as_json(std::ostream& out, const Compare_options& options,
+                              const CSCD::Skeleton_comparison& comparison);
+
+/// Writes the comparison in lines for people.
+void write_comparison(std::ostream& out, const Compare_options& options, const CSCD::Skeleton_comparison& comparison);
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_WRITE_MEASURES_H

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangulates an implicit surface, following it from cell to cell.
+
+#ifndef CSCD_MEASURE_ISOSURFACE_TRACKER_H
+#define CSCD_MEASURE_ISOSURFACE_TRACKER_H
+
+#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/unordered_map.hpp>
+#include <boost/unordered_set.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Marching tetrahedra on those cubes of a lattice that the surface passes through, each cut into the six tetrahedra
+/// around its main diagonal. Since neighbouring cubes agree on their common faces and no lattice point counts as lying
+/// on the surface, what comes out is a closed oriented manifold. Only what is reached from the seeds is visited, so the
+/// cost is that of the surface, not of the space around it.
+/// CGAL 5.5 offers `make_surface_mesh()` for implicit functions, whose refinement evaluates the function tens of times
+/// for each face and inserts one point at a time; it takes minutes for what takes a second here.
+/// \tparam Field callable with a point; negative inside, roughly linear across the surface
+template <class Field>
+class Isosurface_tracker
+{
+public:
+  /// \param field is referred to
+  /// \param cell_size the edge of the cubes, positive
+  /// \param maximum_number_of_cells where tracking gives up
+  Isosurface_tracker(const Field& field, double cell_size, std::size_t maximum_number_of_cells)
+      : m_field(field), m_cell_size(cell_size), m_maximum_number_of_cells(maximum_number_of_cells)
+  {
+  }
+
+  /// Follows the surfaces that the lattice line along `axis` meets first on either side of `point`.
+  /// \return whether there is a lattice point inside beside `point`; if not, the field is too thin there for the lattice
+  bool track_around(const Vector_3& point, int axis)
+  {
+    const Cell cell = cell_of(point);
+    int k = 0;
+    while (k < 8 && !is_inside(corner(cell, k))) {
+      ++k;
+    }
+    if (k == 8) {
+      return false;
+    }
+    track_along(corner(cell, k), axis, 1);
+    track_along(corner(cell, k), axis, -1);
+    return true;
+  }
+
+  /// Whether there were more cells than allowed, so that the surface is not complete.
+  bool is_too_large() const { return m_visited.size() > m_maximum_number_of_cells; }
+
+  /// The surface, facing outwards; faces that are near each other have near numbers.
+  Indexed_triangles release()
+  {
+    std::sort(m_cells.begin(), m_cells.end(),
+              [](const Cell& a, const Cell& b) { return interleaved_key(a) < interleaved_key(b); });
+    for (const Cell& cell : m_cells) {
+      triangulate(cell, values_at_corners(cell));
+    }
+    m_triangles.first_bridging_face = m_triangles.faces.size();
+    return std::move(m_triangles);
+  }
+
+private:
+  using Cell = std::array<std::int32_t, 3>; ///< a lattice point, or the cube whose least corner it is
+  using Key = std::uint64_t;
+
+  static constexpr std::int32_t bias = 1 << 19; ///< makes coordinates positive; keys have 20 bits for each
+  static Key key(const Cell& cell)
+  {
+    return (Key(cell[0] + bias) << 40) | (Key(cell[1] + bias) << 20) | Key(cell[2] + bias);
+  }
+
+  Cell cell_of(const Vector_3& point) const
+  {
+    Cell cell{};
+    for (int i = 0; i < 3; ++i) {
+      cell[std::size_t(i)] = std::int32_t(std::floor(point[i] / m_cell_size));
+    }
+    return cell;
+  }
+  static Cell corner(const Cell& cell, int k)
+  {
+    return {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2 & 1)};
+  }
+  Vector_3 position(const Cell& cell) const { return m_cell_size * Vector_3(cell[0], cell[1], cell[2]); }
+
+  double value(const Cell& cell)
+  {
+    const auto [place, is_new] = m_values.try_emplace(key(cell), 0.);
+    if (is_new) {
+      place->second = m_field(position(cell));
+    }
+    return place->second;
+  }
+  bool is_inside(const Cell& cell) { return value(cell) < 0; }
+
+  /// Goes from the lattice point `inside` along `axis` to the first cube with a point outside, and tracks from there.
+  void track_along(Cell inside, int axis, int step)
+  {
+    // A field that is negative everywhere along the line would never end.
+    for (std::size_t i = 0; i <= m_maximum_number_of_cells && std::abs(inside[std::size_t(axis)]) < bias - 2; ++i) {
+      Cell next = inside;
+      next[std::size_t(axis)] += step;
+      if (!is_inside(next)) {
+        track(step > 0 ? inside : next);
+        return;
+      }
+      inside = next;
+    }
+  }
+
+  /// The position of `cell` on Morton's curve: the bits of its coordinates in turn.
+  static Key interleaved_key(const Cell& cell)
+  {
+    Key result = 0;
+    for (int bit = 19; bit >= 0; --bit) {
+      for (const std::int32_t coordinate : cell) {
+        result = result << 1 | (Key(coordinate + bias) >> bit & 1);
+      }
+    }
+    return result;
+  }
+
+  std::array<double, 8> values_at_corners(const Cell& cell)
+  {
+    std::array<double, 8> values{};
+    for (int k = 0; k < 8; ++k) {
+      values[std::size_t(k)] = value(corner(cell, k));
+    }
+    return values;
+  }
+
+  /// Collects the cells of the part of the surface that passes through `start`.
+  void track(const Cell& start)
+  {
+    m_stack.assign(1, start);
+    while (!m_stack.empty() && !is_too_large()) {
+      const Cell cell = m_stack.back();
+      m_stack.pop_back();
+      if (!m_visited.insert(key(cell)).second) {
+        continue;
+      }
+      m_cells.push_back(cell);
+      const std::array<double, 8> values = values_at_corners(cell);
+      for (int side = 0; side < 6; ++side) {
+        push_neighbor(cell, side / 2, side % 2, values);
+      }
+    }
+  }
+
+  /// Puts the neighbour of `cell` across one of its sides on the stack if the surface passes through that side.
+  void push_neighbor(const Cell& cell, int axis, int side, const std::array<double, 8>& values)
+  {
+    int number_inside = 0;
+    for (int k = 0; k < 8; ++k) {
+      number_inside += (k >> axis & 1) == side && values[std::size_t(k)] < 0 ? 1 : 0;
+    }
+    Cell neighbor = cell;
+    neighbor[std::size_t(axis)] += side == 1 ? 1 : -1;
+    if (number_inside != 0 && number_inside != 4 && std::abs(neighbor[std::size_t(axis)]) < bias - 2 &&
+        m_visited.count(key(neighbor)) == 0) {
+      m_stack.push_back(neighbor);
+    }
+  }
+
+  /// A tetrahedron: corners of a cube, 0 to 7.
+  using Tetrahedron = std::array<int, 4>;
+
+  void triangulate(const Cell& cell, const std::array<double, 8>& values)
+  {
+    // From corner 0 to corner 7 along the axes, in all orders; those in odd order are turned to have positive volume.
+    static constexpr std::array<Tetrahedron, 6> tetrahedra{
+        {{0, 1, 3, 7}, {0, 2, 6, 7}, {0, 4, 5, 7}, {0, 7, 5, 1}, {0, 7, 3, 2}, {0, 7, 6, 4}}};
+    for (const Tetrahedron& tetrahedron : tetrahedra) {
+      int number_inside = 0;
+      for (int k : tetrahedron) {
+        number_inside += values[std::size_t(k)] < 0 ? 1 : 0;
+      }
+      if (number_inside == 1 || number_inside == 3) {
+        cut_corner_off(cell, values, tetrahedron, number_inside == 1);
+      } else if (number_inside == 2) {
+        cut_in_half(cell, values, tetrahedron);
+      }
+    }
+  }
+
+  /// Adds the triangle that cuts off the one corner which is inside, or the one which is outside.
+  void cut_corner_off(const Cell& cell, const std::array<double, 8>& values, const Tetrahedron& t, bool is_inside)
+  {
+    // Even permutations, so that the volume stays positive: the triangle then faces away from its first corner.
+    static constexpr std::array<Tetrahedron, 4> orders{{{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
+    for (const Tetrahedron& order : orders) {
+      const int a = t[std::size_t(order[0])];
+      if ((values[std::size_t(a)] < 0) == is_inside) {
+        const Index p = vertex_on(cell, values, a, t[std::size_t(order[1])]);
+        const Index q = vertex_on(cell, values, a, t[std::size_t(order[2])]);
+        const Index r = vertex_on(cell, values, a, t[std::size_t(order[3])]);
+        m_triangles.faces.push_back(is_inside ? std::array<Index, 3>{p, q, r} : std::array<Index, 3>{p, r, q});
+      }
+    }
+  }
+
+  /// Adds the two triangles between the two corners which are inside and the two which are not.
+  void cut_in_half(const Cell& cell, const std::array<double, 8>& values, const Tetrahedron& t)
+  {
+    static constexpr std::array<Tetrahedron, 6> orders{
+        {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+    for (const Tetrahedron& order : orders) {
+      const int a = t[std::size_t(order[0])];
+      const int b = t[std::size_t(order[1])];
+      if (values[std::size_t(a)] < 0 && values[std::size_t(b)] < 0) {
+        const int c = t[std::size_t(order[2])];
+        const int d = t[std::size_t(order[3])];
+        const Index p = vertex_on(cell, values, a, c);
+        const Index q = vertex_on(cell, values, a, d);
+        const Index r = vertex_on(cell, values, b, d);
+        const Index s = vertex_on(cell, values, b, c);
+        m_triangles.faces.push_back({p, q, r});
+        m_triangles.faces.push_back({p, r, s});
+      }
+    }
+  }
+
+  /// The vertex on the lattice edge between the corners `a` and `b` of `cell`, of which one is inside.
+  Index vertex_on(const Cell& cell, const std::array<double, 8>& values, int a, int b)
+  {
+    if (a > b) {
+      std::swap(a, b); // all edges lead from a corner to one that has all its coordinates and more
+    }
+    const Cell source = corner(cell, a);
+    const auto [place, is_new] =
+        m_vertices.try_emplace(key(source) << 3 | Key(b - a), Index(m_triangles.points.size()));
+    if (is_new) {
+      // Kept off the lattice points by this, in lengths of the edge, so that no triangle degenerates.
+      constexpr double margin = 1e-3;
+      const double va = values[std::size_t(a)];
+      const double vb = values[std::size_t(b)];
+      const double t = std::clamp(va / (va - vb), margin, 1 - margin);
+      m_triangles.points.push_back((1 - t) * position(source) + t * position(corner(cell, b)));
+    }
+    return place->second;
+  }
+
+  const Field& m_field;
+  double m_cell_size;
+  std::size_t m_maximum_number_of_cells;
+  boost::unordered_map<Key, double> m_values;
+  boost::unordered_set<Key> m_visited;
+  boost::unordered_map<Key, Index> m_vertices; ///< by the lattice point where the edge begins, and its direction
+  std::vector<Cell> m_stack;
+  std::vector<Cell> m_cells; ///< that were visited
+  Indexed_triangles m_triangles;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_MEASURE_ISOSURFACE_TRACKER_H

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What `evaluate_skeleton()` measures.
+
+#ifndef CSCD_MEASURE_SKELETON_MEASURES_H
+#define CSCD_MEASURE_SKELETON_MEASURES_H
+
+#include <cstddef>
+#include <limits>
+
+namespace CSCD {
+
+/// What stands for a measure that is not defined for the input.
+inline constexpr double undefined_measure = std::numeric_limits<double>::quiet_NaN();
+
+/// How far the input and a surface reconstructed from a skeleton are apart. Lengths are relative to the diagonal of the
+/// bounding box of the input.
+struct Reconstruction_error
+{
+  double mean = undefined_measure;        ///< distance from the points of the input to the faces of the reconstruction
+  double mean_square = undefined_measure; ///< of the same distances, relative to the square of the diagonal
+  double maximum = undefined_measure;     ///< of the same distances
+  /// Mean distance from the reconstruction to the input, by area: what swells or hangs outside. To the faces of a mesh;
+  /// to the nearest of the points, so that their spacing counts, if the input is a point cloud.
+  double reverse_mean = undefined_measure;
+  double reverse_maximum = undefined_measure;
+  double unresolved_fraction = undefined_measure; ///< of the skeleton's length, which is too thin for the lattice
+  double cell_size = undefined_measure;           ///< of the lattice
+  std::size_t number_of_faces = 0;                ///< of the reconstruction; if 0, the distances are undefined
+};
+
+/// Counts and lengths of a skeleton alone.
+struct Skeleton_counts
+{
+  std::size_t number_of_nodes = 0;
+  std::size_t number_of_edges = 0;
+  std::size_t number_of_components = 0;
+  std::size_t betti_number = 0;        ///< the number of independent cycles
+  std::size_t number_of_tips = 0;      ///< nodes with one edge
+  std::size_t number_of_junctions = 0; ///< nodes with three edges or more
+  std::size_t number_of_isolated_nodes = 0;
+  double length = 0; ///< of all edges, relative to the diagonal
+  /// Turning angle for each local radius that is gone along the branches, in radians: of a circle, the radius of the
+  /// body over that of the circle.
+  double mean_turning = undefined_measure;
+  double largest_turning = undefined_measure; ///< at a node with two edges, in radians
+};
+
+/// How a skeleton lies in the body.
+struct Position_measures
+{
+  std::size_t number_of_surface_components = 0;
+  std::size_t genus = 0; ///< of the surface, its borders closed by discs, over all components
+  std::size_t number_of_borders = 0;
+  double fraction_of_nodes_inside = undefined_measure;
+  double fraction_of_length_inside = undefined_measure;
+  double largest_distance_outside = undefined_measure; ///< of nodes and samples; relative to the diagonal
+  /// From rays across the skeleton to the surface: the standard deviation of their lengths over their mean. 0 in the
+  /// centre of a round section, never 0 in one that is not round. The mean over nodes with one or two edges.
+  double deviation_at_nodes = undefined_measure;
+  double deviation_by_length = undefined_measure; ///< the mean over the length of the edges
+  /// Likewise: the length of the mean of the rays' end points, as seen from the node, over the mean length. 0 in the
+  /// centre of any section that is symmetric about a point.
+  double offset_at_nodes = undefined_measure;
+  double offset_by_length = undefined_measure;
+};
+
+/// How good a skeleton is, for the input that it was evaluated with.
+struct Skeleton_measures
+{
+  std::size_t number_of_points = 0; ///< of the input: vertices with a face, or points
+  double diagonal = 0;              ///< of the bounding box of the input, in its unit
+  Skeleton_counts counts;
+  Position_measures position; ///< undefined if the input is a point cloud
+  Reconstruction_error convolution;
+  Reconstruction_error round_cones;
+  /// The mean of |signed distance| of the input's points from the round cones, without triangulation: exact outside, a
+  /// lower bound inside. Relative to the diagonal.
+  double mean_distance_from_round_cones = undefined_measure;
+
+  /// Whether the skeleton has as many components as the surface and as many cycles as it has handles; false if the
+  /// input is a point cloud.
+  bool has_topology_of_surface() const
+  {
+    return position.number_of_surface_components > 0 &&
+           counts.number_of_components == position.number_of_surface_components &&
+           counts.betti_number == position.genus;
+  }
+};
+
+} // namespace CSCD
+
+#endif // CSCD_MEASURE_SKELETON_MEASURES_H

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of skeletons read from files: those of the writers, of other programs, and malformed ones.
+
+#include "Parsed_skeleton.h"
+#include "archetypes/Skeleton_archetype.h"
+#include "sample_skeleton.h"
+#include "support/Temporary_folder.h"
+#include <CSCD/IO/read_skeleton.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/endian/conversion.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace test_support;
+using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// Reads `content` as a file with this ending.
+Parsed_skeleton read(const std::string& ending, const std::string& content)
+{
+  std::istringstream in(content);
+  Skeleton skeleton;
+  const bool has_radii = CSCD::read_skeleton(in, ending, "test", skeleton);
+  Parsed_skeleton result;
+  for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+    result.points.push_back(skeleton[v].point);
+    EXPECT_TRUE(skeleton[v].vertices.empty());
+    if (has_radii) {
+      result.radii.push_back(skeleton[v].radius);
+    } else {
+      EXPECT_EQ(0, skeleton[v].radius);
+    }
+  }
+  for (auto e = edges(skeleton).first; e != edges(skeleton).second; ++e) {
+    result.edges.emplace_back(source(*e, skeleton), target(*e, skeleton));
+  }
+  return result;
+}
+
+/// Numbers nodes as the sample does, by their points.
+Parsed_skeleton in_order_of_sample(const Parsed_skeleton& parsed)
+{
+  const Skeleton sample = sample_skeleton<Skeleton>();
+  std::vector<std::size_t> number;
+  for (const Point& point : parsed.points) {
+    std::size_t v = 0;
+    while (v < num_vertices(sample) && sample[v].point != point) {
+      ++v;
+    }
+    number.push_back(v);
+  }
+  Parsed_skeleton result = parsed;
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    result.points.at(number[i]) = parsed.points[i];
+    if (!parsed.radii.empty()) {
+      result.radii.at(number[i]) = parsed.radii[i];
+    }
+  }
+  for (auto& [u, v] : result.edges) {
+    u = number[u];
+    v = number[v];
+  }
+  return result;
+}
+
+TEST(Read_skeleton, reads_back_exactly_what_is_written)
+{
+  const Temporary_folder folder;
+  for (const auto& [ending, has_radii] : std::vector<std::pair<std::string, bool>>{{".graph", false},
+                                                                                   {".json", true},
+                                                                                   {".obj", false},
+                                                                                   {".ply", true},
+                                                                                   {".polylines.txt", false},
+                                                                                   {".swc", true},
+                                                                                   {".GRAPH", false}}) {
+    SCOPED_TRACE(ending);
+    const std::string filename = folder.file("skeleton" + ending);
+    CSCD::write_skeleton(filename, sample_skeleton<Skeleton>());
+    const Parsed_skeleton parsed = in_order_of_sample(read(ending, read_file(filename)));
+    EXPECT_EQ(has_radii, !parsed.radii.empty());
+    if (has_radii) {
+      expect_sample<Skeleton>(parsed);
+    } else {
+      expect_sample<Skeleton_without_radius>(parsed);
+    }
+    Skeleton skeleton(99); // from the file itself; what was there before is gone
+    EXPECT_EQ(has_radii, CSCD::read_skeleton(filename, skeleton));
+    EXPECT_EQ(parsed.points.size(), num_vertices(skeleton));
+    EXPECT_EQ(parsed.edges.size(), num_edges(skeleton));
+  }
+}
+
+TEST(Read_skeleton, nodes_keep_their_order_where_the_format_has_one)
+{
+  const Temporary_folder folder;
+  for (const std::string ending : {".graph", ".json", ".obj", ".ply"}) {
+    const std::string filename = folder.file("skeleton" + ending);
+    CSCD::write_skeleton(filename, sample_skeleton<Skeleton_without_radius>());
+    expect_sample<Skeleton_without_radius>(read(ending, read_file(filename)));
+  }
+}
+
+TEST(Read_skeleton, reads_other_graph_types)
+{
+  CSCD::test::Skeleton_archetype<Point, int> skeleton;
+  std::istringstream in("n 1 2 3\nn 4 5 6\nc 0 1\n");
+  EXPECT_FALSE(CSCD::read_skeleton(in, ".graph", "test", skeleton));
+  EXPECT_EQ(2u, num_vertices(skeleton));
+  EXPECT_EQ(1u, num_edges(skeleton));
+  EXPECT_EQ(Point(1, 2, 3), skeleton[*vertices(skeleton).first].point);
+}
+
+TEST(Read_skeleton, graph_of_gel)
+{
+  const Parsed_skeleton s =
+      read(".graph", "# made by hand\r\nc 0 1\r\nn 0 0 0\r\n\r\n  n +1 2e0 -.5 red\r\nn 1 1 1\r\n");
+  EXPECT_EQ((std::vector<Point>{Point(0, 0, 0), Point(1, 2, -0.5), Point(1, 1, 1)}), s.points);
+  EXPECT_EQ((Edges{{0, 1}}), s.edges); // it may come before its nodes
+}
+
+TEST(Read_skeleton, repeated_edges_and_edges_to_the_same_node_are_left_out)
+{
+  const Parsed_skeleton s = read(".graph", "n 0 0 0\nn 1 0 0\nc 0 1\nc 1 0\nc 0 1\nc 1 1\n");
+  EXPECT_EQ((Edges{{0, 1}}), s.edges);
+}
+
+TEST(Read_skeleton, json_of_others)
+{
+  const Parsed_skeleton s = read(
+      ".json", R"({"edges": [[1, 0]], "name": "x", "nodes": [{"point": [0, 1, 2.5]}, {"point": [3, 4, 5], "id": 7}]})");
+  EXPECT_EQ((std::vector<Point>{Point(0, 1, 2.5), Point(3, 4, 5)}), s.points);
+  EXPECT_TRUE(s.radii.empty());
+  EXPECT_EQ((Edges{{1, 0}}), s.edges);
+}
+
+TEST(Read_skeleton, lines_of_obj)
+{
+  const Parsed_skeleton s =
+      read(".obj", "o skeleton\nv 0 0 0 1.0\nv 1 0 0\nl 1/1 2/2 3/3\nv 2 0 0\nvt 0 0\nl -1 -2\nv 9 9 9\nl 4\np 4\n");
+  EXPECT_EQ(4u, s.points.size());
+  EXPECT_EQ((Edges{{0, 1}, {1, 2}}), normalized(s.edges));
+  // A mesh with lines in it: its edges are what is asked for.
+  EXPECT_EQ(1u, read(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n").edges.size());
+}
+
+TEST(Read_skeleton, edges_of_ply_with_other_properties)
+{
+  const Parsed_skeleton s =
+      read(".ply",
+           "ply\nformat ascii 1.0\ncomment x\nelement vertex 2\nproperty float nx\nproperty float x\nproperty float y\n"
+           "property float z\nproperty uchar red\nproperty float radius\nelement face 1\nproperty list uchar int "
+           "vertex_indices\nelement edge 1\nproperty list uchar int other\nproperty int vertex2\nproperty int "
+           "vertex1\nend_header\n9 1 2 3 255 .5\n9 4 5 6 0 .25\n3 0 1 1\n2 8 8 1 0\n");
+  EXPECT_EQ((std::vector<Point>{Point(1, 2, 3), Point(4, 5, 6)}), s.points);
+  EXPECT_EQ((std::vector<double>{0.5, 0.25}), s.radii);
+  EXPECT_EQ((Edges{{0, 1}}), s.edges);
+}
+
+/// A PLY file of two nodes and an edge in binary.
+std::string binary_ply_of_an_edge(bool is_little_endian)
+{
+  std::string result = std::string("ply\nformat binary_") + (is_little_endian ? "little" : "big") +
+                       "_endian 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\n"
+                       "element edge 1\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  const auto append = [&](std::uint32_t bits) {
+    const std::uint32_t ordered =
+        is_little_endian ? boost::endian::native_to_little(bits) : boost::endian::native_to_big(bits);
+    std::array<char, sizeof ordered> bytes{};
+    std::memcpy(bytes.data(), &ordered, sizeof ordered);
+    result.append(bytes.data(), bytes.size());
+  };
+  for (const float x : {1.f, 2.f, 3.f, 4.f, 5.f, 6.5f}) {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &x, sizeof x);
+    append(bits);
+  }
+  append(1);
+  append(0);
+  return result;
+}
+
+TEST(Read_skeleton, binary_ply)
+{
+  for (const bool is_little_endian : {true, false}) {
+    const Parsed_skeleton s = read(".ply", binary_ply_of_an_edge(is_little_endian));
+    EXPECT_EQ((std::vector<Point>{Point(1, 2, 3), Point(4, 5, 6.5)}), s.points);
+    EXPECT_EQ((Edges{{1, 0}}), s.edges);
+  }
+}
+
+TEST(Read_skeleton, polylines_share_nodes_of_equal_coordinates)
+{
+  const Parsed_skeleton s =
+      read(".polylines.txt", "2 0 0 0 1 0 0\n3 1 0 0 2 0 0 2 0 0\n4 5 5 5 6 5 5\n5 6 5 5 5 5\n1 -0 0 0\n");
+  EXPECT_EQ(6u, s.points.size());
+  EXPECT_EQ((Edges{{0, 1}, {1, 2}, {3, 4}, {3, 5}, {4, 5}}), normalized(s.edges));
+}
+
+TEST(Read_skeleton, swc_of_neuroscience)
+{
+  const Parsed_skeleton s = read(".swc", "# ORIGINAL_SOURCE x\n#loop\n# loop of wire\n# loop\n 12 3 1 0 0 .5 7\n7 1 0 "
+                                         "0 0 2 -1 # soma\n13 3 1 1 0 .25 7\n# loop 12 13\n");
+  EXPECT_EQ((std::vector<Point>{Point(1, 0, 0), Point(0, 0, 0), Point(1, 1, 0)}), s.points);
+  EXPECT_EQ((std::vector<double>{0.5, 2, 0.25}), s.radii);
+  EXPECT_EQ((Edges{{0, 1}, {0, 2}, {1, 2}}), normalized(s.edges));
+}
+
+TEST(Read_skeleton, global_locale_does_not_matter)
+{
+  std::locale old;
+  try {
+    old = std::locale::global(std::locale("de_DE.UTF-8"));
+  } catch (const std::runtime_error&) {
+    struct Comma : std::numpunct<char>
+    {
+      char do_decimal_point() const override { return ','; }
+    };
+    old = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  }
+  EXPECT_EQ(Point(0.5, 0, 0), read(".graph", "n 0.5 0 0\n").points.at(0));
+  EXPECT_EQ(Point(0.5, 0, 0), read(".json", R"({"nodes":[{"point":[0.5,0,0]}],"edges":[]})").points.at(0));
+  std::locale::global(old);
+}
+
+struct Malformed
+{
+  const char* ending;
+  std::string content;
+  const char* message;
+};
+
+TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
+{
+  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n";
+  const std::string edge = "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
+  const std::vector<Malformed> files{
+      {".graph", "", "empty"},
+      {".graph", "\n# nothing\n", "no nodes"},
+      {".graph", "n 0 0\nn 1 1 1\n", "line 1: a node has too few coordinates"},
+      {".graph", "n 0 0 0\nn 1 x 1\n", "line 2: a number"},
+      {".graph", "n 0 0 nan\n", "line 1: a coordinate is not finite"},
+      {".graph", "n 0 0 1e999\n", "line 1"},
+      {".graph", "n 0 0 0\nc 0\n", "line 2: the number of a node is missing"},
+      {".graph", "n 0 0 0\nc 0 0.5\n", "line 2: the number of a node is no integer"},
+      {".graph", "n 0 0 0\nc 0 1\n", "an edge names node 1, but there are only 1"},
+      {".graph", "n 0 0 0\nc -1 0\n", "an edge names node -1"},
+      {".graph", "n 0 0 0\nc 0 99999999999999999999\n", "line 2"},
+      {".graph", "OFF\n3 1 0\n", "line 1: a line begins with neither n nor c"},
+      {".json", "{", "no valid JSON"},
+      {".json", "[]", "no JSON object with an array nodes"},
+      {".json", R"({"nodes": {}})", "an array nodes"},
+      {".json", R"({"nodes": [], "edges": []})", "no nodes"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0]}]})", "an array edges"},
+      {".json", R"({"nodes": [{"point": [0, 0]}], "edges": []})", "node 0 has no point of three numbers"},
+      {".json", R"({"nodes": [{"point": [0, 0, null]}], "edges": []})", "node 0 has a coordinate that is no number"},
+      {".json", R"({"nodes": [{"point": [0, 0, 1e999]}], "edges": []})", "no valid JSON"},
+      {".json", R"({"nodes": [7], "edges": []})", "node 0 has no point"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": -1}], "edges": []})", "node 0"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": "x"}], "edges": []})", "a radius that is no number"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": 1}, {"point": [0, 0, 0]}], "edges": []})", "some nodes"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0]]})", "no array of two numbers"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, -1]]})", "no array of two numbers"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, 18446744073709551615]]})", "an edge names node"},
+      {".obj", "v 0 0\n", "line 1: a node has too few coordinates"},
+      {".obj", "v 0 0 0\nl 0 1\n", "line 2: a line names vertex 0"},
+      {".obj", "v 0 0 0\nl 1 2\n", "an edge names node 1"},
+      {".obj", "v 0 0 0\nl -2 1\n", "an edge names node -1"},
+      {".obj", "v 0 0 0\nl a b\n", "line 2"},
+      {".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "faces but no lines"},
+      {".ply", "plyformat", "does not begin with ply"},
+      {".ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n", "ends before the end of its header"},
+      {".ply", ply + "end_header\n0 0\n1 1\n", "no property z"},
+      {".ply", ply + "property float z\nend_header\n0 0 0\n", "ends before all that its header promises"},
+      {".ply", ply + "property float z\nend_header\n0 0 0\n1 1 inf\n", "vertex 1 has a coordinate that is not finite"},
+      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 2\n", "an edge names node 2"},
+      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 -1\n", "negative or no integer"},
+      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 0.5\n", "negative or no integer"},
+      {".ply", ply + "property float z\nelement edge 1\nproperty int a\nend_header\n0 0 0\n1 1 1\n0\n",
+       "no property vertex1"},
+      {".ply", ply + "property float z\nproperty float radius\nend_header\n0 0 0 1\n1 1 1 -1\n", "node 1"},
+      {".ply", ply + "property float z\nelement face 0\nproperty list uchar int v\nend_header\n0 0 0\n1 1 1\n",
+       "faces but no edges"},
+      {".ply", "ply\nformat ascii 1.0\nelement vertex 99999999999999\nend_header\n", "no property x"},
+      {".ply", "ply\nformat ascii 1.0\nelement x 99999999999999\nend_header\n", "no nodes"},
+      {".ply", binary_ply_of_an_edge(true).substr(0, 200), "ends before all that its header promises"},
+      {".polylines.txt", "2 0 0 0\n", "ends before the last point"},
+      {".polylines.txt", "2 0 0 0 1 1\n", "line 1: a node has too few coordinates"},
+      {".polylines.txt", "0\n", "line 1: a poly-line has no points"},
+      {".polylines.txt", "-3 0 0 0\n", "a poly-line has no points"},
+      {".polylines.txt", "1.5 0 0 0\n", "no integer"},
+      {".polylines.txt", "99999999999 0 0 0\n", "ends before the last point"},
+      {".swc", "1 0 0 0 0 1\n", "line 1: the parent of a node is missing"},
+      {".swc", "1 0 0 0 0 -1 -1\n", "a radius that is negative"},
+      {".swc", "1 0 0 0 0 1 -1\n1 0 1 0 0 1 -1\n", "line 2: the identifier 1 stands for two nodes"},
+      {".swc", "1 0 0 0 0 1 2\n", "the identifier 2, which no node has"},
+      {".swc", "1 0 0 0 0 1 -1\n# loop 1 5\n", "the identifier 5, which no node has"},
+      {".swc", "1 0 0 0 0 1 -1\n# loop 1\n", "line 2: the identifier of a node is missing"},
+      {".swc", "one 0 0 0 0 1 -1\n", "line 1"}};
+  for (const Malformed& file : files) {
+    SCOPED_TRACE(file.ending + (": " + file.content));
+    std::istringstream in(file.content);
+    Skeleton skeleton(3);
+    try {
+      CSCD::read_skeleton(in, file.ending, "name of file", skeleton);
+      ADD_FAILURE() << "no exception";
+    } catch (const CSCD::File_error& error) {
+      const std::string message = error.what();
+      EXPECT_NE(std::string::npos, message.find(file.message)) << message;
+      EXPECT_EQ(0u, message.rfind("name of file", 0)) << message;
+      EXPECT_NE(std::string::npos, message.find("; ")) << message; // the remedy
+      EXPECT_EQ(std::string::npos, message.find('\n')) << message;
+    }
+    EXPECT_EQ(3u, num_vertices(skeleton));
+  }
+}
+
+TEST(Read_skeleton, formats_that_are_written_only_are_refused)
+{
+  const Temporary_folder folder;
+  Skeleton skeleton;
+  for (const std::string ending : {".vtp", ".dot", ".graphml", ".txt", ""}) {
+    const std::string filename = folder.write("skeleton" + ending, "x");
+    try {
+      CSCD::read_skeleton(filename, skeleton);
+      ADD_FAILURE() << ending;
+    } catch (const CSCD::File_error& error) {
+      EXPECT_NE(std::string::npos, std::string(error.what()).find(".graph .json .obj .ply .polylines.txt .swc"));
+    }
+    EXPECT_THROW(CSCD::check_readable_skeleton_filename(filename), CSCD::File_error);
+  }
+  EXPECT_NO_THROW(CSCD::check_readable_skeleton_filename("a.swc"));
+  EXPECT_THROW(CSCD::read_skeleton(folder.file("missing.graph"), skeleton), CSCD::File_error);
+  EXPECT_THROW(CSCD::read_skeleton(folder.path().string() + "/", skeleton), CSCD::File_error);
+}
+
+} // namespace

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the comparison of two skeletons.
+
+#include "archetypes/Skeleton_archetype.h"
+#include <CSCD/Measure/compare_skeletons.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
+using CSCD::compare_skeletons;
+using CSCD::Skeleton_comparison;
+using Edges = std::vector<std::pair<std::size_t, std::size_t>>;
+
+Skeleton make_skeleton(const std::vector<Point>& points, const Edges& edges)
+{
+  Skeleton skeleton(points.size());
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    skeleton[v].point = points[v];
+  }
+  for (const auto& [u, v] : edges) {
+    add_edge(u, v, skeleton);
+  }
+  return skeleton;
+}
+
+/// A line of length 10 along x with three twigs of length 2 along y, moved by (x, y).
+Skeleton comb(double x = 0, double y = 0)
+{
+  std::vector<Point> points;
+  Edges edges;
+  for (std::size_t i = 0; i <= 10; ++i) {
+    points.emplace_back(double(i) + x, y, 0);
+    if (i > 0) {
+      edges.emplace_back(i - 1, i);
+    }
+  }
+  for (const std::size_t i : {2, 5, 8}) {
+    points.emplace_back(double(i) + x, y + 2, 0);
+    edges.emplace_back(i, points.size() - 1);
+  }
+  return make_skeleton(points, edges);
+}
+
+TEST(Compare_skeletons, a_skeleton_is_equal_to_itself)
+{
+  const Skeleton_comparison c = compare_skeletons(comb(), comb());
+  EXPECT_NEAR(std::sqrt(104.), c.diagonal, 1e-12);
+  EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
+  EXPECT_NEAR(0, c.mean_distance(), 1e-12);
+  EXPECT_EQ(1, c.from_first_to_second.fraction_matched);
+  EXPECT_EQ(5u, c.tips.number_matched);
+  EXPECT_EQ(3u, c.junctions.number_matched);
+  EXPECT_EQ(7u, c.branches.number_matched);
+  EXPECT_EQ(1, c.branches.fraction());
+  EXPECT_TRUE(c.has_same_structure);
+}
+
+TEST(Compare_skeletons, nodes_along_a_branch_do_not_matter)
+{
+  const Skeleton one = make_skeleton({Point(0, 0, 0), Point(9, 0, 0)}, {{0, 1}});
+  const Skeleton many =
+      make_skeleton({Point(0, 0, 0), Point(1, 0, 0), Point(5, 0, 0), Point(5.5, 0, 0), Point(9, 0, 0)},
+                    {{2, 1}, {0, 1}, {2, 3}, {3, 4}});
+  const Skeleton_comparison c = compare_skeletons(one, many);
+  EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
+  EXPECT_EQ(1u, c.branches.number_matched);
+  EXPECT_TRUE(c.has_same_structure);
+}
+
+TEST(Compare_skeletons, distances_of_parallel_lines_are_known)
+{
+  const Skeleton a = make_skeleton({Point(0, 0, 0), Point(4, 0, 0)}, {{0, 1}});
+  const Skeleton b = make_skeleton({Point(0, 3, 0), Point(4, 3, 0)}, {{0, 1}});
+  const Skeleton_comparison c = compare_skeletons(a, b);
+  EXPECT_DOUBLE_EQ(5, c.diagonal);
+  EXPECT_NEAR(0.6, c.mean_distance(), 1e-12);
+  EXPECT_NEAR(0.6, c.hausdorff_distance(), 1e-12);
+  EXPECT_EQ(0, c.from_first_to_second.fraction_matched);
+  EXPECT_EQ(0u, c.tips.number_matched);
+  EXPECT_EQ(0u, c.branches.number_matched);
+  EXPECT_TRUE(c.has_same_structure); // wherever they are
+  EXPECT_EQ(2u, compare_skeletons(a, b, CSCD::parameters::match_distance(0.61)).tips.number_matched);
+}
+
+TEST(Compare_skeletons, is_one_sided_where_a_part_is_missing)
+{
+  const Skeleton whole = make_skeleton({Point(0, 0, 0), Point(8, 0, 0), Point(8, 6, 0)}, {{0, 1}, {1, 2}});
+  const Skeleton part = make_skeleton({Point(0, 0, 0), Point(8, 0, 0)}, {{0, 1}});
+  const Skeleton_comparison c = compare_skeletons(whole, part);
+  EXPECT_NEAR(0.6, c.from_first_to_second.maximum, 1e-12);
+  EXPECT_NEAR(6. / 14 * 0.3, c.from_first_to_second.mean, 1e-3);
+  EXPECT_NEAR(8.2 / 14, c.from_first_to_second.fraction_matched, 0.01);
+  EXPECT_NEAR(0, c.from_second_to_first.maximum, 1e-12);
+  EXPECT_EQ(1, c.from_second_to_first.fraction_matched);
+  EXPECT_NEAR(0.6, c.hausdorff_distance(), 1e-12);
+  EXPECT_EQ(1u, c.tips.number_matched); // of two: one is elsewhere
+}
+
+TEST(Compare_skeletons, counts_what_is_at_another_place_or_missing)
+{
+  Skeleton changed = comb();
+  remove_edge(8, 13, changed); // the last twig: its tip is left alone, the junction is gone
+  changed[11].point = Point(2, 3.5, 0);
+  const Skeleton_comparison c = compare_skeletons(comb(), changed);
+  EXPECT_EQ(5u, c.tips.number_in_first);
+  EXPECT_EQ(4u, c.tips.number_in_second);
+  EXPECT_EQ(3u, c.tips.number_matched);
+  EXPECT_EQ(3u, c.junctions.number_in_first);
+  EXPECT_EQ(2u, c.junctions.number_matched);
+  EXPECT_EQ(7u, c.branches.number_in_first);
+  EXPECT_EQ(5u, c.branches.number_in_second);
+  EXPECT_EQ(3u, c.branches.number_matched); // two twigs have changed, two branches of the line are one
+  EXPECT_NEAR(6. / 12, c.branches.fraction(), 1e-12);
+  EXPECT_FALSE(c.has_same_structure);
+}
+
+TEST(Compare_skeletons, matches_each_feature_once)
+{
+  // Two tips near one: only one of them is matched, the nearer one.
+  const Skeleton one = make_skeleton({Point(0, 0, 0), Point(10, 0, 0)}, {{0, 1}});
+  const Skeleton two =
+      make_skeleton({Point(0, 0, 0), Point(9, 0, 0), Point(10, 0.1, 0), Point(10, -0.05, 0)}, {{0, 1}, {1, 2}, {1, 3}});
+  const Skeleton_comparison c = compare_skeletons(one, two);
+  EXPECT_EQ(2u, c.tips.number_in_first);
+  EXPECT_EQ(3u, c.tips.number_in_second);
+  EXPECT_EQ(2u, c.tips.number_matched);
+  EXPECT_EQ(0u, c.junctions.number_matched);
+}
+
+TEST(Compare_skeletons, structure_does_not_depend_on_the_pose_and_the_order)
+{
+  // The comb, its nodes in another order and at other places.
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < 8; ++i) {
+    points.emplace_back(std::cos(double(i)), std::sin(3 * double(i)), double(i % 3));
+  }
+  const Skeleton bent = make_skeleton(points, {{7, 3}, {3, 0}, {3, 5}, {5, 1}, {5, 2}, {2, 4}, {2, 6}});
+  EXPECT_TRUE(compare_skeletons(comb(), bent).has_same_structure);
+  // As many tips, junctions and branches, but joined in a row of another order: a twig hangs at a twig.
+  const Skeleton other = make_skeleton(points, {{7, 3}, {3, 0}, {3, 5}, {5, 1}, {5, 2}, {3, 4}, {2, 6}});
+  EXPECT_FALSE(compare_skeletons(comb(), other).has_same_structure);
+}
+
+TEST(Compare_skeletons, structure_knows_trees_of_equal_degrees_apart)
+{
+  // A chain of five junctions; and four of them around the fifth would need another degree: a spider of equal degrees.
+  const auto caterpillar = [](const Edges& spine) {
+    Edges edges = spine;
+    std::vector<std::size_t> degree(6, 0);
+    for (const auto& [u, v] : spine) {
+      ++degree[u];
+      ++degree[v];
+    }
+    std::vector<Point> points(6);
+    for (std::size_t v = 0; v < 6; ++v) {
+      points[v] = Point(double(v), double(v * v), 0);
+      for (std::size_t k = degree[v]; k < 3; ++k) { // every junction gets three edges
+        edges.emplace_back(v, points.size());
+        points.emplace_back(double(v), double(k), 5);
+      }
+    }
+    return make_skeleton(points, edges);
+  };
+  const Skeleton chain = caterpillar({{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}});
+  const Skeleton spider = caterpillar({{0, 1}, {1, 2}, {2, 3}, {3, 4}, {2, 5}});
+  EXPECT_EQ(num_vertices(chain), num_vertices(spider));
+  EXPECT_FALSE(compare_skeletons(chain, spider).has_same_structure);
+  EXPECT_TRUE(compare_skeletons(chain, chain).has_same_structure);
+}
+
+TEST(Compare_skeletons, closed_cycles_are_branches)
+{
+  const auto ring = [](std::size_t n) {
+    std::vector<Point> points;
+    Edges edges;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double angle = 2 * 3.141592653589793 * double(i) / double(n);
+      points.emplace_back(std::cos(angle), std::sin(angle), 0);
+      edges.emplace_back(i, (i + 1) % n);
+    }
+    return make_skeleton(points, edges);
+  };
+  const Skeleton_comparison c = compare_skeletons(ring(40), ring(60));
+  EXPECT_TRUE(c.has_same_structure);
+  EXPECT_EQ(1u, c.branches.number_matched);
+  EXPECT_EQ(1, c.tips.fraction()); // there are none
+  EXPECT_FALSE(compare_skeletons(ring(40), comb()).has_same_structure);
+}
+
+TEST(Compare_skeletons, single_nodes_can_be_compared)
+{
+  const Skeleton a = make_skeleton({Point(1, 1, 1)}, {});
+  const Skeleton_comparison same = compare_skeletons(a, a);
+  EXPECT_EQ(0, same.hausdorff_distance());
+  EXPECT_TRUE(same.has_same_structure);
+  const Skeleton_comparison apart = compare_skeletons(a, make_skeleton({Point(1, 1, 4)}, {}));
+  EXPECT_EQ(3, apart.diagonal);
+  EXPECT_EQ(1, apart.hausdorff_distance());
+}
+
+TEST(Compare_skeletons, takes_skeletons_of_different_types)
+{
+  CSCD::test::Skeleton_archetype<Point, int> archetype;
+  const auto u = add_vertex(archetype);
+  const auto v = add_vertex(archetype);
+  archetype[u].point = Point(0, 0, 0);
+  archetype[v].point = Point(4, 0, 0);
+  add_edge(u, v, archetype);
+  const Skeleton_comparison c = compare_skeletons(archetype, make_skeleton({Point(4, 0, 0), Point(0, 0, 0)}, {{0, 1}}));
+  EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
+}
+
+TEST(Compare_skeletons, refuses_what_cannot_be_compared)
+{
+  const Skeleton bad = make_skeleton({Point(0, 0, std::numeric_limits<double>::infinity())}, {});
+  const Skeleton huge = make_skeleton({Point(-1.7e308, 0, 0), Point(1.7e308, 0, 0)}, {{0, 1}});
+  EXPECT_THROW(compare_skeletons(Skeleton(), comb()), CSCD::Input_error);
+  EXPECT_THROW(compare_skeletons(comb(), Skeleton()), CSCD::Input_error);
+  EXPECT_THROW(compare_skeletons(comb(), bad), CSCD::Input_error);
+  EXPECT_THROW(compare_skeletons(comb(), huge), CSCD::Input_error);
+  EXPECT_THROW(compare_skeletons(comb(), comb(), CSCD::parameters::match_distance(-1)), CSCD::Input_error);
+}
+
+} // namespace

@@ -1,0 +1,392 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the measures of skeletons on shapes of which the right answers are known.
+
+#include "archetypes/Skeleton_archetype.h"
+#include "support/Shape.h"
+#include "support/convert_shape.h"
+#include "support/shapes.h"
+#include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Measure/reconstruct_surface.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Mean_curvature_flow_skeletonization.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace CSCD::test;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::evaluate_skeleton;
+using CSCD::Skeleton_measures;
+namespace parameters = CSCD::parameters;
+
+Mesh mesh_of(const Shape& shape)
+{
+  return to_mesh<Mesh>(shape);
+}
+
+/// The true centreline of a shape, with its radii.
+Skeleton centreline(const Shape& shape)
+{
+  Skeleton skeleton;
+  const auto node = [&](const Triple& p, double radius) {
+    const Point point(p[0], p[1], p[2]);
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      if (skeleton[v].point == point) {
+        return v;
+      }
+    }
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = point;
+    skeleton[v].radius = radius;
+    return v;
+  };
+  for (const Centreline_segment& segment : shape.centreline) {
+    const std::size_t source = node(segment.source, segment.source_radius);
+    add_edge(source, node(segment.target, segment.target_radius), skeleton);
+  }
+  return skeleton;
+}
+
+/// A straight skeleton along the x axis, moved by `y`.
+Skeleton axis(double from, double to, double y, std::size_t number_of_nodes)
+{
+  Skeleton skeleton;
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    const double t = double(i) / double(number_of_nodes - 1);
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = Point((1 - t) * from + t * to, y, 0);
+    if (i > 0) {
+      add_edge(v - 1, v, skeleton);
+    }
+  }
+  return skeleton;
+}
+
+/// Where the reconstructions do not matter.
+const auto coarse = parameters::resolution(20);
+
+TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
+{
+  const Shape shape = capsule(8, 1, 48);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), centreline(shape));
+  EXPECT_EQ(shape.points.size(), m.number_of_points);
+  EXPECT_NEAR(std::sqrt(108.), m.diagonal, 1e-6);
+  EXPECT_NEAR(8 / m.diagonal, m.counts.length, 1e-12);
+  EXPECT_EQ(2u, m.counts.number_of_tips);
+  EXPECT_TRUE(m.has_topology_of_surface());
+  EXPECT_EQ(1, m.position.fraction_of_nodes_inside);
+  EXPECT_EQ(1, m.position.fraction_of_length_inside);
+  EXPECT_EQ(0, m.position.largest_distance_outside);
+  EXPECT_NEAR(0, m.position.offset_by_length, 1e-3);
+  EXPECT_NEAR(0, m.position.deviation_by_length, 2e-3);
+  EXPECT_NEAR(0, m.position.offset_at_nodes, 1e-3);
+  EXPECT_NEAR(0, m.counts.mean_turning, 1e-6);
+  // The vertices are on the round cones exactly; the triangulation differs by the square of a cell over the radius.
+  EXPECT_NEAR(0, m.mean_distance_from_round_cones, 1e-12);
+  const double of_a_cell = m.round_cones.cell_size * m.round_cones.cell_size * m.diagonal;
+  EXPECT_EQ(0.005, m.round_cones.cell_size);
+  EXPECT_LT(m.round_cones.mean, of_a_cell / 4);
+  EXPECT_LT(m.round_cones.maximum, of_a_cell);
+  EXPECT_LE(m.round_cones.mean * m.round_cones.mean, m.round_cones.mean_square);
+  EXPECT_LT(m.round_cones.reverse_mean, 1e-3);
+  EXPECT_EQ(0, m.round_cones.unresolved_fraction);
+  // Convolution takes 0.6 radii off the ends, but for which it would be as good.
+  EXPECT_NEAR(0.4 / m.diagonal, m.convolution.maximum, 0.03 / m.diagonal);
+  EXPECT_GT(m.convolution.mean, 10 * m.round_cones.mean);
+}
+
+TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
+{
+  const Shape shape = torus(4, 1, 32);
+  const Skeleton skeleton = centreline(shape);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton);
+  EXPECT_EQ(1u, m.position.genus);
+  EXPECT_EQ(1u, m.counts.betti_number);
+  EXPECT_EQ(0u, m.counts.number_of_tips + m.counts.number_of_junctions + m.counts.number_of_isolated_nodes);
+  EXPECT_TRUE(m.has_topology_of_surface());
+  const double n = double(num_vertices(skeleton));
+  EXPECT_NEAR(2 * pi / n, m.counts.largest_turning, 1e-9);
+  EXPECT_NEAR(1. / 4, m.counts.mean_turning, 0.005); // the radius of the body over that of the circle
+  EXPECT_NEAR(0, m.position.offset_by_length, 0.005);
+  EXPECT_NEAR(0, m.position.deviation_at_nodes, 0.01);
+  EXPECT_LT(m.mean_distance_from_round_cones * m.diagonal, 0.01);
+  EXPECT_LT(m.round_cones.mean * m.diagonal, 0.01);
+  // A bent line swells: towards the centre of the torus more of it is near.
+  EXPECT_GT(m.convolution.mean, m.round_cones.mean);
+  EXPECT_LT(m.convolution.mean * m.diagonal, 0.1);
+}
+
+TEST(Evaluate_skeleton, a_cut_torus_has_another_topology)
+{
+  const Shape shape = torus(4, 1, 24);
+  Skeleton skeleton = centreline(shape);
+  remove_edge(*edges(skeleton).first, skeleton);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton, coarse);
+  EXPECT_EQ(0u, m.counts.betti_number);
+  EXPECT_EQ(2u, m.counts.number_of_tips);
+  EXPECT_FALSE(m.has_topology_of_surface());
+}
+
+TEST(Evaluate_skeleton, a_tapered_tube_needs_radii_that_vary)
+{
+  const Shape shape = tapered_tube(10, 0.4, 1.2, 32);
+  const Mesh mesh = mesh_of(shape);
+  Skeleton skeleton;
+  for (const double x : {0., 10.}) {
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = Point(x, 0, 0);
+    skeleton[v].radius = x == 0 ? 0.4 : 1.2;
+  }
+  add_edge(0, 1, skeleton);
+  const auto own = parameters::use_skeleton_radii(true);
+  const Skeleton_measures tapered = evaluate_skeleton(mesh, skeleton, own);
+  // Rings of radius r lie r (1 - cos) inside the cone that touches balls of these radii, for the slope of 0.08.
+  EXPECT_LT(tapered.mean_distance_from_round_cones * tapered.diagonal, 1.2 * 0.08 * 0.08);
+  EXPECT_LT(tapered.round_cones.mean * tapered.diagonal, 0.01);
+  EXPECT_NEAR(0, tapered.position.offset_by_length, 1e-3);
+  skeleton[0].radius = skeleton[1].radius = 0.8;
+  const Skeleton_measures constant = evaluate_skeleton(mesh, skeleton, own);
+  EXPECT_NEAR(0.2, constant.mean_distance_from_round_cones * constant.diagonal, 0.05); // |x - 5| 0.08 on the average
+  EXPECT_GT(constant.convolution.mean, 2 * tapered.convolution.mean);
+}
+
+TEST(Evaluate_skeleton, off_the_axis_of_a_cylinder_the_ray_star_is_known)
+{
+  const Mesh mesh = mesh_of(tube(20, 1, 48, Tube_end::flat));
+  for (const double d : {0.2, 0.5, 0.8}) {
+    const Skeleton_measures m = evaluate_skeleton(mesh, axis(2, 18, d, 5), coarse);
+    // Rays from a point at distance d of the axis of a unit circle: their mean length is 2/pi E(d), the mean of their
+    // vectors d/2, the mean of their squares 1.
+    const double mean = 2 / pi * boost::math::ellint_2(d);
+    EXPECT_NEAR(d / 2 / mean, m.position.offset_by_length, 2e-3) << d;
+    EXPECT_NEAR(d / 2 / mean, m.position.offset_at_nodes, 2e-3) << d;
+    EXPECT_NEAR(std::sqrt(1 - mean * mean) / mean, m.position.deviation_by_length, 2e-3) << d;
+  }
+}
+
+TEST(Evaluate_skeleton, what_is_outside_is_counted)
+{
+  const Mesh mesh = mesh_of(tube(10, 1, 64, Tube_end::flat));
+  const Skeleton_measures m = evaluate_skeleton(mesh, axis(5, 13, 0, 9), coarse); // five nodes of nine in [5, 10)
+  EXPECT_NEAR(5. / 9, m.position.fraction_of_nodes_inside, 0.12);                 // and one on the surface
+  EXPECT_NEAR(5. / 8, m.position.fraction_of_length_inside, 0.01);
+  EXPECT_NEAR(3 / m.diagonal, m.position.largest_distance_outside, 1e-9);
+}
+
+TEST(Evaluate_skeleton, half_a_skeleton_leaves_half_the_surface_far)
+{
+  const Shape shape = capsule(8, 1, 32);
+  Skeleton half = axis(0, 4, 0, 9);
+  for (std::size_t v = 0; v < num_vertices(half); ++v) {
+    half[v].radius = 1;
+  }
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), half, parameters::use_skeleton_radii(true));
+  EXPECT_NEAR(4 / m.diagonal, m.round_cones.maximum, 0.01 / m.diagonal);         // the far end of the capsule
+  EXPECT_LT(m.round_cones.reverse_mean, 0.1 / m.diagonal * 1.5);                 // but what there is, is right
+  EXPECT_NEAR(1 / m.diagonal, m.round_cones.reverse_maximum, 0.02 / m.diagonal); // the end in the middle
+}
+
+TEST(Evaluate_skeleton, does_not_depend_on_place_and_unit)
+{
+  const Shape shape = bent_tube(3, 2, 0.5, 24);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), centreline(shape));
+  Shape moved = shape;
+  const auto move = [](const Triple& p) { return Triple{1000 * p[0] + 7000, 1000 * p[1], 1000 * p[2] - 500}; };
+  for (Triple& p : moved.points) {
+    p = move(p);
+  }
+  for (Centreline_segment& s : moved.centreline) {
+    s = {move(s.source), move(s.target), 1000 * s.source_radius, 1000 * s.target_radius};
+  }
+  const Skeleton_measures n = evaluate_skeleton(mesh_of(moved), centreline(moved));
+  EXPECT_NEAR(1000 * m.diagonal, n.diagonal, 1e-6);
+  EXPECT_NEAR(m.convolution.mean, n.convolution.mean, 1e-6);
+  EXPECT_NEAR(m.round_cones.mean_square, n.round_cones.mean_square, 1e-6);
+  EXPECT_NEAR(m.position.deviation_by_length, n.position.deviation_by_length, 1e-6);
+  EXPECT_NEAR(m.counts.mean_turning, n.counts.mean_turning, 1e-6);
+}
+
+TEST(Evaluate_skeleton, resolution_changes_cells_and_little_else)
+{
+  const Shape shape = torus(3, 1, 24);
+  const Mesh mesh = mesh_of(shape);
+  const Skeleton skeleton = centreline(shape);
+  const CSCD::Reconstruction_error few = evaluate_skeleton(mesh, skeleton, parameters::resolution(100)).convolution;
+  const CSCD::Reconstruction_error many = evaluate_skeleton(mesh, skeleton, parameters::resolution(300)).convolution;
+  EXPECT_EQ(0.01, few.cell_size);
+  EXPECT_NEAR(9, double(many.number_of_faces) / double(few.number_of_faces), 0.5);
+  EXPECT_NEAR(many.mean, few.mean, 0.02 * many.mean);
+}
+
+TEST(Evaluate_skeleton, borders_are_bridged)
+{
+  const Shape shape = tube(10, 1, 32, Tube_end::open);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), axis(1, 9, 0, 5), coarse);
+  EXPECT_EQ(2u, m.position.number_of_borders);
+  EXPECT_EQ(1, m.position.fraction_of_length_inside);
+  EXPECT_TRUE(m.has_topology_of_surface());
+}
+
+TEST(Evaluate_skeleton, several_components_and_a_node_alone)
+{
+  const Shape shape = merged("", {torus(3, 1, 16), translated(sphere(3), {0, 9, 0})});
+  Skeleton skeleton = centreline(torus(3, 1, 16));
+  const std::size_t ball = add_vertex(skeleton);
+  skeleton[ball].point = Point(0, 9, 0);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton);
+  EXPECT_EQ(2u, m.position.number_of_surface_components);
+  EXPECT_EQ(2u, m.counts.number_of_components);
+  EXPECT_EQ(1u, m.counts.number_of_isolated_nodes);
+  EXPECT_TRUE(m.has_topology_of_surface());
+  EXPECT_LT(m.round_cones.maximum * m.diagonal, 0.1);
+}
+
+TEST(Evaluate_skeleton, measures_points_too)
+{
+  const Shape shape = capsule(8, 1, 32);
+  const Skeleton skeleton = centreline(shape);
+  const Skeleton_measures of_mesh = evaluate_skeleton(mesh_of(shape), skeleton);
+  std::vector<Point> points;
+  CGAL::Point_set_3<Point> point_set;
+  for (const Triple& p : shape.points) {
+    points.emplace_back(p[0], p[1], p[2]);
+    point_set.insert(points.back());
+  }
+  for (const Skeleton_measures& m :
+       {evaluate_skeleton(points, skeleton),
+        evaluate_skeleton(point_set, skeleton, parameters::point_map(point_set.point_map()))}) {
+    EXPECT_EQ(points.size(), m.number_of_points);
+    EXPECT_NEAR(of_mesh.convolution.mean, m.convolution.mean, 1e-12);
+    EXPECT_NEAR(of_mesh.round_cones.mean, m.round_cones.mean, 1e-12);
+    EXPECT_GT(m.round_cones.reverse_mean, of_mesh.round_cones.reverse_mean); // the spacing of the points counts
+    EXPECT_LT(m.round_cones.reverse_mean * m.diagonal, 0.2);
+    EXPECT_TRUE(std::isnan(m.position.fraction_of_nodes_inside));
+    EXPECT_FALSE(m.has_topology_of_surface());
+  }
+}
+
+TEST(Evaluate_skeleton, takes_skeletons_of_other_types)
+{
+  const Shape shape = torus(3, 1, 16);
+  const Mesh mesh = mesh_of(shape);
+  const Skeleton skeleton = centreline(shape);
+  CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton cgal_skeleton(num_vertices(skeleton));
+  Skeleton_archetype<Point, Mesh::Vertex_index> archetype;
+  std::vector<decltype(add_vertex(archetype))> nodes;
+  for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+    cgal_skeleton[v].point = skeleton[v].point;
+    nodes.push_back(add_vertex(archetype));
+    archetype[nodes.back()].point = skeleton[v].point;
+  }
+  for (auto e = edges(skeleton).first; e != edges(skeleton).second; ++e) {
+    add_edge(source(*e, skeleton), target(*e, skeleton), cgal_skeleton);
+    add_edge(nodes[source(*e, skeleton)], nodes[target(*e, skeleton)], archetype);
+  }
+  const double mean = evaluate_skeleton(mesh, skeleton, coarse).convolution.mean;
+  EXPECT_EQ(mean, evaluate_skeleton(mesh, cgal_skeleton, coarse).convolution.mean);
+  EXPECT_EQ(mean, evaluate_skeleton(mesh, archetype, coarse).convolution.mean);
+  EXPECT_THROW(evaluate_skeleton(mesh, archetype, parameters::use_skeleton_radii(true)), CSCD::Input_error);
+}
+
+/// Expects an `Input_error` whose message holds `part`.
+template <class Surface>
+void expect_refusal(const Surface& surface, const Skeleton& skeleton, const std::string& part,
+                    bool uses_own_radii = false, std::size_t resolution = 50)
+{
+  try {
+    evaluate_skeleton(surface, skeleton, parameters::use_skeleton_radii(uses_own_radii).resolution(resolution));
+    ADD_FAILURE() << part;
+  } catch (const CSCD::Input_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find(part)) << error.what();
+  }
+}
+
+TEST(Evaluate_skeleton, refuses_what_cannot_be_measured)
+{
+  const Shape shape = capsule(8, 1, 12);
+  const Mesh mesh = mesh_of(shape);
+  const Skeleton skeleton = axis(0, 8, 0, 5);
+  expect_refusal(mesh, Skeleton(), "no nodes");
+  expect_refusal(Mesh(), skeleton, "no faces");
+  expect_refusal(std::vector<Point>(), skeleton, "no points");
+  expect_refusal(std::vector<Point>(3, Point(1, 1, 1)), skeleton, "same point");
+  expect_refusal(mesh, skeleton, "all radii of the skeleton are 0", true);
+  expect_refusal(mesh, skeleton, "resolution", false, 0);
+  expect_refusal(mesh, skeleton, "resolution", false, 10001);
+  Skeleton changed = skeleton;
+  changed[2].point = Point(0, std::numeric_limits<double>::quiet_NaN(), 0);
+  expect_refusal(mesh, changed, "node 2 of the skeleton has a coordinate that is not finite");
+  changed[2].point = Point(0, 1e300, 0);
+  expect_refusal(mesh, changed, "node 2 of the skeleton is far from the surface");
+  changed = skeleton;
+  changed[3].radius = -1;
+  expect_refusal(mesh, changed, "node 3 of the skeleton has a radius", true);
+  changed[3].radius = 1e9;
+  expect_refusal(mesh, changed, "node 3 of the skeleton has a radius", true);
+  expect_refusal(std::vector<Point>{Point(0, 0, 0), Point(0, std::numeric_limits<double>::infinity(), 0)}, skeleton,
+                 "point 1 has a coordinate");
+}
+
+TEST(Evaluate_skeleton, edges_without_length_and_repeated_nodes_do_no_harm)
+{
+  const Shape shape = capsule(8, 1, 12);
+  Skeleton skeleton = axis(0, 8, 0, 5);
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = skeleton[2].point;
+    add_edge(2, v, skeleton);
+  }
+  add_edge(1, 1, skeleton);
+  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton);
+  EXPECT_LT(m.round_cones.mean * m.diagonal, 0.05);
+  EXPECT_TRUE(std::isfinite(m.convolution.mean));
+  EXPECT_EQ(1u, m.counts.betti_number); // the edge from a node to itself
+}
+
+TEST(Reconstruct_surface, is_the_surface_that_is_measured)
+{
+  const Shape shape = capsule(8, 1, 32);
+  const Mesh mesh = mesh_of(shape);
+  const Skeleton skeleton = centreline(shape);
+  const Skeleton_measures m = evaluate_skeleton(mesh, skeleton);
+  Mesh surface;
+  CSCD::reconstruct_surface(mesh, skeleton, surface,
+                            parameters::reconstruction_method(CSCD::Reconstruction_method::round_cones));
+  EXPECT_EQ(m.round_cones.number_of_faces, num_faces(surface));
+  EXPECT_TRUE(CGAL::is_closed(surface));
+  for (const auto v : vertices(surface)) { // in the coordinates of the input
+    const Triple p = to_triple(surface.point(v));
+    const double x = std::clamp(p[0], 0., 8.);
+    EXPECT_NEAR(1, norm(p - Triple{x, 0, 0}), 0.005);
+  }
+  CSCD::reconstruct_surface(mesh, skeleton, surface, parameters::resolution(50));
+  EXPECT_TRUE(CGAL::is_closed(surface));
+  EXPECT_GT(m.convolution.number_of_faces, 10 * num_faces(surface));
+}
+
+TEST(Reconstruct_surface, leaves_its_output_alone_when_it_fails)
+{
+  Mesh surface = mesh_of(tetrahedron());
+  EXPECT_THROW(CSCD::reconstruct_surface(mesh_of(cube()), Skeleton(), surface), CSCD::Input_error);
+  EXPECT_EQ(4u, num_faces(surface));
+}
+
+} // namespace

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
+
+#include <CSCD/Measure/Convolution_field.h>
+#include <CSCD/Measure/Round_cone_field.h>
+#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/triangulate_field.h>
+#include <CSCD/Traits/Solid_queries.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CSCD::internal;
+constexpr double pi = boost::math::double_constants::pi;
+
+Indexed_skeleton segment(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
+{
+  return {{source, target}, {source_radius, target_radius}, {{0, 1}}};
+}
+
+/// A circle around the z axis as a polygon.
+Indexed_skeleton ring(double radius, double node_radius, Index number_of_nodes)
+{
+  Indexed_skeleton result;
+  for (Index i = 0; i < number_of_nodes; ++i) {
+    const double angle = 2 * pi * double(i) / double(number_of_nodes);
+    result.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+    result.radii.push_back(node_radius);
+    result.edges.push_back({i, (i + 1) % number_of_nodes});
+  }
+  return result;
+}
+
+/// F of one edge by quadrature.
+double quadrature(const Indexed_skeleton& s, const Vector_3& point)
+{
+  const Vector_3 along = s.points[1] - s.points[0];
+  const auto integrand = [&](double t) {
+    const double radius = (1 - t) * s.radii[0] + t * s.radii[1];
+    const double square = (s.points[0] + t * along - point).squaredNorm();
+    return radius * radius * radius / (square * square);
+  };
+  constexpr unsigned depth = 12;
+  constexpr double tolerance = 1e-12;
+  return 2 / pi * along.norm() *
+         boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, 0., 1., depth, tolerance);
+}
+
+TEST(Convolution_field, agrees_with_quadrature)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  const auto point = [&] { return Vector_3(coordinate(random), coordinate(random), coordinate(random)); };
+  for (int i = 0; i < 200; ++i) {
+    const Indexed_skeleton s =
+        segment(point() / 4, point() / 4, 0.1 + std::abs(coordinate(random)), 0.1 + std::abs(coordinate(random)));
+    const Vector_3 near = s.points[0] + 0.1 * point();
+    for (const Vector_3& p : {near, point(), Vector_3(3 * point())}) {
+      const double expected = quadrature(s, p);
+      EXPECT_NEAR(1, Convolution_field(s).convolution(p) / expected, 1e-4) << i << ": " << p.transpose();
+    }
+  }
+}
+
+TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
+{
+  for (const double radius : {0.01, 1., 7.}) {
+    const Convolution_field field(segment({0, 0, -100 * radius}, {0, 0, 100 * radius}, radius, radius));
+    for (const double angle : {0., 0.4, 2.}) {
+      const Vector_3 direction(std::cos(angle), std::sin(angle), 0);
+      EXPECT_NEAR(0, field(radius * direction), 1e-5);
+      EXPECT_NEAR(-0.5, field(radius / 2 * direction), 1e-5); // even across the surface
+      EXPECT_NEAR(1, field(2 * radius * direction), 1e-4);
+    }
+    // The end of a half line: half the line, so that the radius is smaller by the cubic root of 2.
+    EXPECT_NEAR(0, field({radius / std::cbrt(2), 0, 100 * radius}), 1e-5);
+  }
+}
+
+TEST(Convolution_field, does_not_depend_on_how_an_edge_is_divided)
+{
+  const Indexed_skeleton whole = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0.3);
+  Indexed_skeleton parts;
+  for (Index i = 0; i <= 10; ++i) {
+    parts.points.emplace_back(0.1 * i, 0, 0);
+    parts.radii.push_back(0.1 + 0.02 * i);
+    if (i > 0) {
+      parts.edges.push_back({i - 1, i});
+    }
+  }
+  for (const Vector_3& p : {Vector_3(0.5, 0.2, 0), Vector_3(-0.1, 0.01, 0), Vector_3(0.3, 0, 1)}) {
+    EXPECT_NEAR(1, Convolution_field(parts).convolution(p) / Convolution_field(whole).convolution(p), 2e-4);
+  }
+}
+
+TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
+{
+  Indexed_skeleton s = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0);
+  s.points.emplace_back(5, 5, 5); // a node without edges is a ball
+  s.radii.push_back(0.5);
+  s.points.emplace_back(1, 0, 0); // an edge without length
+  s.radii.push_back(0.1);
+  s.edges.push_back({1, 3});
+  const Convolution_field field(s);
+  for (const Vector_3& p : {Vector_3(0, 0, 0), Vector_3(0.5, 0, 0), Vector_3(5, 5, 5)}) {
+    EXPECT_LT(field(p), 0);
+    EXPECT_TRUE(std::isfinite(field(p)));
+  }
+  EXPECT_NEAR(0, field({5, 5.5, 5}), 1e-3);
+  // Nodes at the same place are one ball, and none where there is an edge of some length.
+  const Indexed_skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
+  EXPECT_DOUBLE_EQ(1, Convolution_field(twice).convolution({0.5, 0, 0}));
+  EXPECT_NEAR(1,
+              Convolution_field(s).convolution({1, 0.1, 0}) /
+                  (quadrature(s, {1, 0.1, 0}) + std::pow(0.5 / Vector_3(4, 4.9, 5).norm(), 4)),
+              1e-4);
+  EXPECT_GT(field({1e8, 0, 0}), 0);
+  EXPECT_TRUE(std::isfinite(field({1e8, 0, 0})));
+}
+
+TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
+{
+  const Indexed_skeleton s = segment({0, 0, 0}, {2, 0, 0}, 0.5, 0.2);
+  const Round_cone_field field(s);
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
+  for (int i = 0; i < 200; ++i) {
+    const Vector_3 p(1 + coordinate(random), coordinate(random), coordinate(random));
+    // The hull is the union of all balls between the two.
+    double least = 1e9;
+    constexpr int steps = 20000;
+    for (int k = 0; k <= steps; ++k) {
+      const double t = double(k) / steps;
+      least = std::min(least, (p - Vector_3(2 * t, 0, 0)).norm() - (0.5 - 0.3 * t));
+    }
+    EXPECT_NEAR(least, field(p), 1e-6) << p.transpose();
+  }
+}
+
+TEST(Round_cone_field, a_ball_in_another_and_a_node_alone_are_balls)
+{
+  Indexed_skeleton s = segment({0, 0, 0}, {0.1, 0, 0}, 1, 0.2);
+  s.points.emplace_back(5, 0, 0);
+  s.radii.push_back(0.5);
+  const Round_cone_field field(s);
+  EXPECT_DOUBLE_EQ(1, field({0, 2, 0}));
+  EXPECT_DOUBLE_EQ(-1, field({0, 0, 0}));
+  EXPECT_DOUBLE_EQ(0.5, field({5, 0, 1}));
+  EXPECT_DOUBLE_EQ(1.5, field({0, 0, 2.5})); // the same whichever node comes first
+  EXPECT_DOUBLE_EQ(1.5, Round_cone_field(segment({0.1, 0, 0}, {0, 0, 0}, 0.2, 1))({0, 0, 2.5}));
+}
+
+/// The surface of round cones, which must be a closed oriented manifold, and its facts.
+struct Surface_facts
+{
+  explicit Surface_facts(const Indexed_skeleton& s, double cell_size)
+  {
+    const Round_cone_field field(s);
+    Field_surface result = triangulate_field(field, s, cell_size);
+    unresolved_fraction = result.unresolved_fraction;
+    number_of_faces = result.triangles.faces.size();
+    for (const Vector_3& p : result.triangles.points) {
+      greatest_error = std::max(greatest_error, std::abs(field(p)));
+    }
+    const Triangulated_surface surface(std::move(result.triangles));
+    is_manifold = !surface.defect();
+    if (is_manifold) {
+      euler_number = int(surface.number_of_vertices()) - int(surface.number_of_faces() / 2);
+      for (Index f = 0; f < surface.number_of_faces(); ++f) {
+        volume += surface.point(surface.origin(3 * f)).dot(surface.face_vector(f)) / 6;
+      }
+    }
+  }
+
+  bool is_manifold = false;
+  std::size_t number_of_faces = 0;
+  int euler_number = 0;
+  double volume = 0; ///< positive if the faces look outwards
+  double greatest_error = 0;
+  double unresolved_fraction = 0;
+};
+
+TEST(Triangulate_field, a_capsule_is_closed_and_has_the_right_volume)
+{
+  const Surface_facts facts(segment({0, 0, 0}, {1, 0.2, 0.1}, 0.2, 0.2), 0.02);
+  EXPECT_TRUE(facts.is_manifold);
+  EXPECT_EQ(2, facts.euler_number);
+  const double length = std::sqrt(1.05);
+  const double expected = pi * 0.04 * length + 4 * pi / 3 * 0.008;
+  EXPECT_NEAR(expected, facts.volume, 0.01 * expected);
+  EXPECT_LT(facts.greatest_error, 0.02 * 0.02 / 0.2); // of second order in the size of the cells
+  EXPECT_EQ(0, facts.unresolved_fraction);
+}
+
+TEST(Triangulate_field, handles_components_and_lattice_points_on_the_surface)
+{
+  EXPECT_EQ(0, Surface_facts(ring(1, 0.2, 64), 0.05).euler_number);
+  Indexed_skeleton balls;
+  balls.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
+  balls.radii = {0.5, 0.25, 1};
+  const Surface_facts facts(balls, 0.25); // the balls' poles are lattice points, on the surface but for rounding
+  EXPECT_TRUE(facts.is_manifold);
+  EXPECT_EQ(6, facts.euler_number);
+  EXPECT_GT(facts.volume, 0);
+}
+
+TEST(Triangulate_field, says_what_is_too_thin)
+{
+  Indexed_skeleton s = segment({0.013, 0.013, 0.013}, {1.013, 0.013, 0.013}, 0.2, 0.2);
+  s.points.emplace_back(0.013, 5.013, 0.013);
+  s.points.emplace_back(1.013, 5.013, 0.013);
+  s.radii.insert(s.radii.end(), {1e-4, 1e-4});
+  s.edges.push_back({2, 3});
+  EXPECT_NEAR(0.5, Surface_facts(s, 0.05).unresolved_fraction, 0.05);
+}
+
+TEST(Triangulate_field, coarsens_the_lattice_where_radii_are_huge)
+{
+  const Indexed_skeleton s = segment({0, 0, 0}, {1, 0, 0}, 2, 2);
+  constexpr std::size_t maximum_number_of_cells = 4000;
+  const Field_surface result = triangulate_field(Round_cone_field(s), s, 0.02, maximum_number_of_cells);
+  EXPECT_EQ(0.16, result.cell_size); // an area of 63 takes some 1.5 cells for each square of the lattice
+  EXPECT_LT(2000u, result.triangles.faces.size());
+  EXPECT_FALSE(Triangulated_surface(Indexed_triangles(result.triangles)).defect());
+}
+
+TEST(Estimate_radii, are_exact_on_a_cone)
+{
+  // Points in planes across the axis, whose distances from it grow linearly.
+  const Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {}, {{0, 1}, {1, 2}, {2, 3}}};
+  std::vector<Vector_3> points;
+  for (int i = 0; i <= 400; ++i) {
+    const double x = 0.01 * i;
+    points.emplace_back(x, (1 + x) * std::cos(i), (1 + x) * std::sin(i));
+  }
+  const std::vector<double> radii = estimate_radii(points, s);
+  ASSERT_EQ(4u, radii.size());
+  // The weight of a node is a hat over its edges, whose mean distance is that of the hat's centroid.
+  EXPECT_NEAR(1 + 1. / 3, radii[0], 0.01);
+  EXPECT_NEAR(1 + 4. / 3, radii[1], 0.01);
+  EXPECT_NEAR(1 + 8. / 3, radii[2], 0.01);
+  EXPECT_NEAR(1 + 11. / 3, radii[3], 0.01);
+}
+
+TEST(Estimate_radii, interpolates_where_no_point_is_near)
+{
+  // Points around the ends only: the nodes between get radii that are linear in length.
+  Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}, {6, 0, 0}, {0, 90, 0}}, {}, {}};
+  s.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 4}};
+  const std::vector<double> radii = estimate_radii({{0, 1, 0}, {0, 0, -1}, {6, 7, 0}}, s);
+  EXPECT_NEAR(1, radii[0], 1e-12);
+  EXPECT_NEAR(2, radii[1], 1e-12);
+  EXPECT_NEAR(3, radii[2], 1e-12);
+  EXPECT_NEAR(6, radii[3], 1e-12);
+  EXPECT_NEAR(7, radii[4], 1e-12);
+  EXPECT_NEAR(3, radii[5], 1e-12); // nothing is known of its component: the mean of all distances
+}
+
+TEST(Estimate_radii, do_not_depend_on_scale)
+{
+  const Indexed_skeleton s = ring(1, 0, 8);
+  std::vector<Vector_3> points;
+  for (int i = 0; i < 100; ++i) {
+    points.emplace_back(1.2 * std::cos(i), 1.2 * std::sin(i), 0.1);
+  }
+  const std::vector<double> radii = estimate_radii(points, s);
+  Indexed_skeleton large = s;
+  for (Vector_3& p : large.points) {
+    p *= 1000;
+  }
+  for (Vector_3& p : points) {
+    p *= 1000;
+  }
+  const std::vector<double> large_radii = estimate_radii(points, large);
+  for (std::size_t i = 0; i < radii.size(); ++i) {
+    EXPECT_NEAR(1000 * radii[i], large_radii[i], 1e-9);
+  }
+}
+
+} // namespace

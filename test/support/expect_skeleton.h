@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Skeletonizes and expects what must always hold, of an answer and of a failure.
+
+#ifndef CSCD_TEST_SUPPORT_EXPECT_SKELETON_H
+#define CSCD_TEST_SUPPORT_EXPECT_SKELETON_H
+
+#include "invariants.h"
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <gtest/gtest.h>
+
+namespace CSCD::test {
+
+/// Expects that `mesh` has a skeleton with all invariants, and writes it to `skeleton`.
+template <class Mesh, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
+Skeletonization_report expect_skeleton(const Mesh& mesh, Skeleton& skeleton,
+                                       const NamedParameters& np = parameters::default_values())
+{
+  Skeletonization_report report;
+  EXPECT_NO_THROW(report = extract_curve_skeleton(mesh, skeleton, np));
+  EXPECT_EQ(violated_invariants(mesh, skeleton, report), Violations{});
+  return report;
+}
+
+/// A skeleton that no mesh has, to find out whether a function that fails leaves its output alone.
+template <class Skeleton>
+Skeleton marked_skeleton()
+{
+  Skeleton skeleton(2);
+  skeleton[0].point = {1, 2, 3};
+  skeleton[1].point = {4, 5, 6}; // points of some kernels have no coordinates before
+  skeleton[1].radius = 42;
+  add_edge(0, 1, skeleton);
+  return skeleton;
+}
+
+/// Expects that `skeleton` is still the `marked_skeleton()`.
+template <class Skeleton>
+void expect_is_marked(const Skeleton& skeleton)
+{
+  const Skeleton marked = marked_skeleton<Skeleton>();
+  ASSERT_EQ(num_vertices(skeleton), num_vertices(marked));
+  EXPECT_EQ(num_edges(skeleton), num_edges(marked));
+  for (const auto node : {0, 1}) {
+    EXPECT_EQ(skeleton[node].point, marked[node].point);
+    EXPECT_EQ(skeleton[node].radius, marked[node].radius);
+    EXPECT_EQ(skeleton[node].vertices, marked[node].vertices);
+  }
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_SUPPORT_EXPECT_SKELETON_H
