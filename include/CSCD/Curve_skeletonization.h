@@ -224,7 +224,7 @@ private:
   /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
   static constexpr double unexplored_distance = 0.6;
   /// How many times as many separators are asked for there.
-  static constexpr unsigned exploration_factor = 2;
+  static constexpr unsigned exploration_factor = 3;
 
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)

@@ -154,7 +154,7 @@ struct Cut_levels
 
   std::vector<Vertex_loop> loops_of_piece_with(Index vertex) const
   {
-    return Handle_loops(levels.finest(), cut.cut_graph, cut.arrangement)(cut.cut_graph.piece_of_vertex(vertex), vertex);
+    return Handle_loops(levels.finest(), cut.arrangement)(vertex);
   }
 
   CSCD::internal::Surface_levels levels;
@@ -234,6 +234,30 @@ TEST(Handle_loops, neither_cross_separators_nor_see_what_lies_beyond)
   }
 }
 
+TEST(Handle_loops, are_none_where_a_separator_has_a_piece_without_handles_on_both_sides)
+{
+  const Shape shape = CSCD::test::torus(3, 1, 24);
+  const Triangulated_surface surface = CSCD::test::to_surface(shape);
+  const Separator across = section_separator(surface, {3, 0, 0}, {0.03, 1, 0}, {3, 0, 1});
+  const Separator lengthwise = section_separator(surface, {0, 0, 0.03}, {0, 0, 1}, {2, 0, 0});
+  for (const Separator& separator : {across, lengthwise}) {
+    const Cut_levels levels(shape, {separator});
+    ASSERT_EQ(levels.cut.cut_graph.pieces().size(), 1u);
+    EXPECT_TRUE(levels.loops_of_piece_with(0).empty());
+  }
+}
+
+TEST(Handle_loops, are_of_the_handles_that_remain)
+{
+  const Shape shape = CSCD::test::double_torus(0.15);
+  const Triangulated_surface surface = CSCD::test::to_surface(shape);
+  const Cut_levels levels(shape, {section_separator(surface, {0, 1.03, 0}, {0, 1, 0}, {0, 1.03, 0})});
+  ASSERT_EQ(genus(levels.cut.cut_graph), 1u);
+  const std::vector<Vertex_loop> loops = levels.loops_of_piece_with(0);
+  EXPECT_EQ(loops.size(), 2u);
+  expect_is_basis(surface, loops);
+}
+
 /// Expects that separators from `first_new` on are disjoint closed curves, all packed, and no handle is left.
 void expect_cuts_all_handles(const Traits& traits, const std::vector<Separator>& separators, std::size_t first_new,
                              const Separator_packing& packing, const Shape& shape)
@@ -267,9 +291,26 @@ TEST_P(Cut_handles_of, an_uncut_shape_cuts_all_of_them)
   ASSERT_EQ(genus(packing.cut_graph()), shape.genus);
   const std::size_t count = CSCD::internal::cut_handles(traits, separators, packing);
   EXPECT_EQ(count, separators.size());
-  EXPECT_GE(count, shape.genus);
+  EXPECT_EQ(count, shape.genus) << "one cut for each handle";
   expect_cuts_all_handles(traits, separators, 0, packing, shape);
   EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 0u) << "nothing is left to do";
+}
+
+TEST_P(Cut_handles_of, a_shape_cut_in_part_cuts_the_others)
+{
+  const Shape shape = GetParam().make();
+  const Traits traits(shape);
+  const Triangulated_surface& surface = traits.levels().finest().surface;
+  std::vector<Separator> all;
+  Separator_packing packing_of_all(surface, all, {});
+  CSCD::internal::cut_handles(traits, all, packing_of_all);
+  for (std::size_t size = 1; size <= all.size(); ++size) {
+    std::vector<Separator> separators(all.begin(), all.begin() + std::ptrdiff_t(size));
+    Separator_packing packing(surface, separators, std::vector<double>(size));
+    ASSERT_EQ(genus(packing.cut_graph()), shape.genus - size);
+    EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), shape.genus - size);
+    expect_cuts_all_handles(traits, separators, size, packing, shape);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Cut_handles_of, testing::ValuesIn(shapes_with_handles()), CSCD::test::name_of_shape);
@@ -308,8 +349,8 @@ TEST(cut_handles, keeps_the_separators_that_are_there)
                                     section_separator(surface, {3.03, 0, 0}, {1, 0, 0}, {3.03, 0, 0})};
   Separator_packing packing(surface, separators, {1, 2});
   ASSERT_EQ(genus(packing.cut_graph()), 1u);
-  const std::size_t count = CSCD::internal::cut_handles(traits, separators, packing);
-  EXPECT_EQ(separators.size(), 2 + count);
+  EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 1u);
+  EXPECT_EQ(separators.size(), 3u);
   EXPECT_EQ(packing.packed()[0], 0u);
   EXPECT_EQ(packing.packed()[1], 1u);
   expect_cuts_all_handles(traits, separators, 2, packing, shape);

@@ -45,7 +45,7 @@ void expect_is_marked(const Skeleton& skeleton)
   const Skeleton marked = marked_skeleton<Skeleton>();
   ASSERT_EQ(num_vertices(skeleton), num_vertices(marked));
   EXPECT_EQ(num_edges(skeleton), num_edges(marked));
-  for (const auto node : {0, 1}) {
+  for (const std::size_t node : {0U, 1U}) {
     EXPECT_EQ(skeleton[node].point, marked[node].point);
     EXPECT_EQ(skeleton[node].radius, marked[node].radius);
     EXPECT_EQ(skeleton[node].vertices, marked[node].vertices);

@@ -8,12 +8,18 @@
 
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Handle_loops.h>
+#include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Separator/curve_measures.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/use.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +27,7 @@
 
 namespace CSCD::internal {
 
-/// Adds a separator around every handle that the packed ones leave uncut, so that the first Betti number of the cut
+/// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
 /// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one that spans the body
 /// rather than a hole, the shorter the better. \tparam Traits a model of `SolidSkeletonizationTraits`
 template <class Traits>
@@ -39,12 +45,15 @@ public:
   std::size_t operator()()
   {
     std::size_t count = 0;
-    for (Index piece = first_piece_with_handle(); piece != no_index; piece = first_piece_with_handle()) {
-      const std::size_t added = cut_piece(piece);
-      if (added == 0) {
-        break;
+    // A piece that is cut stays one, with its number, and has as many handles less as separators were added.
+    for (Index piece = 0; piece < m_packing.cut_graph().pieces().size(); ++piece) {
+      while (m_packing.cut_graph().pieces()[piece].genus() > 0) {
+        const std::size_t added = cut_piece(piece);
+        if (added == 0) {
+          break;
+        }
+        count += added;
       }
-      count += added;
     }
     return count;
   }
@@ -65,49 +74,76 @@ private:
     bool is_inside = false;
   };
 
-  Index first_piece_with_handle() const
-  {
-    const std::vector<Cut_graph::Piece>& pieces = m_packing.cut_graph().pieces();
-    const auto piece =
-        std::find_if(pieces.begin(), pieces.end(), [](const Cut_graph::Piece& p) { return p.genus() > 0; });
-    return piece == pieces.end() ? no_index : Index(piece - pieces.begin());
-  }
-
-  /// Packs all loops of the piece that span the body and are disjoint; if there are none, one that does not span it.
+  /// Cuts the piece along as many loops as lower its genus, each by one: all that span the body and are disjoint, less
+  /// those that are not needed; if there are none, one that does not span it.
   std::size_t cut_piece(Index piece)
   {
     std::vector<Candidate> candidates = find_candidates(piece);
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.is_inside != b.is_inside ? a.is_inside : a.length < b.length;
     });
-    std::size_t count = 0;
+    std::vector<Separator> trial;
+    Separator_arrangement arrangement = m_packing.arrangement();
     for (const Candidate& candidate : candidates) {
-      if (!candidate.is_inside && count > 0) {
+      if (!candidate.is_inside && !trial.empty()) {
         break;
       }
-      count += insert(candidate.loop) ? 1 : 0;
+      insert(candidate.loop, trial, arrangement);
     }
-    if (count > 0) {
+    return pack(needed(trial, arrangement));
+  }
+
+  /// Those of the disjoint separators `trial`, the last in `arrangement`, that lower the genus: from the worst to the
+  /// best, one with different pieces on its sides is left out, and the pieces become one.
+  std::vector<Separator> needed(const std::vector<Separator>& trial, const Separator_arrangement& arrangement) const
+  {
+    Cut_graph cut_graph(m_surface, arrangement);
+    cut_graph.cut(arrangement);
+    Disjoint_sets pieces(cut_graph.pieces().size());
+    std::vector<Separator> result;
+    for (std::size_t i = trial.size(); i-- > 0;) {
+      const Cut_graph::Sides& sides = cut_graph.sides(Index(m_packing.packed().size() + i));
+      if (!pieces.join(sides.first, sides.second)) {
+        result.push_back(trial[i]);
+      }
+    }
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+  /// Packs `separators`, which are disjoint from the packed ones and from each other. \return their number
+  std::size_t pack(const std::vector<Separator>& separators)
+  {
+    for (const Separator& separator : separators) {
+      m_separators.push_back(separator);
+      const bool is_packed = m_packing.insert_last();
+      CGAL_assertion(is_packed);
+      CGAL_USE(is_packed);
+    }
+    if (!separators.empty()) {
       m_packing.cut_again();
     }
-    return count;
+    return separators.size();
   }
 
   std::vector<Candidate> find_candidates(Index piece) const
   {
-    Handle_loops handle_loops(m_traits.levels().finest(), m_packing.cut_graph(), m_packing.arrangement());
+    Handle_loops handle_loops(m_traits.levels().finest(), m_packing.arrangement());
     Index root = 0;
-    while (m_packing.cut_graph().piece_of_vertex(root) != piece) {
+    while (root < m_surface.number_of_vertices() && m_packing.cut_graph().piece_of_vertex(root) != piece) {
       ++root;
     }
+    if (root == m_surface.number_of_vertices()) {
+      return {};
+    }
     // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
-    const std::vector<Vertex_loop> rough_loops = handle_loops(piece, root);
+    const std::vector<Vertex_loop> rough_loops = handle_loops(root);
     const std::size_t most_roots = most_visits / m_surface.number_of_vertices();
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < rough_loops.size(); ++i) {
       candidates.push_back(measure(rough_loops[i]));
       if (i < most_roots) {
-        for (const Vertex_loop& loop : handle_loops(piece, rough_loops[i].front())) {
+        for (const Vertex_loop& loop : handle_loops(rough_loops[i].front())) {
           candidates.push_back(measure(loop));
         }
       }
@@ -128,29 +164,28 @@ private:
     return {loop, measures.length, double(inside) >= least_inside_part * double(points.size())};
   }
 
-  /// Packs `loop` if it can be made disjoint from the packed separators.
-  bool insert(const Vertex_loop& loop)
+  /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from what `arrangement`
+  /// holds.
+  void insert(const Vertex_loop& loop, std::vector<Separator>& trial, Separator_arrangement& arrangement)
   {
     Separator separator;
     if (!push_off(m_surface, loop, separator.crossings)) {
-      return false;
+      return;
     }
     const std::vector<Edge_crossing> pushed = separator.crossings;
     m_straightening(separator.crossings, number_of_straightening_passes);
     separator.source = loop.front();
-    for (int attempt = 0; attempt < 2; ++attempt) {
-      std::vector<Vector_3> points;
-      crossing_points(m_surface, separator.crossings, points);
-      set_measures(separator, points);
-      m_separators.push_back(separator);
-      if (separator.crossings.size() >= 3 && m_packing.insert_last()) {
-        return true;
+    // Straightened, it may meet another separator: as close to the edges as they are, it does not.
+    for (const std::vector<Edge_crossing>& crossings : {separator.crossings, pushed}) {
+      separator.crossings = crossings;
+      if (crossings.size() >= 3 && arrangement.insert(Index(m_separators.size() + trial.size()), crossings)) {
+        std::vector<Vector_3> points;
+        crossing_points(m_surface, crossings, points);
+        set_measures(separator, points);
+        trial.push_back(separator);
+        return;
       }
-      m_separators.pop_back();
-      // Straightened, it has met another separator: as close to the edges as they are, it does not.
-      separator.crossings = pushed;
     }
-    return false;
   }
 
   const Traits& m_traits;
