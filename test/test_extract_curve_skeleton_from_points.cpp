@@ -227,8 +227,6 @@ TEST_P(Sampled_shape, has_nearly_the_skeleton_of_the_mesh)
   EXPECT_LT(mean_distance(of_mesh, of_points), tolerance);
 }
 
-/// A cloud without symmetry, so dense that the front leaves no hole: where it does, CGAL's front still depends on
-/// addresses, and answers may differ in a few triangles.
 std::vector<Triple> some_points()
 {
   return sampled(CSCD::test::double_torus(0.2), 8000, 1);

@@ -36,9 +36,8 @@ auto point_map(const PointRange& points, const NamedParameters& np)
 ///
 /// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton
 /// is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same, and points
-/// off the surface to that of the nearest point. The skeleton of a surface is the same for any number of
-/// threads; the surface may differ in a few triangles from call to call where the points leave holes, see
-/// doc/points.md. O(n log n).
+/// off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to call, for any
+/// number of threads and any order of the points. O(n log n).
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`

@@ -6,6 +6,8 @@
 #ifndef CSCD_RECONSTRUCTION_FRONT_VERTEX_BASE_H
 #define CSCD_RECONSTRUCTION_FRONT_VERTEX_BASE_H
 
+#include <CSCD/Reconstruction/Time_stamp.h>
+
 #include <CGAL/Advancing_front_surface_reconstruction_vertex_base_3.h>
 #include <CGAL/Triangulation_vertex_base_3.h>
 
@@ -34,9 +36,12 @@ private:
 
 /// The vertex base of CGAL's advancing front with another order of border edges. The front takes its edges from a set
 /// that is ordered by priority and, where that is equal, by address, which differs from call to call; both edges of an
-/// ear have equal priority, and so have all whose candidates are bad. Here the edge that was met first comes first.
+/// ear have equal priority, and so have all whose candidates are bad. Here the edge that was met first comes first. The
+/// address serves as a name only: a front keeps its edges in a list to which it appends, and never takes from, while it
+/// runs.
 template <class Traits, class Base = CGAL::Triangulation_vertex_base_3<Traits>>
-class Front_vertex_base : public CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>
+class Front_vertex_base : public CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>,
+                          public Time_stamp
 {
   using Front_base = CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>;
 
@@ -68,7 +73,7 @@ public:
     std::size_t number;
   };
 
-  using Front_base::Front_base;
+  Front_vertex_base() { this->info() = std::size_t(-1); } // else undefined: no number of a point
 };
 
 } // namespace CSCD::internal

@@ -6,11 +6,12 @@
 #ifndef CSCD_RECONSTRUCTION_ADVANCE_FRONT_H
 #define CSCD_RECONSTRUCTION_ADVANCE_FRONT_H
 
+#include <CSCD/Reconstruction/Front_cell_base.h>
 #include <CSCD/Reconstruction/Front_vertex_base.h>
+#include <CSCD/Reconstruction/orient_coherently.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
-#include <CGAL/Advancing_front_surface_reconstruction_cell_base_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_data_structure_3.h>
@@ -27,8 +28,7 @@ namespace CSCD::internal {
 /// What a triangle must respect at a point.
 struct Front_limit
 {
-  /// That a triangle may have at the point; if zero, the point is left out.
-  double longest_edge = 0;            ///< that a triangle may have at the point
+  double longest_edge = 0;            ///< that a triangle may have at the point; if zero, the point is left out
   Vector_3 normal = Vector_3::Zero(); ///< of unit length and either orientation, or zero if it is not known
 };
 
@@ -42,23 +42,15 @@ public:
   template <class AdvancingFront, class CellHandle>
   double operator()(const AdvancingFront& front, CellHandle& cell, const int& index) const
   {
-    const double radius = front.smallest_radius_delaunay_sphere(cell, index);
-    if (radius == front.infinity()) {
-      return radius;
-    }
+    // Most facets of the triangulation lie inside the body and are long: their radii need not be known.
     const auto corner = [&](int i) { return cell->vertex((index + 1 + i % 3) & 3); };
     for (int i = 0; i < 3; ++i) {
-      const double at_source = limit(corner(i)).longest_edge;
-      const double at_target = limit(corner(i + 1)).longest_edge;
-      const double longest = std::min(at_source, at_target) > 0 ? std::max(at_source, at_target) : 0;
-      if (CGAL::squared_distance(corner(i)->point(), corner(i + 1)->point()) > longest * longest) {
+      if (is_too_long(corner(i), corner(i + 1))) {
         return front.infinity();
       }
     }
-    if (is_across_normals(corner(0), corner(1), corner(2))) {
-      return front.infinity();
-    }
-    return radius;
+    const double radius = front.smallest_radius_delaunay_sphere(cell, index);
+    return radius == front.infinity() || is_across_normals(corner(0), corner(1), corner(2)) ? front.infinity() : radius;
   }
 
 private:
@@ -68,7 +60,18 @@ private:
   template <class VertexHandle>
   const Front_limit& limit(VertexHandle vertex) const
   {
-    return (*m_limits)[vertex->info()];
+    // In a plane, the front adds a point of its own, to have a body.
+    static const Front_limit none;
+    return vertex->info() < m_limits->size() ? (*m_limits)[vertex->info()] : none;
+  }
+
+  template <class VertexHandle>
+  bool is_too_long(VertexHandle a, VertexHandle b) const
+  {
+    const double at_a = limit(a).longest_edge;
+    const double at_b = limit(b).longest_edge;
+    const double longest = std::min(at_a, at_b) > 0 ? std::max(at_a, at_b) : 0;
+    return CGAL::squared_distance(a->point(), b->point()) > longest * longest;
   }
 
   template <class VertexHandle>
@@ -86,9 +89,6 @@ private:
   const std::vector<Front_limit>* m_limits;
 };
 
-/// More cells than a Delaunay triangulation of points on a surface has for each point.
-inline constexpr std::size_t cells_per_point = 10;
-
 /// Triangulates a surface through `points`, some of which may be left out; O(n log n) for points on a surface.
 /// \param limits what triangles must respect at each point
 /// \return triangles with consistent orientation in each component, each edge of which has at most two
@@ -96,8 +96,7 @@ inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_
                                                        const std::vector<Front_limit>& limits)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Cell_base = CGAL::Advancing_front_surface_reconstruction_cell_base_3<Kernel>;
-  using Tds = CGAL::Triangulation_data_structure_3<Front_vertex_base<Kernel>, Cell_base>;
+  using Tds = CGAL::Triangulation_data_structure_3<Front_vertex_base<Kernel>, Front_cell_base<Kernel>>;
   using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
 
   std::vector<std::pair<Kernel::Point_3, std::size_t>> cgal_points;
@@ -105,27 +104,22 @@ inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_
   for (std::size_t i = 0; i < points.size(); ++i) {
     cgal_points.emplace_back(Kernel::Point_3(points[i].x(), points[i].y(), points[i].z()), i);
   }
-  // In one block each, vertices and cells have addresses in the order in which they are made: the front compares them.
-  Triangulation triangulation;
-  triangulation.tds().vertices().reserve(points.size() + 2);
-  triangulation.tds().cells().reserve(cells_per_point * points.size() + cells_per_point);
-  triangulation.insert(cgal_points.begin(), cgal_points.end());
+  Triangulation triangulation(cgal_points.begin(), cgal_points.end());
   Front_edge_numbers::clear();
   CGAL::Advancing_front_surface_reconstruction<Triangulation, Front_priority> front(triangulation,
                                                                                     Front_priority(limits));
   front.run();
   Front_edge_numbers::clear();
+  // CGAL also makes a surface of these triangles, but in an order, and at pinched vertices with an orientation, that
+  // differ from call to call.
   std::vector<std::array<Index, 3>> result;
-  if (triangulation.dimension() < 3) {
-    return result;
-  }
-  const auto& surface = front.triangulation_data_structure_2();
-  for (auto face = surface.faces_begin(); face != surface.faces_end(); ++face) {
-    if (face->is_on_surface()) {
-      const auto number = [&face](int i) { return Index(face->vertex(i)->vertex_3()->id()); };
-      result.push_back({number(0), number(1), number(2)});
+  for (auto facet = triangulation.finite_facets_begin(); facet != triangulation.finite_facets_end(); ++facet) {
+    if (front.has_on_surface(*facet) || front.has_on_surface(triangulation.mirror_facet(*facet))) {
+      const auto corner = [&facet](int i) { return Index(facet->first->vertex((facet->second + i) & 3)->id()); };
+      result.push_back({corner(1), corner(2), corner(3)});
     }
   }
+  orient_coherently(result);
   return result;
 }
 
