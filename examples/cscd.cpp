@@ -90,17 +90,17 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 
 void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
 {
-  CLI::App* command = app.add_subcommand("evaluate", "measure how good a skeleton is for its mesh");
-  command->add_option("INPUT", options.input, "mesh file, or - for standard input")->required();
+  CLI::App* command = app.add_subcommand("evaluate", "measure how good a skeleton is for its mesh or points");
+  command->add_option("INPUT", options.input, "file of a mesh or of points, or - for standard input")->required();
   command
       ->add_option("SKELETON", options.skeleton,
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
   command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
   command
       ->add_option("--radii", options.radii,
-                   "radii of the reconstructed surfaces: estimated from the mesh, or the skeleton's own")
+                   "radii of the reconstructed surfaces: estimated from the input, or the skeleton's own")
       ->check(CLI::IsMember({cscd::estimated_radii, cscd::own_radii}))
       ->capture_default_str();
   command
