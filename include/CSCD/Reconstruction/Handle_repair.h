@@ -70,8 +70,6 @@ private:
   static constexpr double longest_loop = 4.0;
   /// Lengths below this part of the mean length of all edges count as this.
   static constexpr double least_edge_part = 0.5;
-  /// Vertices this near to the center of a ball that is a disc need no ball of their own, in mean lengths of edges.
-  static constexpr double skipped_distance = 1;
 
   struct Candidate
   {
@@ -81,11 +79,8 @@ private:
 
   void collect_candidates()
   {
-    std::vector<std::uint8_t> is_done(m_surface.number_of_vertices(), 0);
     for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      if (is_done[vertex] == 0) {
-        search_around(vertex, is_done);
-      }
+      search_around(vertex);
     }
   }
 
@@ -98,7 +93,7 @@ private:
     return std::max(sum / m_surface.degree(vertex), least_edge_part * m_corners.mean_length());
   }
 
-  void search_around(Index vertex, std::vector<std::uint8_t>& is_done)
+  void search_around(Index vertex)
   {
     const float longest = float(longest_loop * edge_length_at(vertex));
     // The loops through a vertex reach half their length from it, and an edge may be as long as its loop allows.
@@ -108,7 +103,6 @@ private:
     m_search.for_each_loop(longest, [this](const Vertex_loop& loop, float length) {
       m_candidates.push_back({length, loop});
     });
-    (void)is_done;
   }
 
   const Triangulated_surface& m_surface;

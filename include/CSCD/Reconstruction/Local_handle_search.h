@@ -57,9 +57,6 @@ public:
     return count_euler_number() == 1;
   }
 
-  /// The vertices of the ball, the nearest first.
-  const std::vector<Index>& ball() const { return m_ball; }
-
   /// Calls `use(loop, length)` for the loops through the center that are not filled and at most `longest` long.
   template <class Use>
   void for_each_loop(float longest, const Use& use)

@@ -12,8 +12,11 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
 #include <CGAL/double.h>
 #include <CGAL/float.h>
+#include <CGAL/hilbert_sort.h>
 #include <CGAL/number_utils.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -58,21 +61,24 @@ Vector_3 to_vector_3(const Triple& triple)
   return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
 }
 
-/// Sorts a cloud of different points lexicographically in their canonical pose: so the numbers do not depend on the
-/// pose.
+/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a space
+/// filling curve, for points that are near each other to be near in memory.
 inline void sort_canonically(Point_cloud& cloud)
 {
+  using Kernel = CGAL::Simple_cartesian<double>;
   cloud.pose = Canonical_pose(cloud.points);
-  std::vector<Vector_3> posed;
+  std::vector<Kernel::Point_3> posed;
   posed.reserve(cloud.points.size());
   for (const Vector_3& point : cloud.points) {
-    posed.push_back(cloud.pose(point));
+    const Vector_3 in_pose = cloud.pose(point);
+    posed.emplace_back(in_pose.x(), in_pose.y(), in_pose.z());
   }
   std::vector<Index> order(cloud.points.size());
   std::iota(order.begin(), order.end(), Index(0));
-  std::sort(order.begin(), order.end(), [&posed](Index i, Index j) {
-    return std::lexicographical_compare(posed[i].data(), posed[i].data() + 3, posed[j].data(), posed[j].data() + 3);
-  });
+  std::sort(order.begin(), order.end(), [&posed](Index i, Index j) { return posed[i] < posed[j]; });
+  const auto point_map = boost::make_iterator_property_map(posed.cbegin(), boost::typed_identity_property_map<Index>());
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(point_map)>>(point_map));
   std::vector<Index> number(order.size());
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;
