@@ -106,7 +106,7 @@ TEST(read_points, takes_the_format_from_the_ending)
   EXPECT_EQ(Point_format::xyz, CSCD::point_format("a.b/cloud.XYZ"));
   EXPECT_EQ(Point_format::pts, CSCD::point_format("cloud.pts"));
   EXPECT_THROW(CSCD::point_format("cloud.stl"), CSCD::File_error);
-  CSCD::test::Temporary_folder folder;
+  const test_support::Temporary_folder folder;
   folder.write("cloud.xyz", "1 2 3\n-4 5.5 6e-3\n");
   Content content;
   CSCD::read_points(folder.file("cloud.xyz"), content.points, content.normals);
