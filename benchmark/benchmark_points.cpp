@@ -9,6 +9,8 @@
 #include "convert_shape.h"
 #include "sampling.h"
 #include "support/Peak_memory.h"
+#include "support/mesh_paths.h"
+#include "support/run_benchmarks.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -23,11 +25,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -133,32 +131,18 @@ void skeletonize(benchmark::State& state, const std::string& path, const Samplin
   }
 }
 
-std::string cgal_mesh(const std::string& name)
-{
-  return std::string(CSCD_CGAL_DATA_DIR) + '/' + name + ".off";
-}
-
+/// The closed ones among the meshes to measure.
 std::vector<std::string> mesh_paths()
 {
-  std::vector<std::string> paths;
-  const char* folder = std::getenv("CSCD_BENCHMARK_MESHES");
-  if (folder == nullptr) {
-    for (const char* name : {"armadillo", "bear", "bull", "cactus", "camel", "cow", "dino", "elephant", "elk", "femur",
-                             "hand", "homer", "knot1", "knot2", "man", "triceratops"}) {
-      paths.push_back(cgal_mesh(name));
-    }
-    return paths;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".off") {
-      Mesh mesh;
-      CSCD::read_triangle_mesh(entry.path().string(), mesh);
-      if (CGAL::is_closed(mesh)) {
-        paths.push_back(entry.path().string());
-      }
-    }
-  }
-  std::sort(paths.begin(), paths.end());
+  std::vector<std::string> paths =
+      CSCD::benchmark::mesh_paths({"armadillo", "bear", "bull", "cactus", "camel", "cow", "dino", "elephant", "elk",
+                                   "femur", "hand", "homer", "knot1", "knot2", "man", "triceratops"});
+  const auto is_open = [](const std::string& path) {
+    Mesh mesh;
+    CSCD::read_triangle_mesh(path, mesh);
+    return !CGAL::is_closed(mesh);
+  };
+  paths.erase(std::remove_if(paths.begin(), paths.end(), is_open), paths.end());
   return paths;
 }
 
@@ -184,7 +168,8 @@ void add_clouds()
 void add_growing_cloud()
 {
   for (const std::size_t number : {5000u, 20000u, 100000u, 300000u, 1000000u}) {
-    add("growing/armadillo/" + std::to_string(number), cgal_mesh("armadillo"), {"", number, 0.3}, false);
+    add("growing/armadillo/" + std::to_string(number), CSCD::benchmark::cgal_mesh("armadillo"), {"", number, 0.3},
+        false);
   }
 }
 
@@ -192,17 +177,8 @@ void add_growing_cloud()
 
 int main(int argc, char** argv)
 {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-    return 1;
-  }
-  try {
+  return CSCD::benchmark::run_benchmarks(argc, argv, [] {
     add_clouds();
     add_growing_cloud();
-    benchmark::RunSpecifiedBenchmarks();
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  benchmark::Shutdown();
+  });
 }

@@ -3,6 +3,7 @@
 //
 // Which fragments are joined, and that the result is an oriented manifold.
 
+#include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
@@ -28,19 +29,6 @@ using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Tube_end;
-
-Indexed_triangles to_triangles(const Shape& shape)
-{
-  Indexed_triangles result;
-  for (const CSCD::test::Triple& p : shape.points) {
-    result.points.emplace_back(p[0], p[1], p[2]);
-  }
-  for (const CSCD::test::Triangle& t : shape.triangles) {
-    result.faces.push_back({Index(t[0]), Index(t[1]), Index(t[2])});
-  }
-  result.first_bridging_face = result.faces.size();
-  return result;
-}
 
 /// Reverses the faces from number `first` on.
 void reverse(Indexed_triangles& triangles, std::size_t first)
@@ -79,7 +67,7 @@ TEST(Fragment_joining, joins_two_stumps_whatever_their_orientation)
     // Tubes with an open end each, one after the other, with a gap of two edges between them.
     const Shape half = CSCD::test::tube(10, 1, 24, Tube_end::open);
     const Shape other = CSCD::test::translated(half, {10.5, 0, 0});
-    Indexed_triangles triangles = to_triangles(CSCD::test::merged("", {half, other}));
+    Indexed_triangles triangles = to_indexed_triangles(CSCD::test::merged("", {half, other}));
     if (is_reversed) {
       reverse(triangles, half.triangles.size());
     }
@@ -91,7 +79,8 @@ TEST(Fragment_joining, joins_two_stumps_whatever_their_orientation)
 TEST(Fragment_joining, keeps_bodies_apart)
 {
   const Shape ball = CSCD::test::sphere(3);
-  Indexed_triangles triangles = to_triangles(CSCD::test::merged("", {ball, CSCD::test::translated(ball, {2.1, 0, 0})}));
+  Indexed_triangles triangles =
+      to_indexed_triangles(CSCD::test::merged("", {ball, CSCD::test::translated(ball, {2.1, 0, 0})}));
   EXPECT_EQ(4, join(triangles, 0)) << "two spheres";
 }
 
@@ -101,7 +90,7 @@ TEST(Fragment_joining, joins_small_debris_that_looks_whole)
   Shape crumb = CSCD::test::scaled(CSCD::test::sphere(1), 0.1);
   for (const bool is_reversed : {false, true}) {
     Indexed_triangles triangles =
-        to_triangles(CSCD::test::merged("", {ball, CSCD::test::translated(crumb, {1.15, 0, 0})}));
+        to_indexed_triangles(CSCD::test::merged("", {ball, CSCD::test::translated(crumb, {1.15, 0, 0})}));
     if (is_reversed) {
       reverse(triangles, ball.triangles.size());
     }
@@ -111,7 +100,7 @@ TEST(Fragment_joining, joins_small_debris_that_looks_whole)
 
 TEST(Fragment_joining, turns_fragments_outwards)
 {
-  Indexed_triangles triangles = to_triangles(CSCD::test::sphere(2));
+  Indexed_triangles triangles = to_indexed_triangles(CSCD::test::sphere(2));
   reverse(triangles, 0);
   EXPECT_EQ(2, join(triangles, 0));
   EXPECT_GT(volume(triangles), 0);

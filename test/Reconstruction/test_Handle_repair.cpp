@@ -3,6 +3,7 @@
 //
 // Which handles are cut: those of a few edges, and no others; and the steps of the cut.
 
+#include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Handle_repair.h>
 #include <CSCD/Reconstruction/Loop_flood.h>
@@ -28,19 +29,6 @@ using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vertex_loop;
 using CSCD::test::Shape;
 
-Indexed_triangles closed_triangles(const Shape& shape)
-{
-  Indexed_triangles result;
-  for (const CSCD::test::Triple& p : shape.points) {
-    result.points.emplace_back(p[0], p[1], p[2]);
-  }
-  for (const CSCD::test::Triangle& t : shape.triangles) {
-    result.faces.push_back({Index(t[0]), Index(t[1]), Index(t[2])});
-  }
-  result.first_bridging_face = result.faces.size();
-  return result;
-}
-
 /// Twice the number of components less twice the genus.
 std::ptrdiff_t euler_number(const Indexed_triangles& triangles)
 {
@@ -65,7 +53,7 @@ TEST(Handle_repair, keeps_handles_that_are_sampled)
   for (const Shape& shape : {CSCD::test::torus(3, 1, 24), CSCD::test::torus(3, 1, 8), CSCD::test::double_torus(0.2),
                              CSCD::test::trefoil_knot(0.4, 16), CSCD::test::sphere(3)}) {
     SCOPED_TRACE(shape.name);
-    Indexed_triangles triangles = closed_triangles(shape);
+    Indexed_triangles triangles = to_indexed_triangles(shape);
     EXPECT_EQ(0u, repair(triangles));
   }
 }
@@ -75,7 +63,7 @@ TEST(Handle_repair, cuts_handles_of_a_few_edges)
   for (const std::size_t around : {3u, 4u}) {
     SCOPED_TRACE(around);
     // Rings of this many vertices, about as far from each other as these.
-    Indexed_triangles triangles = closed_triangles(CSCD::test::torus(6, 1, around));
+    Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(6, 1, around));
     EXPECT_EQ(0, euler_number(triangles));
     EXPECT_EQ(1u, repair(triangles));
     EXPECT_EQ(2, euler_number(triangles));
@@ -88,7 +76,7 @@ TEST(Loop_flood, tells_whether_a_loop_separates)
 {
   constexpr Index around = 8;
   const Shape torus = CSCD::test::torus(3, 1, around);
-  const Triangulated_surface surface(closed_triangles(torus));
+  const Triangulated_surface surface(to_indexed_triangles(torus));
   const auto ring = [](Index number) {
     Vertex_loop loop;
     for (Index i = 0; i < around; ++i) {

@@ -3,6 +3,7 @@
 //
 // Turned faces are turned back, and surfaces with one side are cut open.
 
+#include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/orient_coherently.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
@@ -22,18 +23,9 @@ using CSCD::internal::Halfedge_pairing;
 using CSCD::internal::Index;
 using Faces = std::vector<std::array<Index, 3>>;
 
-Faces faces_of(const CSCD::test::Shape& shape)
-{
-  Faces result;
-  for (const CSCD::test::Triangle& t : shape.triangles) {
-    result.push_back({Index(t[0]), Index(t[1]), Index(t[2])});
-  }
-  return result;
-}
-
 TEST(orient_coherently, turns_faces_like_the_first_one)
 {
-  const Faces expected = faces_of(CSCD::test::double_torus(0.2));
+  const Faces expected = to_indexed_triangles(CSCD::test::double_torus(0.2)).faces;
   Faces faces = expected;
   std::mt19937 random(1);
   for (std::size_t face = 1; face < faces.size(); ++face) {
