@@ -23,7 +23,7 @@ class Front_cell_base : public CGAL::Advancing_front_surface_reconstruction_cell
 public:
   // CGAL looks these names up.
   template <class Tds>
-  struct Rebind_TDS
+  struct Rebind_TDS // NOLINT(readability-identifier-naming): what CGAL calls
   {
     using Rebound_base = typename Base::template Rebind_TDS<Tds>::Other;
     using Other = Front_cell_base<Traits, Rebound_base>;

@@ -48,7 +48,7 @@ class Front_vertex_base : public CGAL::Advancing_front_surface_reconstruction_ve
 public:
   // CGAL looks these names up.
   template <class Tds>
-  struct Rebind_TDS
+  struct Rebind_TDS // NOLINT(readability-identifier-naming): what CGAL calls
   {
     using Rebound_base = typename Base::template Rebind_TDS<Tds>::Other;
     using Other = Front_vertex_base<Traits, Rebound_base>;
