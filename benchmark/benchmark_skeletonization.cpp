@@ -10,6 +10,8 @@
 #include "Surface_facts.h"
 #include "invariants.h"
 #include "support/Peak_memory.h"
+#include "support/mesh_paths.h"
+#include "support/run_benchmarks.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -22,13 +24,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <exception>
 #include <filesystem>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -116,28 +114,6 @@ void mean_curvature_flow(benchmark::State& state, const Source& source)
   });
 }
 
-std::string cgal_mesh(const std::string& name)
-{
-  return std::string(CSCD_CGAL_DATA_DIR) + '/' + name + ".off";
-}
-
-std::vector<std::string> mesh_paths()
-{
-  const char* folder = std::getenv("CSCD_BENCHMARK_MESHES");
-  if (folder == nullptr) {
-    return {cgal_mesh("elephant"), cgal_mesh("knot1"),     cgal_mesh("homer"),
-            cgal_mesh("camel"),    cgal_mesh("armadillo"), cgal_mesh("refined_elephant")};
-  }
-  std::vector<std::string> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".off") {
-      paths.push_back(entry.path().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 template <class Function>
 benchmark::internal::Benchmark* add(const std::string& name, Function function, const Source& source)
 {
@@ -148,7 +124,8 @@ benchmark::internal::Benchmark* add(const std::string& name, Function function, 
 
 void add_real_meshes()
 {
-  for (const std::string& path : mesh_paths()) {
+  for (const std::string& path :
+       CSCD::benchmark::mesh_paths({"elephant", "knot1", "homer", "camel", "armadillo", "refined_elephant"})) {
     const std::string mesh = std::filesystem::path(path).stem().string();
     const Source source{path, 0};
     add("mesh/" + mesh + "/CSCD", sequential, source);
@@ -164,7 +141,7 @@ void add_growing_mesh()
 {
   constexpr int most_subdivisions = 5;
   for (int subdivisions = 0; subdivisions <= most_subdivisions; ++subdivisions) {
-    const Source source{cgal_mesh("elephant"), subdivisions};
+    const Source source{CSCD::benchmark::cgal_mesh("elephant"), subdivisions};
     const std::string name = "growing/elephant_" + std::to_string(subdivisions);
     add(name + "/CSCD", sequential, source);
     add(name + "/CSCD_2_threads", on_two_threads, source)->UseRealTime();
@@ -175,17 +152,8 @@ void add_growing_mesh()
 
 int main(int argc, char** argv)
 {
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-    return 1;
-  }
-  try {
+  return CSCD::benchmark::run_benchmarks(argc, argv, [] {
     add_real_meshes();
     add_growing_mesh();
-    benchmark::RunSpecifiedBenchmarks();
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  benchmark::Shutdown();
+  });
 }

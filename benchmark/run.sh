@@ -3,13 +3,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
-# doc/performance.md, doc/geodesics.md and README.md. Takes some minutes. Usage: benchmark/run.sh [REPETITIONS], 3 by default.
+# doc/performance.md, doc/points.md, doc/geodesics.md and README.md. Takes a quarter of an hour.
+# Usage: benchmark/run.sh [REPETITIONS [PROGRAM...]], by default 3 and all programs.
 
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$source_dir/build
 repetitions=${1:-3}
+programs=("${@:2}")
+if [[ ${#programs[@]} -eq 0 ]]; then
+  programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics)
+fi
 
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
@@ -21,13 +26,18 @@ if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_EXAMPLES=OFF)
 fi
 "${configure[@]}" >/dev/null
-cmake --build "$build_dir" --target benchmark_skeletonization benchmark_stages benchmark_geodesics
+cmake --build "$build_dir" --target "${programs[@]}"
 
-for program in benchmark_skeletonization benchmark_stages benchmark_geodesics; do
+results=()
+for program in "${programs[@]}"; do
   "$build_dir/bin/benchmark/$program" --benchmark_min_time=0.1 --benchmark_repetitions="$repetitions" \
     --benchmark_out="$build_dir/$program.json" --benchmark_out_format=json
+  if [[ $program == benchmark_geodesics ]]; then
+    python3 "$source_dir/benchmark/write_geodesics_tables.py" "$build_dir/$program.json"
+  else
+    results+=("$build_dir/$program.json")
+  fi
 done
-
-python3 "$source_dir/benchmark/write_tables.py" "$repetitions" \
-  "$build_dir/benchmark_skeletonization.json" "$build_dir/benchmark_stages.json"
-python3 "$source_dir/benchmark/write_geodesics_tables.py" "$build_dir/benchmark_geodesics.json"
+if [[ ${#results[@]} -gt 0 ]]; then
+  python3 "$source_dir/benchmark/write_tables.py" "$repetitions" "${results[@]}"
+fi

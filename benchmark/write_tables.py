@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Writes the tables of doc/performance.md and README.md from what the benchmarks measured.
+"""Writes the tables of doc/performance.md, doc/points.md and README.md from what the benchmarks measured.
 
-Usage: write_tables.py REPETITIONS SKELETONIZATION.json STAGES.json
+Usage: write_tables.py REPETITIONS FILE..., of benchmark_skeletonization.json, benchmark_stages.json and
+benchmark_points.json.
 Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
 """
 
@@ -24,7 +25,7 @@ def read_medians(path):
     runs = {}
     for run in content["benchmarks"]:
         if run["run_type"] == "iteration":
-            name = re.sub(r"/(process_time|real_time|repeats:\d+)\b", "", run["run_name"])
+            name = re.sub(r"/(process_time|real_time|repeats:\d+|iterations:\d+)\b", "", run["run_name"])
             runs.setdefault(name, []).append(run)
     medians = {}
     for name, repetitions in runs.items():
@@ -131,6 +132,67 @@ def stage_table(medians):
     return markdown(["stage, shape", *sizes.values(), "exponent"], rows)
 
 
+def is_right(run):
+    """Whether a skeleton has the components and cycles of the surface."""
+    return run["betti_number"] == run["genus"] and run["components"] == run["surface_components"]
+
+
+def clouds_of(medians):
+    """The runs by mesh and sampling."""
+    clouds = {}
+    for name, run in medians.items():
+        if name.startswith("cloud/"):
+            _, mesh, sampling = name.split("/")
+            clouds.setdefault(mesh, {})[sampling] = run
+    return clouds
+
+
+def sampling_table(medians):
+    """One row for each way in which points are drawn, over all meshes."""
+    clouds = clouds_of(medians)
+    rows = []
+    for sampling in next(iter(clouds.values())):
+        runs = [runs[sampling] for runs in clouds.values()]
+
+        def mean(number, runs=runs):
+            return statistics.fmean(number(run) for run in runs)
+
+        rows.append([
+            sampling,
+            f"{sum(map(is_right, runs))} of {len(runs)}",
+            f"{sum(abs(run['tips'] - run['tips_of_mesh']) <= 2 for run in runs)} of {len(runs)}",
+            f"{mean(lambda run: run['percent_inside']):.1f} / {mean(lambda run: run['percent_inside_of_mesh']):.1f}",
+            f"{1000 * mean(lambda run: run['error']):.2f} / {1000 * mean(lambda run: run['error_of_mesh']):.2f}",
+            f"{mean(seconds):.2f}",
+            f"{max(map(seconds, runs)):.2f}",
+        ])
+    return markdown(["points", "topology right", "tips within 2 of the mesh's", "length inside, %: points / mesh",
+                     "error: points / mesh", "CPU s", "largest"], rows)
+
+
+def cloud_table(medians):
+    """One row for each mesh: the topology of the skeletons of its clouds."""
+    clouds = clouds_of(medians)
+    rows = []
+    for mesh, runs in clouds.items():
+        cells = []
+        for run in runs.values():
+            topology = f"{count(run['components'])}, {count(run['betti_number'])}"
+            cells.append(f"{topology if is_right(run) else f'**{topology}**'}; {count(run['tips'])}")
+        run = next(iter(runs.values()))
+        rows.append([mesh, f"{count(run['surface_components'])}, {count(run['genus'])}; {count(run['tips_of_mesh'])}"]
+                    + cells)
+    return markdown(["mesh", "of the mesh", *next(iter(clouds.values()))], rows)
+
+
+def growing_cloud_table(medians):
+    rows = []
+    for name, run in medians.items():
+        if name.startswith("growing/"):
+            rows.append([count(run["points"]), f"{seconds(run):.2f}", count(run["megabytes"])])
+    return markdown(["points", "CPU s", "MB"], rows)
+
+
 def circumstances(context, repetitions):
     """When, where and how the numbers were made."""
     def output(*command):
@@ -157,18 +219,30 @@ def replace_between_markers(path, tables):
     path.write_text(text)
 
 
-def main():
-    repetitions, skeletonization, stages = sys.argv[1:]
-    context, medians = read_medians(skeletonization)
-    _, stage_medians = read_medians(stages)
-    tables = {
-        "circumstances": circumstances(context, repetitions),
+TABLES_OF_PROGRAM = {
+    "benchmark_skeletonization": lambda made, medians: {
+        "circumstances": made,
         "meshes": mesh_table(medians),
         "quality": quality_table(medians),
         "growth": growth_table(medians),
-        "stages": stage_table(stage_medians),
-    }
-    for path in (ROOT / "doc" / "performance.md", ROOT / "README.md"):
+    },
+    "benchmark_stages": lambda made, medians: {"stages": stage_table(medians)},
+    "benchmark_points": lambda made, medians: {
+        "circumstances_of_clouds": made,
+        "samplings": sampling_table(medians),
+        "clouds": cloud_table(medians),
+        "growing_cloud": growing_cloud_table(medians),
+    },
+}
+
+
+def main():
+    repetitions, *files = sys.argv[1:]
+    tables = {}
+    for file in files:
+        context, medians = read_medians(file)
+        tables.update(TABLES_OF_PROGRAM[pathlib.Path(file).stem](circumstances(context, repetitions), medians))
+    for path in (ROOT / "doc" / "performance.md", ROOT / "doc" / "points.md", ROOT / "README.md"):
         replace_between_markers(path, tables)
         print(path)
 

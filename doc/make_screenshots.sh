@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes the pictures in doc/fig: skeletonizes meshes of CGAL's data and takes screenshots of the viewer pages.
+# Makes the pictures in doc/fig: skeletonizes meshes and points of CGAL's data and takes screenshots of the viewer pages.
 # Usage: doc/make_screenshots.sh PROGRAM, the path of a built cscd. Needs Chromium and Debian's libcgal-demo.
 
 set -eu
@@ -17,28 +17,27 @@ archive=/usr/share/doc/libcgal-dev/data.tar.gz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-tar -xzf "$archive" -C "$work" --wildcards 'data/meshes/*.off'
+tar -xzf "$archive" -C "$work" --wildcards 'data/meshes/*.off' 'data/points_3/*'
 
-# make_page MESH writes the page of a mesh once.
-make_page() {
-  if [ ! -e "$work/$1.html" ]; then
-    "$program" skeletonize "$work/data/meshes/$1.off" --html "$work/$1.html" --quiet
-  fi
-}
-
-# take PICTURE MESH SWITCHES makes one screenshot; the switches are those that the page's address can carry.
+# take PICTURE INPUT SWITCHES makes one screenshot of the page of a file of CGAL's data; the switches are those that the
+# page's address can carry.
 # Graphics are computed in software, which works on machines without a graphics card.
 take() {
-  make_page "$2"
+  page=$work/data/$2.html
+  if [ ! -e "$page" ]; then
+    "$program" skeletonize "$work/data/$2" --html "$page" --quiet
+  fi
   timeout 120 chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
     --ignore-gpu-blocklist --no-first-run --disable-background-networking --disable-component-update --disable-sync \
     --disable-quic --disable-dev-shm-usage --hide-scrollbars --window-size=1280,800 --virtual-time-budget=5000 \
-    --user-data-dir="$work/profile" --screenshot="$figures/$1.png" "file://$work/$2.html#$3" 2>"$work/chromium.log" ||
+    --user-data-dir="$work/profile" --screenshot="$figures/$1.png" "file://$page#$3" 2>"$work/chromium.log" ||
     { cat "$work/chromium.log" >&2; exit 1; }
   echo "$figures/$1.png"
 }
 
 mkdir -p "$figures"
-take viewer_armadillo armadillo "turn=180"
-take viewer_camel_branches camel "separators=1&colour=1"
-take viewer_elephant_balls elephant "balls=1&surface=0"
+take viewer_armadillo meshes/armadillo.off "turn=180"
+take viewer_camel_branches meshes/camel.off "separators=1&colour=1"
+take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"
+take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
+take viewer_hippo_repairs points_3/hippo1.ply "repairs=1"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program cscd: skeletons of meshes from the command line, and how good they are.
+// The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
 #include "cscd/Compare_options.h"
 #include "cscd/Evaluate_options.h"
@@ -36,6 +36,7 @@ constexpr const char* examples = R"(Examples:
   cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
   cscd skeletonize bunny.off --html bunny.html       a page to look at it
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
+  cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
   cscd evaluate bunny.off bunny.graph                how good a skeleton is, whoever made it
   cscd compare bunny.graph other.swc                 how alike two skeletons are
@@ -43,7 +44,8 @@ constexpr const char* examples = R"(Examples:
 )";
 
 constexpr const char* explanations = R"(
-Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; what has to be repaired is said on standard error.
+Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PTS, PLY or OFF without faces. What has to be
+repaired is said on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
 Skeletons to measure: .graph .json .obj .ply .polylines.txt .swc.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
@@ -60,15 +62,15 @@ public:
 
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 {
-  CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh");
-  command->add_option("INPUT", options.input, "mesh file, or - for standard input")->required();
+  CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh or a point set");
+  command->add_option("INPUT", options.input, "file of a mesh or of points, or - for standard input")->required();
   command
       ->add_option("-o,--output", options.outputs,
                    "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
       ->type_name("OUT")
       ->allow_extra_args(false);
   command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
   command->add_option("--method", options.method, "how separators are found")
       ->check(CLI::IsMember({"local"}))
       ->capture_default_str();
@@ -82,23 +84,23 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   command->add_option("--report", options.report, "file for counts, timings and warnings as JSON")->type_name("FILE");
-  command->add_option("--html", options.html, "file for a page that shows mesh and skeleton")->type_name("FILE");
+  command->add_option("--html", options.html, "file for a page that shows surface and skeleton")->type_name("FILE");
   command->add_flag("-q,--quiet", options.is_quiet, "say nothing but errors");
 }
 
 void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
 {
-  CLI::App* command = app.add_subcommand("evaluate", "measure how good a skeleton is for its mesh");
-  command->add_option("INPUT", options.input, "mesh file, or - for standard input")->required();
+  CLI::App* command = app.add_subcommand("evaluate", "measure how good a skeleton is for its mesh or points");
+  command->add_option("INPUT", options.input, "file of a mesh or of points, or - for standard input")->required();
   command
       ->add_option("SKELETON", options.skeleton,
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
   command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
   command
       ->add_option("--radii", options.radii,
-                   "radii of the reconstructed surfaces: estimated from the mesh, or the skeleton's own")
+                   "radii of the reconstructed surfaces: estimated from the input, or the skeleton's own")
       ->check(CLI::IsMember({cscd::estimated_radii, cscd::own_radii}))
       ->capture_default_str();
   command
@@ -189,7 +191,7 @@ int main(int argc, char** argv)
     complain(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    complain("not enough memory; simplify the mesh or use a machine with more");
+    complain("not enough memory; simplify the input or use a machine with more");
     return internal_failure;
   } catch (const std::exception& error) {
     complain(std::string("internal failure: ") + error.what() + "; please report it together with the input");

@@ -47,8 +47,7 @@ struct Two_sites
   std::vector<int> neighbors(std::size_t i) const { return {i == 0 ? 1 : 0}; }
   std::size_t number_of_triangles() const { return 0; }
   std::array<std::size_t, 3> triangle(std::size_t /* f */) const { return {}; }
-  bool is_input_site(std::size_t /* i */) const { return true; }
-  std::size_t descriptor(std::size_t i) const { return i; }
+  std::array<std::size_t, 1> descriptors(std::size_t i) const { return {i}; }
   Point to_input_point(const Eigen::Vector3d& p) const { return {p.x(), p.y(), p.z()}; }
   double to_input_length(double length) const { return length; }
   int genus() const { return 0; }
@@ -58,7 +57,7 @@ struct Two_sites
   int number_of_bridged_borders() const { return 0; }
   int number_of_inserted_vertices() const { return 0; }
   int number_of_degenerate_faces() const { return 0; }
-  int number_of_reversed_components() const { return 0; }
+  std::vector<std::string> warnings() const { return {}; }
   double seconds_to_compile() const { return 0; }
 };
 
@@ -80,6 +79,11 @@ struct Two_sites_with_named_neighbors : Two_sites
 struct Two_sites_of_another_kind : Two_sites
 {
   using Site_descriptor = std::string;
+};
+
+struct Two_sites_with_one_warning : Two_sites
+{
+  std::string warnings() const { return {}; }
 };
 
 struct Two_sites_without_genus : Two_sites
@@ -109,7 +113,8 @@ TEST(Concepts, Skeletonization_traits_one_requirement_missing)
   EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_not_const>::has_point);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_triangles>::has_triangle);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_named_neighbors>::has_neighbors);
-  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_descriptor);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_descriptors);
+  EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_one_warning>::has_warnings);
   EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_site_descriptor);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_genus>::has_genus);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_a_count>::has_counts_of_input);

@@ -19,7 +19,7 @@ inline constexpr const char* standard_stream = "-";
 struct Skeletonize_options
 {
   std::string input;                ///< a file name, or `standard_stream`
-  std::string format;               ///< of the input: off, obj, ply or stl; by its ending if empty
+  std::string format;               ///< of the input: off, obj, ply, stl, xyz or pts; by its ending if empty
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string method = "local";
   unsigned int seed = 0;

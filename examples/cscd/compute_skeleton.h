@@ -6,17 +6,17 @@
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
 
+#include "Input.h"
 #include "Progress_bar.h"
 #include "Skeletonization_result.h"
 #include "Skeletonize_options.h"
-#include "types.h"
 
 namespace cscd {
 
-/// Skeletonizes `mesh` as `options` demand.
+/// Skeletonizes `input` as `options` demand. If it is a point set, its mesh becomes the surface made of the points.
 /// \param bar shows the progress, or null
-/// \throw CSCD::Input_error if the mesh cannot be skeletonized
-Skeletonization_result compute_skeleton(const Mesh& mesh, const Skeletonize_options& options, Progress_bar* bar);
+/// \throw CSCD::Input_error if it cannot be skeletonized
+Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options, Progress_bar* bar);
 
 } // namespace cscd
 

@@ -5,6 +5,7 @@
 
 #include "evaluate.h"
 
+#include "Input.h"
 #include "Skeletonize_options.h"
 #include "Usage_error.h"
 #include "read_input.h"
@@ -12,7 +13,6 @@
 #include "types.h"
 #include "write_measures.h"
 #include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/write_triangle_mesh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
@@ -49,34 +49,46 @@ void check_options(const Evaluate_options& options)
   }
 }
 
-Mesh read_mesh(const Evaluate_options& options)
+Input read(const Evaluate_options& options)
 {
-  Skeletonize_options input;
-  input.input = options.input;
-  input.format = options.format;
-  Mesh mesh;
-  const CSCD::Mesh_repair_report repairs = read_input(input, mesh);
+  Skeletonize_options input_options;
+  input_options.input = options.input;
+  input_options.format = options.format;
+  Input input = read_input(input_options);
   if (!options.is_quiet) {
-    for (const std::string& sentence : repairs.sentences()) {
+    for (const std::string& sentence : input.repairs.sentences()) {
       std::cerr << "cscd: " << (options.input == standard_stream ? "standard input" : options.input) << ": " << sentence
                 << '\n';
     }
   }
-  return mesh;
+  return input;
 }
 
-void write_reconstruction(const std::string& filename, const Mesh& mesh, const Skeleton& skeleton,
+/// \tparam Surface of a mesh or of points
+template <class Surface>
+void write_reconstruction(const std::string& filename, const Surface& surface, const Skeleton& skeleton,
                           const Evaluate_options& options, CSCD::Reconstruction_method method)
 {
   if (filename.empty()) {
     return;
   }
   Mesh reconstruction;
-  CSCD::reconstruct_surface(mesh, skeleton, reconstruction,
+  CSCD::reconstruct_surface(surface, skeleton, reconstruction,
                             CSCD::parameters::resolution(options.resolution)
                                 .use_skeleton_radii(options.radii == own_radii)
                                 .reconstruction_method(method));
   CSCD::write_triangle_mesh(filename, reconstruction);
+}
+
+template <class Surface>
+CSCD::Skeleton_measures measure(const Surface& surface, const Skeleton& skeleton, const Evaluate_options& options)
+{
+  write_reconstruction(options.convolution_surface, surface, skeleton, options,
+                       CSCD::Reconstruction_method::convolution);
+  write_reconstruction(options.round_cones, surface, skeleton, options, CSCD::Reconstruction_method::round_cones);
+  return CSCD::evaluate_skeleton(
+      surface, skeleton,
+      CSCD::parameters::resolution(options.resolution).use_skeleton_radii(options.radii == own_radii));
 }
 
 } // namespace
@@ -84,12 +96,10 @@ void write_reconstruction(const std::string& filename, const Mesh& mesh, const S
 void evaluate(const Evaluate_options& options)
 {
   check_options(options);
-  const Mesh mesh = read_mesh(options);
+  const Input input = read(options);
   const Skeleton skeleton = read_skeleton_argument(options.skeleton);
-  const CSCD::Skeleton_measures measures = CSCD::evaluate_skeleton(
-      mesh, skeleton, CSCD::parameters::resolution(options.resolution).use_skeleton_radii(options.radii == own_radii));
-  write_reconstruction(options.convolution_surface, mesh, skeleton, options, CSCD::Reconstruction_method::convolution);
-  write_reconstruction(options.round_cones, mesh, skeleton, options, CSCD::Reconstruction_method::round_cones);
+  const CSCD::Skeleton_measures measures =
+      input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
   if (options.is_json) {
     write_measures_as_json(std::cout, options, measures);
   } else {

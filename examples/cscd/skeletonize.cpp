@@ -5,16 +5,16 @@
 
 #include "skeletonize.h"
 
+#include "Input.h"
 #include "Progress_bar.h"
 #include "Skeletonization_result.h"
 #include "Usage_error.h"
 #include "compute_skeleton.h"
 #include "read_input.h"
-#include "types.h"
 #include "write_output.h"
 #include "write_report.h"
-#include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/write_file.h>
+#include <CSCD/exceptions.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -51,13 +51,17 @@ void say(const Skeletonize_options& options, const std::string& sentence)
   }
 }
 
-Skeletonization_result compute(const Mesh& mesh, const Skeletonize_options& options)
+Skeletonization_result compute(Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);
   }
-  return compute_skeleton(mesh, options, bar ? &*bar : nullptr);
+  try {
+    return compute_skeleton(input, options, bar ? &*bar : nullptr);
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(name_of_input(options) + ": " + error.what());
+  }
 }
 
 /// The name of the input file without its folder, which means nothing to whom the page is given.
@@ -66,17 +70,17 @@ std::string title(const Skeletonize_options& options)
   return std::filesystem::path(name_of_input(options)).filename().string();
 }
 
-void write_results(const Mesh& mesh, const Skeletonization_result& result, const CSCD::Mesh_repair_report& repairs,
-                   const Skeletonize_options& options)
+void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
   for (const std::string& output : options.outputs) {
     write_output(output, result.skeleton);
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, mesh, result, title(options));
+    write_viewer_page(options.html, input, result, title(options));
   }
   if (!options.report.empty()) {
-    CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, repairs, result.report); });
+    CSCD::write_file(options.report,
+                     [&](std::ostream& out) { write_report(out, options, input.repairs, result.report); });
   }
   const bool is_output_taken =
       std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
@@ -90,16 +94,15 @@ void write_results(const Mesh& mesh, const Skeletonization_result& result, const
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
-  Mesh mesh;
-  const CSCD::Mesh_repair_report repairs = read_input(options, mesh);
-  for (const std::string& sentence : repairs.sentences()) {
+  Input input = read_input(options);
+  for (const std::string& sentence : input.repairs.sentences()) {
     say(options, sentence);
   }
-  const Skeletonization_result result = compute(mesh, options);
+  const Skeletonization_result result = compute(input, options);
   for (const std::string& warning : result.report.warnings) {
     say(options, warning);
   }
-  write_results(mesh, result, repairs, options);
+  write_results(input, result, options);
 }
 
 } // namespace cscd

@@ -10,7 +10,7 @@
 
 namespace cscd {
 
-/// Reads a mesh, skeletonizes it and writes the results.
+/// Reads a mesh or points, skeletonizes it and writes the results.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void skeletonize(const Skeletonize_options& options);
 

@@ -17,6 +17,7 @@ namespace cscd {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, boost::graph_traits<Mesh>::vertex_descriptor>;
 

@@ -167,13 +167,19 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
 {
   const CSCD::Skeleton_counts& c = measures.counts;
   const CSCD::Position_measures& p = measures.position;
-  out << options.input << ": " << measures.number_of_points << " vertices, "
-      << counted(p.number_of_surface_components, "component") << ", genus " << p.genus << '\n'
+  const bool is_point_set = p.number_of_surface_components == 0;
+  out << options.input << ": " << measures.number_of_points << (is_point_set ? " points" : " vertices");
+  if (!is_point_set) {
+    out << ", " << counted(p.number_of_surface_components, "component") << ", genus " << p.genus;
+  }
+  out << '\n'
       << options.skeleton << ": " << counted(c.number_of_nodes, "node") << ", " << counted(c.number_of_edges, "edge")
       << ", " << counted(c.number_of_components, "component") << ", " << counted(c.betti_number, "cycle") << ", "
-      << counted(c.number_of_tips, "tip") << ", " << counted(c.number_of_junctions, "junction") << '\n'
-      << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
-  write_position(out, p);
+      << counted(c.number_of_tips, "tip") << ", " << counted(c.number_of_junctions, "junction") << '\n';
+  if (!is_point_set) {
+    out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
+    write_position(out, p);
+  }
   out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.largest_turning)
       << " rad at a node\n"
       << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"

@@ -8,16 +8,42 @@
 #include "Skeletonize_options.h"
 #include "Usage_error.h"
 #include "three_js_source.h"
+#include <CSCD/IO/Html_page_cloud.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Reconstruction/Reconstruction_report.h>
 #include <CSCD/exceptions.h>
 
 #include <iostream>
 #include <ostream>
+#include <vector>
 
 namespace cscd {
+
+namespace {
+
+std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
+{
+  std::vector<Point> result;
+  for (const CSCD::Reconstruction_repair& repair : repairs) {
+    result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
+  }
+  return result;
+}
+
+/// What the page shows of a point set; nothing for a mesh.
+CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
+{
+  if (!result.report.reconstruction) {
+    return {};
+  }
+  return {input.points.size(), centers(result.report.reconstruction->cut_handles),
+          centers(result.report.reconstruction->joined_gaps)};
+}
+
+} // namespace
 
 void check_output(const std::string& filename)
 {
@@ -45,11 +71,12 @@ bool has_viewer_page()
   return !CSCD::three_js_source().empty();
 }
 
-void write_viewer_page(const std::string& filename, const Mesh& mesh, const Skeletonization_result& result,
+void write_viewer_page(const std::string& filename, const Input& input, const Skeletonization_result& result,
                        const std::string& title)
 {
+  const CSCD::Html_page_cloud<Point> cloud = make_cloud(input, result);
   CSCD::write_file(filename, [&](std::ostream& out) {
-    CSCD::write_html_page(out, mesh, result.skeleton, result.separators, CSCD::three_js_source(), title);
+    CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(), title, cloud);
   });
 }
 

@@ -6,6 +6,7 @@
 #ifndef CSCD_PROGRAM_WRITE_OUTPUT_H
 #define CSCD_PROGRAM_WRITE_OUTPUT_H
 
+#include "Input.h"
 #include "Skeletonization_result.h"
 #include "types.h"
 
@@ -26,7 +27,7 @@ bool has_viewer_page();
 
 /// Writes the viewer page.
 /// \throw CSCD::File_error if it cannot be written
-void write_viewer_page(const std::string& filename, const Mesh& mesh, const Skeletonization_result& result,
+void write_viewer_page(const std::string& filename, const Input& input, const Skeletonization_result& result,
                        const std::string& title);
 
 } // namespace cscd

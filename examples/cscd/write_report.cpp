@@ -15,6 +15,7 @@
 #include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cscd {
 
@@ -68,6 +69,33 @@ Json skeleton_part(const CSCD::Skeletonization_report& r)
           {"number_of_edges_outside", r.number_of_edges_outside}};
 }
 
+Json repairs_part(const std::vector<CSCD::Reconstruction_repair>& repairs)
+{
+  Json result = Json::array();
+  for (const CSCD::Reconstruction_repair& repair : repairs) {
+    result.push_back({{"center", repair.center}, {"length", repair.length}});
+  }
+  return result;
+}
+
+Json reconstruction_part(const CSCD::Reconstruction_report& r)
+{
+  return {{"number_of_points", r.number_of_points},
+          {"number_of_duplicates", r.number_of_duplicates},
+          {"number_of_neighbors", r.number_of_neighbors},
+          {"spacing", r.spacing},
+          {"noise", r.noise},
+          {"is_smoothed", r.is_smoothed},
+          {"number_of_outliers", r.number_of_outliers},
+          {"number_of_unused_points", r.number_of_unused_points},
+          {"number_of_border_edges", r.number_of_border_edges},
+          {"number_of_holes", r.number_of_holes},
+          {"number_of_joined_gaps", r.joined_gaps.size()},
+          {"number_of_cut_handles", r.cut_handles.size()},
+          {"joined_gaps", repairs_part(r.joined_gaps)},
+          {"cut_handles", repairs_part(r.cut_handles)}};
+}
+
 double total_seconds(const CSCD::Skeletonization_report& report)
 {
   return std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
@@ -87,6 +115,9 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
   }
+  if (report.reconstruction) {
+    document["reconstruction"] = reconstruction_part(*report.reconstruction);
+  }
   Json seconds;
   for (std::size_t i = 0; i < report.seconds.size(); ++i) {
     seconds[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = report.seconds[i];
@@ -99,7 +130,8 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
 void write_summary(std::ostream& out, const Skeletonize_options& options, const CSCD::Skeletonization_report& report)
 {
   constexpr int digits = 3; // of the time
-  out << options.input << ": " << report.number_of_sites << " vertices, " << report.number_of_surface_components
+  out << options.input << ": " << report.number_of_sites << (report.reconstruction ? " points, " : " vertices, ")
+      << report.number_of_surface_components
       << (report.number_of_surface_components == 1 ? " component" : " components") << ", genus " << report.genus
       << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
       << report.number_of_skeleton_components

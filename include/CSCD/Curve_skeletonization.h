@@ -75,7 +75,10 @@ public:
     m_report.number_of_levels = traits.levels().size();
     m_report.genus = traits.genus();
     m_report.seconds[static_cast<std::size_t>(Skeletonization_stage::compile_surface)] = traits.seconds_to_compile();
-    warn_of_input();
+    m_report.warnings = traits.warnings();
+    if constexpr (internal::is_valid_v<internal::expressions::reconstruction_report, Traits>) {
+      m_report.reconstruction = traits.reconstruction_report();
+    }
   }
   explicit Curve_skeletonization(Traits&&) = delete;
 
@@ -212,23 +215,9 @@ private:
     m_visitor.on_stage_end(stage);
   }
 
-  void warn_of_input()
-  {
-    const auto warn = [this](std::size_t count, const char* what) {
-      if (count > 0) {
-        m_report.warnings.push_back(std::to_string(count) + ' ' + what);
-      }
-    };
-    warn(m_report.number_of_isolated_vertices, "vertices without a face: they belong to no node");
-    warn(m_report.number_of_bridged_borders, "borders: bridged by faces without weight");
-    warn(m_report.number_of_degenerate_faces, "faces with (nearly) no area");
-    warn(m_traits.number_of_reversed_components(), "components that looked inwards: turned");
-  }
-
   void warn_of_skeleton()
   {
-    m_report.warnings.clear();
-    warn_of_input();
+    m_report.warnings = m_traits.warnings();
     if (m_report.betti_number != m_report.genus) {
       m_report.warnings.push_back("the skeleton has " + std::to_string(m_report.betti_number) +
                                   " independent cycles, the surface " + std::to_string(m_report.genus) + " handles");
@@ -264,8 +253,8 @@ private:
       }
     }
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      if (m_traits.is_input_site(site)) {
-        result[vertex[skeleton.node_of_site[site]]].vertices.push_back(m_traits.descriptor(site));
+      for (const auto& descriptor : m_traits.descriptors(site)) {
+        result[vertex[skeleton.node_of_site[site]]].vertices.push_back(descriptor);
       }
     }
     draft.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });

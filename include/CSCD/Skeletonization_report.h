@@ -6,10 +6,12 @@
 #ifndef CSCD_SKELETONIZATION_REPORT_H
 #define CSCD_SKELETONIZATION_REPORT_H
 
+#include <CSCD/Reconstruction/Reconstruction_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct Skeletonization_report
   std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
   std::size_t number_of_levels = 0;             ///< levels of detail, the input included
   std::size_t genus = 0;                        ///< of the (bridged) surface, summed over its components
+  /// What was done to make a surface of points; nothing for a mesh.
+  std::optional<Reconstruction_report> reconstruction;
   /// @}
 
   /// \name Separators

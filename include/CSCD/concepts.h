@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -112,9 +113,7 @@ using number_of_triangles = decltype(std::declval<const T&>().number_of_triangle
 template <class T>
 using corner = decltype(std::declval<const T&>().triangle(Index())[2]);
 template <class T>
-using is_input_site = decltype(std::declval<const T&>().is_input_site(Index()));
-template <class T>
-using descriptor = decltype(std::declval<const T&>().descriptor(Index()));
+using descriptor = Element<decltype(std::declval<const T&>().descriptors(Index()))>;
 template <class T>
 using to_input_point = decltype(std::declval<const T&>().to_input_point(Vector_3()));
 template <class T>
@@ -132,7 +131,7 @@ using number_of_inserted_vertices = decltype(std::declval<const T&>().number_of_
 template <class T>
 using number_of_degenerate_faces = decltype(std::declval<const T&>().number_of_degenerate_faces());
 template <class T>
-using number_of_reversed_components = decltype(std::declval<const T&>().number_of_reversed_components());
+using warnings = decltype(std::declval<const T&>().warnings());
 template <class T>
 using genus = decltype(std::declval<const T&>().genus());
 template <class T>
@@ -189,6 +188,13 @@ using build_skeleton = decltype(std::declval<const P&>().build_skeleton(
 // Found by argument-dependent look-up only. boost::graph_traits is not asked: it fails hard on what is no graph.
 template <class G>
 using faces = Element<decltype(faces(std::declval<const G&>()))>;
+template <class T>
+using begin = decltype(std::begin(std::declval<T&>()));
+template <class T>
+using end = decltype(std::end(std::declval<T&>()));
+template <class T>
+using reconstruction_report = decltype(std::declval<const T&>().reconstruction_report());
+
 template <class G>
 using vertices = decltype(vertices(std::declval<const G&>()));
 template <class G>
@@ -238,8 +244,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 /// | `t.weight(i)` | the area that site `i` stands for |
 /// | `t.neighbors(i)` | a range of the sites next to site `i` |
 /// | `t.number_of_triangles()`, `t.triangle(f)` | the triangles, each an array of three sites |
-/// | `t.is_input_site(i)` | whether site `i` is one of the input, not an inserted one |
-/// | `t.descriptor(i)` | what identifies site `i` in the input; asked for input sites only |
+/// | `t.descriptors(i)` | a range of what identifies, in the input, the sites for which site `i` stands; may be empty |
 /// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length in the coordinates of the input |
 /// | `t.genus()` | the number of handles, over all components |
 /// | `t.number_of_components()` | the number of connected components of the surface |
@@ -248,10 +253,12 @@ using go_further = decltype(std::declval<T&>().go_further());
 /// | `t.number_of_bridged_borders()` | the number of borders that were closed |
 /// | `t.number_of_inserted_vertices()` | the number of sites that are not of the input |
 /// | `t.number_of_degenerate_faces()` | the number of triangles of the input with (nearly) no area |
-/// | `t.number_of_reversed_components()` | the number of components that looked inwards in the input |
+/// | `t.warnings()` | a `std::vector<std::string>`: what is doubtful about the input or was mended |
 /// | `t.seconds_to_compile()` | the time that it took to make `t` |
 ///
-/// Models: `Triangle_mesh_traits`.
+/// If there is `t.reconstruction_report()`, a `Reconstruction_report`, the report of the skeletonization holds it.
+///
+/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -268,8 +275,7 @@ struct Skeletonization_traits_requirements
   static constexpr bool has_number_of_triangles =
       internal::gives_v<std::size_t, internal::expressions::number_of_triangles, T>;
   static constexpr bool has_triangle = internal::gives_v<std::size_t, internal::expressions::corner, T>;
-  static constexpr bool has_is_input_site = internal::gives_v<bool, internal::expressions::is_input_site, T>;
-  static constexpr bool has_descriptor =
+  static constexpr bool has_descriptors =
       internal::gives_own_type<internal::expressions::Site_descriptor, internal::expressions::descriptor, T>();
   static constexpr bool has_to_input_point =
       internal::gives_own_type<internal::expressions::Point, internal::expressions::to_input_point, T>();
@@ -283,11 +289,11 @@ struct Skeletonization_traits_requirements
       internal::gives_v<std::size_t, internal::expressions::number_of_bridged_borders, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_inserted_vertices, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_degenerate_faces, T> &&
-      internal::gives_v<std::size_t, internal::expressions::number_of_reversed_components, T> &&
       internal::gives_v<double, internal::expressions::seconds_to_compile, T>;
+  static constexpr bool has_warnings = internal::gives_v<std::vector<std::string>, internal::expressions::warnings, T>;
   static constexpr bool value = has_point_type && has_site_descriptor && has_number_of_sites && has_point &&
                                 has_weight && has_normal && has_neighbors && has_number_of_triangles && has_triangle &&
-                                has_is_input_site && has_descriptor && has_to_input_point && has_to_input_length &&
+                                has_descriptors && has_warnings && has_to_input_point && has_to_input_length &&
                                 has_genus && has_number_of_components && has_counts_of_input;
 };
 
@@ -319,10 +325,10 @@ constexpr void check_skeletonization_traits()
                 "CSCD: SkeletonizationTraits requires t.number_of_triangles() const, an integer");
   static_assert(Requirements::has_triangle,
                 "CSCD: SkeletonizationTraits requires t.triangle(f) const, an array of three indices");
-  static_assert(Requirements::has_is_input_site,
-                "CSCD: SkeletonizationTraits requires t.is_input_site(i) const, convertible to bool");
-  static_assert(Requirements::has_descriptor,
-                "CSCD: SkeletonizationTraits requires t.descriptor(i) const, convertible to T::Site_descriptor");
+  static_assert(Requirements::has_descriptors,
+                "CSCD: SkeletonizationTraits requires t.descriptors(i) const, a range of T::Site_descriptor");
+  static_assert(Requirements::has_warnings,
+                "CSCD: SkeletonizationTraits requires t.warnings() const, convertible to std::vector<std::string>");
   static_assert(
       Requirements::has_to_input_point,
       "CSCD: SkeletonizationTraits requires t.to_input_point(Eigen::Vector3d) const, convertible to T::Point");
@@ -334,7 +340,7 @@ constexpr void check_skeletonization_traits()
   static_assert(Requirements::has_counts_of_input,
                 "CSCD: SkeletonizationTraits requires what the report tells of the input: the counts "
                 "number_of_input_sites, _isolated_vertices, _bridged_borders, _inserted_vertices, _degenerate_faces, "
-                "_reversed_components, and seconds_to_compile()");
+                "and seconds_to_compile()");
 }
 
 /// @}
@@ -380,7 +386,7 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// | `t.crossings(p, q, v)` | fills the vector `v` with the distances, ascending, at which the segment `p` `q` meets it
 /// |
 ///
-/// Models: `Triangle_mesh_traits`.
+/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -544,6 +550,12 @@ constexpr void check_skeletonization_policies()
 template <class T>
 inline constexpr bool is_triangle_mesh_v = internal::is_valid_v<internal::expressions::faces, T>&&
     internal::gives_v<std::size_t, internal::expressions::num_halfedges, T>;
+
+/// Whether `T` is a range of points, or of elements with points, and no mesh; may be asked of any type.
+template <class T>
+inline constexpr bool is_point_range_v = internal::is_valid_v<internal::expressions::begin, const T>&&
+                                             internal::is_valid_v<internal::expressions::end, const T> &&
+                                         !internal::is_valid_v<internal::expressions::faces, T>;
 
 /// refuses at compile time a type that is no `FaceListGraph`.
 template <class T>

@@ -23,6 +23,43 @@
 #include <utility>
 
 namespace CSCD {
+namespace internal {
+
+/// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that meshes and points
+/// have in common.
+template <class ConcurrencyTag, class Traits, class MakeTraits, class Skeleton, class NamedParameters>
+Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skeleton, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+
+  // A copy of the visitor, or a reference where it was given as one.
+  Default_skeletonization_visitor default_visitor;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     Default_skeletonization_visitor>::reference;
+  Visitor visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
+  using Visitor_reference = std::remove_reference_t<Visitor>&;
+  check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
+
+  visitor.on_stage_begin(Skeletonization_stage::compile_surface);
+  const Traits traits = make_traits();
+  visitor.on_stage_end(Skeletonization_stage::compile_surface);
+
+  auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
+  check_separator_weight<decltype(weight)>();
+  using Policies = Local_policies<Traits, decltype(weight)>;
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
+                                                                             visitor);
+  // Any integer type will do for a number.
+  skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
+      .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))
+      .set_maximum_number_of_sources(std::size_t(choose_parameter(
+          get_parameter(np, internal_np::maximum_number_of_sources), std::numeric_limits<std::size_t>::max())));
+  return skeletonization.template operator()<ConcurrencyTag>(skeleton);
+}
+
+} // namespace internal
 
 /// extracts the curve skeleton of a triangle mesh.
 ///
@@ -75,43 +112,18 @@ namespace CSCD {
 /// \throw Input_error if `mesh` cannot be skeletonized; the message names the element and the remedy
 /// \throw Cancelled_error if the visitor stops the work
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class Skeleton,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
 Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton& skeleton,
                                               const NamedParameters& np = parameters::default_values())
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::get_parameter_reference;
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
                                    CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
                                    internal_np::number_of_threads_t, internal_np::separator_weight_t>();
   check_triangle_mesh<TriangleMesh>();
-
-  // A copy of the visitor, or a reference where it was given as one.
-  Default_skeletonization_visitor default_visitor;
-  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
-                                                                     Default_skeletonization_visitor>::reference;
-  Visitor visitor = choose_parameter(get_parameter_reference(np, CGAL::internal_np::visitor), default_visitor);
-  using Visitor_reference = std::remove_reference_t<Visitor>&;
-  check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
-
   const auto point_map = internal::vertex_point_map(mesh, np);
-  visitor.on_stage_begin(Skeletonization_stage::compile_surface);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
-  const Traits traits(mesh, point_map);
-  visitor.on_stage_end(Skeletonization_stage::compile_surface);
-
-  auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
-  check_separator_weight<decltype(weight)>();
-  using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
-                                                                             visitor);
-  // Any integer type will do for a number.
-  skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
-      .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))
-      .set_maximum_number_of_sources(std::size_t(choose_parameter(
-          get_parameter(np, internal_np::maximum_number_of_sources), std::numeric_limits<std::size_t>::max())));
-  return skeletonization.template operator()<ConcurrencyTag>(skeleton);
+  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map); }, skeleton, np);
 }
 
 } // namespace CSCD

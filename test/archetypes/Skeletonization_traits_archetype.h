@@ -17,6 +17,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CSCD::test {
@@ -47,8 +48,7 @@ public:
   auto neighbors(Index site) const { return m_traits.neighbors(site); }
   Index number_of_triangles() const { return m_traits.number_of_triangles(); }
   std::array<Index, 3> triangle(Index face) const { return m_traits.triangle(face); }
-  bool is_input_site(Index site) const { return m_traits.is_input_site(site); }
-  Site_descriptor descriptor(Index site) const { return m_traits.descriptor(site); }
+  auto descriptors(Index site) const { return m_traits.descriptors(site); }
   Point to_input_point(const Vector_3& p) const { return m_traits.to_input_point(p); }
   double to_input_length(double length) const { return m_traits.to_input_length(length); }
   std::size_t number_of_input_sites() const { return m_traits.number_of_input_sites(); }
@@ -57,7 +57,7 @@ public:
   std::size_t number_of_bridged_borders() const { return m_traits.number_of_bridged_borders(); }
   std::size_t number_of_inserted_vertices() const { return m_traits.number_of_inserted_vertices(); }
   std::size_t number_of_degenerate_faces() const { return m_traits.number_of_degenerate_faces(); }
-  std::size_t number_of_reversed_components() const { return m_traits.number_of_reversed_components(); }
+  std::vector<std::string> warnings() const { return m_traits.warnings(); }
   std::size_t genus() const { return m_traits.genus(); }
   double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
   /// @}

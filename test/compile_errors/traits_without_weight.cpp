@@ -7,6 +7,7 @@
 #include <CSCD/concepts.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 struct Traits
@@ -20,8 +21,7 @@ struct Traits
   std::vector<int> neighbors(int i) const;
   int number_of_triangles() const;
   std::array<int, 3> triangle(int f) const;
-  bool is_input_site(int i) const;
-  int descriptor(int i) const;
+  std::vector<int> descriptors(int i) const;
   Point to_input_point(const Eigen::Vector3d& p) const;
   double to_input_length(double length) const;
   int genus() const;
@@ -31,7 +31,7 @@ struct Traits
   int number_of_bridged_borders() const;
   int number_of_inserted_vertices() const;
   int number_of_degenerate_faces() const;
-  int number_of_reversed_components() const;
+  std::vector<std::string> warnings() const;
   double seconds_to_compile() const;
 };
 

@@ -141,7 +141,7 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
   expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
   expect_refusal("skeletonize torus.off --separators -5", 1, {"--separators"});
-  expect_refusal("skeletonize torus.off --format xyz", 1, {"--format", "xyz"});
+  expect_refusal("skeletonize torus.off --format dxf", 1, {"--format", "dxf"});
   expect_refusal("skeletonize torus.off -o torus.graph -o torus.doc", 1, {"torus.doc", ".graph .json", "--help"});
   expect_refusal("skeletonize - < torus.off", 1, {"--format"});
   EXPECT_EQ(1, number_of_files());
@@ -154,17 +154,19 @@ TEST_F(Cscd, refuses_bad_input)
   m_folder.write("truncated.off", off(torus()).substr(0, 3000));
   m_folder.write("points.ply", ply_header({cube().points, {}}, "ascii") + "0 0 0\n");
   m_folder.write("torus.xyz", "0 0 0\n");
+  m_folder.write("torus.doc", "0 0 0\n");
   m_folder.write("flat.off", "OFF\n3 1 0\n1 1 1\n1 1 1\n1 1 1\n3 0 1 2\n");
   expect_refusal("skeletonize missing.off -o a.graph", 2, {"missing.off: cannot be opened", "; check"});
   expect_refusal("skeletonize empty.off -o a.graph", 2, {"empty.off: the file is empty; "});
   expect_refusal("skeletonize truncated.off -o a.graph", 2, {"truncated.off", "; "});
   expect_refusal("skeletonize points.ply -o a.graph", 2, {"points.ply", "; "});
-  expect_refusal("skeletonize torus.xyz -o a.graph", 2, {"torus.xyz", ".off .obj .ply .stl"});
+  expect_refusal("skeletonize torus.xyz -o a.graph", 2, {"torus.xyz: ", "same place", "; "});
+  expect_refusal("skeletonize torus.doc -o a.graph", 2, {"torus.doc: ", ".off .obj .ply .stl", ".xyz"});
   expect_refusal("skeletonize flat.off -o a.graph", 2, {"flat.off"});
   expect_refusal("skeletonize . -o a.graph", 2, {"."});
   expect_refusal("skeletonize - --format off -o a.graph < empty.off", 2, {"standard input", "; "});
   expect_refusal("skeletonize torus.off --format stl -o a.graph", 2, {"torus.off", "STL"});
-  EXPECT_EQ(6, number_of_files());
+  EXPECT_EQ(7, number_of_files());
 }
 
 TEST_F(Cscd, refuses_outputs_that_cannot_be_written)
@@ -174,6 +176,27 @@ TEST_F(Cscd, refuses_outputs_that_cannot_be_written)
   expect_refusal("skeletonize torus.off --report missing/a.json", 2, {"missing/a.json: cannot be written"});
   expect_refusal("skeletonize torus.off --html missing/a.html", 2, {"missing/a.html: cannot be written"});
   EXPECT_EQ(1, number_of_files());
+}
+
+TEST_F(Cscd, skeletonizes_points)
+{
+  std::string xyz;
+  for (const auto& p : torus().points) {
+    xyz += std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+  }
+  m_folder.write("torus.xyz", xyz);
+  m_folder.write("torus.off", off({torus().points, {}}));
+  for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
+    const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json --html t.html ") + name);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_NE(std::string::npos, outcome.out.find("1440 points, 1 component, genus 1")) << outcome.out;
+    EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
+    const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+    EXPECT_EQ(1440, report.at("number_of_sites"));
+    EXPECT_EQ(16, report.at("reconstruction").at("number_of_neighbors"));
+    EXPECT_LT(0, report.at("reconstruction").at("spacing"));
+    EXPECT_EQ(0, report.at("reconstruction").at("cut_handles").size());
+  }
 }
 
 TEST_F(Cscd, notices_a_full_standard_output)

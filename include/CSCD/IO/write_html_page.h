@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_WRITE_HTML_PAGE_H
 #define CSCD_IO_WRITE_HTML_PAGE_H
 
+#include <CSCD/IO/Html_page_cloud.h>
 #include <CSCD/IO/internal/Exact_format.h>
 #include <CSCD/IO/internal/Html_page_data.h>
 #include <CSCD/IO/internal/encode_base64.h>
@@ -30,7 +31,8 @@ inline void write_html_page_counts(std::ostream& out, const Html_page_data& data
       << ", \"nodes\": " << data.node_positions.size() / 3 << ", \"edges\": " << data.edges.size() / 2
       << ", \"branches\": " << data.number_of_branches << ", \"tips\": " << data.number_of_tips
       << ", \"junctions\": " << data.number_of_junctions << ", \"cycles\": " << data.number_of_cycles
-      << ", \"separators\": " << data.separator_offsets.size() - 1 << '}';
+      << ", \"separators\": " << data.separator_offsets.size() - 1 << ", \"points\": " << data.number_of_cloud_points
+      << '}';
 }
 
 /// The letter by which the page's script chooses the type of a typed array.
@@ -72,6 +74,10 @@ inline void write_html_page_data(std::ostream& out, const Html_page_data& data)
   write_html_page_array(out, "branch_of_edge", data.branch_of_edge);
   write_html_page_array(out, "separator_points", data.separator_points);
   write_html_page_array(out, "separator_offsets", data.separator_offsets);
+  if (data.number_of_cloud_points > 0) {
+    write_html_page_array(out, "cut_handles", data.cut_handles);
+    write_html_page_array(out, "joined_gaps", data.joined_gaps);
+  }
   out << "}}";
 }
 
@@ -88,15 +94,16 @@ inline void write_html_page_data(std::ostream& out, const Html_page_data& data)
 /// \param three_js_source the text of three.js as a classic script that defines `THREE`, followed by that of
 ///        `THREE.OrbitControls`; the page is written for release 111
 /// \param title heads the page; any text
+/// \param cloud the points of which the mesh was made, and where it was mended; nothing for other meshes
 /// \pre all faces of `mesh` are triangles; all coordinates are finite
 /// \throw File_error if `out` fails
 template <class TriangleMesh, class Skeleton, class Point>
 void write_html_page(std::ostream& out, const TriangleMesh& mesh, const Skeleton& skeleton,
                      const std::vector<std::vector<Point>>& separators, const std::string& three_js_source,
-                     const std::string& title)
+                     const std::string& title, const Html_page_cloud<Point>& cloud = {})
 {
   CGAL_precondition(CGAL::is_triangle_mesh(mesh));
-  const internal::Html_page_data_builder<TriangleMesh, Skeleton, Point> builder(mesh, skeleton, separators);
+  const internal::Html_page_data_builder<TriangleMesh, Skeleton, Point> builder(mesh, skeleton, separators, cloud);
   internal::Exact_format format(out);
   out << internal::html_page_head << internal::escape_html(title) << internal::html_page_style
       << internal::html_page_body << "<script type=\"application/json\" id=\"cscd-data\">\n";

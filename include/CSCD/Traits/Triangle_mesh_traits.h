@@ -6,10 +6,7 @@
 #ifndef CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 #define CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 
-#include <CSCD/Traits/Normalization.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Traits/compile_surface.h>
 #include <CSCD/internal/Vector_3.h>
@@ -19,16 +16,11 @@
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
-#include <mutex>
-#include <optional>
-#include <type_traits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -39,23 +31,23 @@ namespace CSCD {
 /// The mesh is checked, its borders are bridged by faces without weight, components that look inwards are turned, faces
 /// that are too large are refined; the result is renumbered and normalized, so that it depends on the shape alone, and
 /// compiled once into flat arrays. Sites are its vertices: those of the input that have a face, and inserted ones.
-/// Points and lengths are normalized (unit area, centroid at the origin) unless a function says otherwise.
-/// All members are const and may be called by several threads at once.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
 template <class TriangleMesh,
           class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
 class Triangle_mesh_traits
+    : public internal::Compiled_surface_traits<typename boost::property_traits<VertexPointMap>::value_type>
 {
+  using Base = internal::Compiled_surface_traits<typename boost::property_traits<VertexPointMap>::value_type>;
+
 public:
   /// \name Types
   /// @{
-  using Point = typename boost::property_traits<VertexPointMap>::value_type;
+  using Point = typename Base::Point;
+  using Index = typename Base::Index;
   /// What identifies a site of the input.
   using Site_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  using Vector_3 = internal::Vector_3;
-  using Index = internal::Index;
   /// @}
 
   /// Compiles `mesh`, which is not referred to later; near linear.
@@ -76,110 +68,44 @@ public:
   Triangle_mesh_traits& operator=(const Triangle_mesh_traits&) = delete;
   ~Triangle_mesh_traits() = default;
 
-  /// \name Sites
+  /// \name Sites of the input
   /// @{
-  Index number_of_sites() const { return surface().number_of_vertices(); }
   /// Whether the site is a vertex of the input, not an inserted one.
-  bool is_input_site(Index site) const { return m_input_point[site] != internal::no_index; }
+  bool is_input_site(Index site) const { return Base::input_point(site) != internal::no_index; }
   /// The vertex of the input that the site is.
   /// \pre `is_input_site(site)`
   Site_descriptor descriptor(Index site) const
   {
     CGAL_precondition(is_input_site(site));
-    return m_descriptors[m_input_point[site]];
+    return m_descriptors[Base::input_point(site)];
   }
-  const Vector_3& point(Index site) const { return surface().point(site); }
-  /// The part of the area that the site stands for; all together are 1.
-  double weight(Index site) const { return surface().vertex_area(site); }
-  /// The outward unit normal.
-  Vector_3 normal(Index site) const { return surface().vertex_normal(site); }
-  /// The sites that share an edge with `site`, counterclockwise.
-  auto neighbors(Index site) const
+  /// The vertices of the input for which the site stands: one, none for an inserted site.
+  CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const
   {
-    const auto target = [this](Index halfedge) { return surface().target(halfedge); };
-    const auto outgoing = surface().outgoing(site);
-    return CGAL::make_range(boost::make_transform_iterator(outgoing.begin(), target),
-                            boost::make_transform_iterator(outgoing.end(), target));
+    const Site_descriptor* first = is_input_site(site) ? &m_descriptors[Base::input_point(site)] : nullptr;
+    return {first, first == nullptr ? first : first + 1};
   }
-  /// The connected component of the surface to which the site belongs; O(log c) for c components.
-  Index component(Index site) const
-  {
-    return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), site) -
-                 m_component_begin.begin()) -
-           1;
-  }
-  /// @}
-
-  /// \name Triangles
-  /// @{
-  Index number_of_triangles() const { return surface().number_of_faces(); }
-  /// The three sites of a triangle, counterclockwise seen from outside.
-  std::array<Index, 3> triangle(Index face) const
-  {
-    return {surface().origin(3 * face), surface().origin(3 * face + 1), surface().origin(3 * face + 2)};
-  }
-  const internal::Triangulated_surface& surface() const { return m_levels->finest().surface; }
-  const internal::Surface_levels& levels() const { return *m_levels; }
-  /// @}
-
-  /// \name Coordinates of the input
-  /// @{
-  Point to_input_point(const Vector_3& point) const
-  {
-    using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-    const Vector_3 result = m_normalization.to_input(point);
-    return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
-  }
-  double to_input_length(double length) const { return length * m_normalization.unit; }
-  /// @}
-
-  /// \name The body
-  /// The body is bounded by the surface, bridged borders included. The first query builds a search structure.
-  /// @{
-  /// The surface that answers the queries and that their faces belong to: the finest level of at most 60000 vertices.
-  /// From there on, coarser faces differ from the finest ones by less than the skeleton is exact.
-  const internal::Triangulated_surface& solid_surface() const
-  {
-    constexpr Index most_vertices = 60000;
-    return (*m_levels)[m_levels->finest_with_at_most(most_vertices)].surface;
-  }
-  /// Whether the body holds `point`. Where the surface cuts itself, a part that two sheets enclose counts as outside.
-  bool is_inside(const Vector_3& point) const { return queries().is_inside(point); }
-  /// The point of the surface that is nearest to `point`.
-  internal::Surface_point closest_point(const Vector_3& point) const { return queries().closest_point(point); }
-  /// The first point in which the ray from `origin` along `direction` meets the surface, if any.
-  std::optional<internal::Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
-  {
-    return queries().first_hit(origin, direction);
-  }
-  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
-  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
-  {
-    queries().crossings(from, to, distances);
-  }
-  /// @}
-
-  /// \name Counts
-  /// @{
   /// The number of sites for which `is_input_site()` holds.
   std::size_t number_of_input_sites() const { return m_descriptors.size(); }
   /// The number of vertices without a face: they are no sites.
   std::size_t number_of_isolated_vertices() const { return m_number_of_isolated_vertices; }
-  std::size_t number_of_bridged_borders() const { return m_number_of_bridged_borders; }
-  bool is_closed_input() const { return m_number_of_bridged_borders == 0; }
-  std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
-  /// The number of input faces with (nearly) no area; they are kept.
-  std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
-  /// The number of components whose faces looked inwards in the input.
-  std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
-  std::size_t number_of_components() const { return m_component_begin.size() - 1; }
-  /// The number of handles of the bridged surface, over all components.
-  std::size_t genus() const
-  {
-    // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
-    return (2 * number_of_components() + number_of_triangles() / 2 - number_of_sites()) / 2;
-  }
   /// @}
+
+  /// What is doubtful about the input or was mended, one sentence each.
+  std::vector<std::string> warnings() const
+  {
+    std::vector<std::string> result;
+    const auto warn = [&result](std::size_t count, const char* what) {
+      if (count > 0) {
+        result.push_back(std::to_string(count) + ' ' + what);
+      }
+    };
+    warn(m_number_of_isolated_vertices, "vertices without a face: they belong to no node");
+    warn(Base::number_of_bridged_borders(), "borders: bridged by faces without weight");
+    warn(Base::number_of_degenerate_faces(), "faces with (nearly) no area");
+    warn(Base::number_of_reversed_components(), "components that looked inwards: turned");
+    return result;
+  }
 
   /// The wall-clock seconds that the constructor took.
   double seconds_to_compile() const { return m_seconds_to_compile; }
@@ -191,35 +117,12 @@ private:
     auto compiled = internal::compile_surface(std::move(collected.triangles), std::move(collected.pairing));
     m_descriptors = std::move(collected.descriptors);
     m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
-    m_input_point = std::move(compiled.input_point);
-    m_component_begin = std::move(compiled.component_begin);
-    m_normalization = compiled.normalization;
-    m_number_of_bridged_borders = compiled.number_of_bridged_borders;
-    m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
-    m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
-    m_number_of_reversed_components = compiled.number_of_reversed_components;
-    m_levels.emplace(std::move(compiled.surface));
+    Base::set_surface(std::move(compiled));
   }
 
-  const internal::Solid_queries& queries() const
-  {
-    std::call_once(m_queries_built, [this] { m_queries.emplace(solid_surface()); });
-    return *m_queries;
-  }
-
-  std::optional<internal::Surface_levels> m_levels;
   std::vector<Site_descriptor> m_descriptors; // of the points of the input
-  std::vector<Index> m_input_point;           // of every site
-  std::vector<Index> m_component_begin;
-  internal::Normalization m_normalization;
   std::size_t m_number_of_isolated_vertices = 0;
-  std::size_t m_number_of_bridged_borders = 0;
-  std::size_t m_number_of_inserted_vertices = 0;
-  std::size_t m_number_of_degenerate_faces = 0;
-  std::size_t m_number_of_reversed_components = 0;
   double m_seconds_to_compile = 0;
-  mutable std::once_flag m_queries_built;
-  mutable std::optional<internal::Solid_queries> m_queries;
 };
 
 } // namespace CSCD

@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_INTERNAL_HTML_PAGE_DATA_H
 #define CSCD_IO_INTERNAL_HTML_PAGE_DATA_H
 
+#include <CSCD/IO/Html_page_cloud.h>
 #include <CSCD/IO/internal/skeleton_node_access.h>
 #include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
@@ -92,6 +93,9 @@ struct Html_page_data
   std::vector<std::uint32_t> branch_of_edge;
   std::vector<float> separator_points;
   std::vector<std::uint32_t> separator_offsets; // of the first point of each, and of the end
+  std::size_t number_of_cloud_points = 0;       // the first of the positions
+  std::vector<float> cut_handles;
+  std::vector<float> joined_gaps;
   std::size_t number_of_branches = 0;
   std::size_t number_of_tips = 0;
   std::size_t number_of_junctions = 0;
@@ -104,7 +108,7 @@ class Html_page_data_builder
 {
 public:
   Html_page_data_builder(const TriangleMesh& mesh, const Skeleton& skeleton,
-                         const std::vector<std::vector<Point>>& separators)
+                         const std::vector<std::vector<Point>>& separators, const Html_page_cloud<Point>& cloud = {})
       : m_mesh(mesh), m_skeleton(skeleton), m_vertex_points(get(CGAL::vertex_point, mesh))
   {
     set_frame();
@@ -113,6 +117,7 @@ public:
     add_edges();
     add_branches();
     add_separators(separators);
+    add_cloud(cloud);
   }
 
   const Html_page_data& data() const { return m_data; }
@@ -228,6 +233,17 @@ private:
         append(m_data.separator_points, to_doubles(point));
       }
       m_data.separator_offsets.push_back(static_cast<std::uint32_t>(m_data.separator_points.size() / 3));
+    }
+  }
+
+  void add_cloud(const Html_page_cloud<Point>& cloud)
+  {
+    m_data.number_of_cloud_points = cloud.number_of_points;
+    for (const Point& point : cloud.cut_handles) {
+      append(m_data.cut_handles, to_doubles(point));
+    }
+    for (const Point& point : cloud.joined_gaps) {
+      append(m_data.joined_gaps, to_doubles(point));
     }
   }
 

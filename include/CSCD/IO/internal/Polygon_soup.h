@@ -17,6 +17,8 @@ namespace CSCD::internal {
 struct Polygon_soup
 {
   std::vector<Vector_3> points;
+  /// The normals at the points, if the file has them, else empty.
+  std::vector<Vector_3> normals;
   /// The corners of all polygons, one polygon after the other, as indices into `points`.
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.

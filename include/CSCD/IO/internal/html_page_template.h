@@ -118,6 +118,10 @@ inline constexpr char html_page_body[] = R"html(<body>
       <span></span>Separators<kbd>P</kbd></label>
     <label class="switch"><input type="checkbox" data-switch="colour">
       <span></span>Colour surface by branch<kbd>C</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="points">
+      <span></span>Points<kbd>T</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="repairs">
+      <span></span>Repairs of the surface<kbd>E</kbd></label>
   </div>
   <div class="group">
     <div class="row"><label for="opacity">Opacity</label>
@@ -485,6 +489,24 @@ function make_separators(model, branch_colours, radius) {
   }
   return twice_drawn(make_tubes(starts, ends, colours, 6), radius);
 }
+
+// Dots of a size in pixels.
+function make_dots(positions, colour, size, is_in_front) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
+  const dots = new THREE.Points(geometry, new THREE.PointsMaterial(
+    {color: colour, size, sizeAttenuation: false, depthTest: !is_in_front, transparent: true}));
+  dots.frustumCulled = false;
+  dots.renderOrder = is_in_front ? 40 : 5;
+  return dots;
+}
+
+// Where handles were cut and where gaps were joined.
+function make_repairs(model) {
+  const group = new THREE.Group();
+  group.add(make_dots(model.cut_handles, 0xd01040, 11, true), make_dots(model.joined_gaps, 0xf08000, 9, true));
+  return group;
+}
 )js";
 
 /// The picture: renderer, camera, controls.
@@ -614,6 +636,10 @@ function make_objects(model, uniforms) {
   };
   if (model.node_radii) objects.balls = make_balls(model, branch_colours);
   if (model.separator_offsets.length > 1) objects.separators = make_separators(model, branch_colours, .55 * radius);
+  if (model.counts.points > 0) {
+    objects.points = make_dots(model.positions.slice(0, 3 * model.counts.points), 0x30405a, 2, false);
+    if (model.cut_handles.length + model.joined_gaps.length > 0) objects.repairs = make_repairs(model);
+  }
   return objects;
 }
 )js";
@@ -706,7 +732,7 @@ class Panel {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const names = {s: 'surface', k: 'skeleton', n: 'nodes', b: 'balls', p: 'separators', c: 'colour'};
+    const names = {s: 'surface', k: 'skeleton', n: 'nodes', b: 'balls', p: 'separators', c: 'colour', t: 'points', e: 'repairs'};
     const key = event.key.toLowerCase();
     if (names[key]) this.set_visible(names[key], !this.state[names[key]]);
     else if (key === 'r') this.view.reset();

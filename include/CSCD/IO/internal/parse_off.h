@@ -18,7 +18,7 @@
 
 namespace CSCD::internal {
 
-/// Reads ASCII OFF line by line; normals, colours and texture coordinates are passed over.
+/// Reads ASCII OFF line by line; colours and texture coordinates are passed over.
 class Off_parser
 {
 public:
@@ -50,7 +50,7 @@ private:
     };
     drop("ST");
     drop("C");
-    drop("N");
+    m_has_normals = drop("N");
     m_is_homogeneous = drop("4");
     if (keyword != "OFF") {
       m_scanner.fail("this is no OFF file of three-dimensional points: the keyword OFF is missing",
@@ -91,8 +91,26 @@ private:
         divide(point, next_coordinate());
       }
       m_soup.points.push_back(point);
+      if (m_has_normals) {
+        read_normal();
+      }
       m_scanner.skip_line();
     }
+  }
+
+  /// Reads a normal; where one is incomplete, none is kept.
+  void read_normal()
+  {
+    Vector_3 normal = Vector_3::Zero();
+    for (double& coordinate : normal) {
+      if (!m_scanner.skip_blanks_in_line()) {
+        m_has_normals = false;
+        m_soup.normals.clear();
+        return;
+      }
+      coordinate = m_scanner.number();
+    }
+    m_soup.normals.push_back(normal);
   }
 
   double next_coordinate()
@@ -153,6 +171,7 @@ private:
   Polygon_soup m_soup;
   std::size_t m_number_of_points = 0;
   std::size_t m_number_of_polygons = 0;
+  bool m_has_normals = false;
   bool m_is_homogeneous = false;
 };
 

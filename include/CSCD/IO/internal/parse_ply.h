@@ -136,29 +136,49 @@ private:
     return static_cast<std::size_t>(size);
   }
 
+  using Names = std::array<std::string_view, 3>;
+
+  static bool has_number(const Ply_element& element, std::string_view name)
+  {
+    return std::any_of(element.properties.begin(), element.properties.end(),
+                       [&](const Ply_property& p) { return p.name == name && !p.is_list; });
+  }
+
+  /// Writes `number` to the coordinate of `vector` that `property` names, if it does.
+  static void put(const Names& names, const Ply_property& property, double number, Vector_3& vector)
+  {
+    const auto name = std::find(names.begin(), names.end(), property.name);
+    if (name != names.end() && !property.is_list) {
+      vector[name - names.begin()] = number;
+    }
+  }
+
   void read_points(const Ply_element& element)
   {
-    constexpr std::array<std::string_view, 3> names{"x", "y", "z"};
+    constexpr Names names{"x", "y", "z"};
+    constexpr Names normal_names{"nx", "ny", "nz"};
     for (std::string_view name : names) {
-      const bool found = std::any_of(element.properties.begin(), element.properties.end(),
-                                     [&](const Ply_property& p) { return p.name == name && !p.is_list; });
-      if (!found) {
+      if (!has_number(element, name)) {
         fail("its vertices have no property " + std::string(name));
       }
     }
+    const bool has_normals = std::all_of(normal_names.begin(), normal_names.end(),
+                                         [&](std::string_view name) { return has_number(element, name); });
     m_soup.points.reserve(std::min(element.number_of_items, m_source.remaining() / names.size() + 1));
     for (std::size_t i = 0; i < element.number_of_items; ++i) {
       Vector_3 point = Vector_3::Zero();
+      Vector_3 normal = Vector_3::Zero();
       read_item(element, [&](const Ply_property& property, std::size_t, double number) {
-        const auto name = std::find(names.begin(), names.end(), property.name);
-        if (name != names.end() && !property.is_list) {
-          point[name - names.begin()] = number;
-        }
+        put(names, property, number, point);
+        put(normal_names, property, number, normal);
       });
       if (!point.allFinite()) {
         fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
       }
       m_soup.points.push_back(point);
+      if (has_normals) {
+        m_soup.normals.push_back(normal);
+      }
     }
     check_number_of_points(m_soup.points.size(), m_filename);
   }

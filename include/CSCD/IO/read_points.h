@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Point sets from files.
+
+#ifndef CSCD_IO_READ_POINTS_H
+#define CSCD_IO_READ_POINTS_H
+
+#include <CSCD/IO/Point_format.h>
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/parse_off.h>
+#include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/internal/parse_xyz.h>
+#include <CSCD/IO/internal/read_content.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <istream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+namespace internal {
+
+/// Reads the points of a file of which `content` is the content, and its faces, if it has any.
+/// \throw File_error if it is malformed or has no points
+inline Polygon_soup parse_points(std::string_view content, Point_format format, const std::string& filename)
+{
+  if (content.empty()) {
+    throw File_error(filename + ": the file is empty; fetch or write it again");
+  }
+  Polygon_soup soup = format == Point_format::off   ? parse_off(content, filename)
+                      : format == Point_format::ply ? parse_ply(content, filename)
+                                                    : parse_xyz(content, filename);
+  if (soup.points.empty()) {
+    throw File_error(filename + ": the file has no points; fetch or write it again");
+  }
+  return soup;
+}
+
+/// Writes points and normals to ranges of any type.
+template <class Point, class Vector>
+void convert_to_points(const Polygon_soup& soup, std::vector<Point>& points, std::vector<Vector>& normals)
+{
+  std::vector<Point> new_points;
+  std::vector<Vector> new_normals;
+  new_points.reserve(soup.points.size());
+  new_normals.reserve(soup.normals.size());
+  for (const Vector_3& point : soup.points) {
+    new_points.emplace_back(point.x(), point.y(), point.z());
+  }
+  for (const Vector_3& normal : soup.normals) {
+    new_normals.emplace_back(normal.x(), normal.y(), normal.z());
+  }
+  points = std::move(new_points);
+  normals = std::move(new_normals);
+}
+
+} // namespace internal
+
+/// reads the points that the file `filename` holds, as XYZ, PTS, PLY or OFF by its ending, and their normals, if there
+/// are any for all points. Linear. \tparam Point, Vector constructible from three coordinates
+/// \param points, normals are replaced; when an exception is thrown they are as they were
+/// \throw File_error if the file cannot be read, is malformed, or has no points
+template <class Point, class Vector>
+void read_points(const std::string& filename, std::vector<Point>& points, std::vector<Vector>& normals)
+{
+  const Point_format format = point_format(filename);
+  internal::convert_to_points(internal::parse_points(internal::read_content(filename), format, filename), points,
+                              normals);
+}
+
+/// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
+/// \param name what to call the stream in messages
+template <class Point, class Vector>
+void read_points(std::istream& in, Point_format format, const std::string& name, std::vector<Point>& points,
+                 std::vector<Vector>& normals)
+{
+  internal::convert_to_points(internal::parse_points(internal::read_content(in, name), format, name), points, normals);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_IO_READ_POINTS_H

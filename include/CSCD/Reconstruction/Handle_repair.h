@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Removes handles that are too small for the sampling to prove them.
+
+#ifndef CSCD_RECONSTRUCTION_HANDLE_REPAIR_H
+#define CSCD_RECONSTRUCTION_HANDLE_REPAIR_H
+
+#include <CSCD/Reconstruction/Local_handle_search.h>
+#include <CSCD/Reconstruction/Loop_flood.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Traits/Corner_table.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Finds disjoint loops that are a few edges long and, taken together, do not separate the surface: to cut along one
+/// and to close both sides removes a bridge between two sheets, or closes a hole through a thin limb.
+class Handle_repair
+{
+public:
+  explicit Handle_repair(const Triangulated_surface& surface)
+      : m_surface(surface), m_corners(surface), m_search(surface, m_corners), m_flood(surface)
+  {
+  }
+
+  /// The loops, the shortest first.
+  std::vector<Vertex_loop> operator()()
+  {
+    collect_candidates();
+    std::sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.length, a.loop) < std::tie(b.length, b.loop);
+    });
+    std::vector<Vertex_loop> cuts;
+    std::vector<std::uint8_t> is_cut(m_surface.number_of_vertices(), 0);
+    std::vector<std::uint8_t> is_tested(m_surface.number_of_vertices(), 0);
+    for (const Candidate& candidate : m_candidates) {
+      const Vertex_loop& loop = candidate.loop;
+      const auto is_marked = [](const std::vector<std::uint8_t>& marks) {
+        return [&marks](Index vertex) { return marks[vertex] != 0; };
+      };
+      if (std::any_of(loop.begin(), loop.end(), is_marked(is_cut)) ||
+          std::all_of(loop.begin(), loop.end(), is_marked(is_tested))) {
+        continue;
+      }
+      const bool is_handle = !m_flood.separates(loop);
+      if (is_handle) {
+        m_flood.add_barrier(loop);
+        cuts.push_back(loop);
+      }
+      for (Index vertex : loop) {
+        (is_handle ? is_cut : is_tested)[vertex] = 1;
+      }
+    }
+    return cuts;
+  }
+
+private:
+  /// The longest loop that is cut, in mean lengths of the edges at its vertex. With 5, true handles are lost; with 3,
+  /// false ones remain.
+  static constexpr double longest_loop = 4.0;
+  /// Lengths below this part of the mean length of all edges count as this.
+  static constexpr double least_edge_part = 0.5;
+
+  struct Candidate
+  {
+    float length;
+    Vertex_loop loop;
+  };
+
+  void collect_candidates()
+  {
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      search_around(vertex);
+    }
+  }
+
+  double edge_length_at(Index vertex) const
+  {
+    double sum = 0;
+    for (const Corner& corner : m_corners.neighbors(vertex)) {
+      sum += double(corner.length);
+    }
+    return std::max(sum / m_surface.degree(vertex), least_edge_part * m_corners.mean_length());
+  }
+
+  void search_around(Index vertex)
+  {
+    const float longest = float(longest_loop * edge_length_at(vertex));
+    // The loops through a vertex reach half their length from it, and an edge may be as long as its loop allows.
+    if (m_search.grow(vertex, longest / 2)) {
+      return;
+    }
+    m_search.for_each_loop(longest, [this](const Vertex_loop& loop, float length) {
+      m_candidates.push_back({length, loop});
+    });
+  }
+
+  const Triangulated_surface& m_surface;
+  Corner_table m_corners;
+  Local_handle_search m_search;
+  Loop_flood m_flood;
+  std::vector<Candidate> m_candidates;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_RECONSTRUCTION_HANDLE_REPAIR_H

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds short loops that might go around a handle.
+
+#ifndef CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
+#define CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
+
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Traits/Corner_table.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Finds the short loops through a vertex that are not filled by the faces around it: a basis of the homology of a
+/// geodesic ball. Most balls are discs, which is seen by counting. From the tree of shortest paths and a cotree of
+/// faces and the outside that leaves the edges of the shortest loops to the last, each edge that is in neither closes
+/// one loop (Erickson and Whittlesey, "Greedy optimal homotopy and homology generators", 2005). Nothing of the size of
+/// the surface is touched for a vertex; reuse one object.
+class Local_handle_search
+{
+public:
+  Local_handle_search(const Triangulated_surface& surface, const Corner_table& corners)
+      : m_surface(surface), m_corners(corners), m_heap(surface.number_of_vertices()),
+        m_reached(surface.number_of_vertices()), m_distance(surface.number_of_vertices()),
+        m_parent(surface.number_of_vertices()), m_first_hop(surface.number_of_vertices()),
+        m_face_seen(surface.number_of_faces()), m_face_number(surface.number_of_faces())
+  {
+  }
+
+  /// Grows the ball of `radius` around `center`. \return whether it is a disc, so that all loops in it are filled
+  bool grow(Index center, float radius)
+  {
+    m_ball.clear();
+    m_reached.clear();
+    m_heap.clear();
+    reach(center, 0, no_index, no_index);
+    while (!m_heap.empty()) {
+      const Indexed_heap::Entry entry = m_heap.pop();
+      const Index vertex = entry.vertex;
+      m_ball.push_back(vertex);
+      for (const Corner& corner : m_corners.neighbors(vertex)) {
+        const float distance = entry.key + corner.length;
+        if (distance <= radius) {
+          reach(corner.neighbor, distance, vertex, vertex == center ? corner.neighbor : m_first_hop[vertex]);
+        }
+      }
+    }
+    return count_euler_number() == 1;
+  }
+
+  /// Calls `use(loop, length)` for the loops through the center that are not filled and at most `longest` long.
+  template <class Use>
+  void for_each_loop(float longest, const Use& use)
+  {
+    collect_edges();
+    // One set for each face of the ball, and the last for the outside.
+    m_faces = Disjoint_sets(m_number_of_faces + 1);
+    for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
+      if (m_faces.join(set_of(edge->halfedge), set_of(m_surface.twin(edge->halfedge)))) {
+        continue;
+      }
+      const Index a = m_surface.origin(edge->halfedge);
+      const Index b = m_surface.target(edge->halfedge);
+      if (edge->loop_length <= longest && m_first_hop[a] != m_first_hop[b]) {
+        close_loop(a, b);
+        use(m_loop, edge->loop_length);
+      }
+    }
+  }
+
+private:
+  struct Cotree_edge
+  {
+    Index halfedge;
+    float loop_length;
+  };
+
+  void reach(Index vertex, float distance, Index parent, Index first_hop)
+  {
+    const bool is_new = m_reached.mark(vertex);
+    if (!is_new && distance >= m_distance[vertex]) {
+      return;
+    }
+    m_distance[vertex] = distance;
+    m_parent[vertex] = parent;
+    m_first_hop[vertex] = first_hop;
+    if (is_new) {
+      m_heap.push(vertex, distance);
+    } else {
+      m_heap.decrease(vertex, distance);
+    }
+  }
+
+  bool is_in_ball(Index face) const
+  {
+    return m_reached.is_marked(m_surface.origin(3 * face)) && m_reached.is_marked(m_surface.origin(3 * face + 1)) &&
+           m_reached.is_marked(m_surface.origin(3 * face + 2));
+  }
+
+  /// Vertices less edges and plus faces of the ball; numbers its faces.
+  std::ptrdiff_t count_euler_number()
+  {
+    m_face_seen.clear();
+    m_number_of_faces = 0;
+    std::ptrdiff_t number_of_halfedges = 0;
+    for (Index vertex : m_ball) {
+      for (Index h : m_surface.outgoing(vertex)) {
+        number_of_halfedges += m_reached.is_marked(m_surface.target(h)) ? 1 : 0;
+        const Index face = Triangulated_surface::face(h);
+        if (m_reached.is_marked(m_surface.target(h)) && m_reached.is_marked(m_surface.opposite_vertex(h)) &&
+            m_face_seen.mark(face)) {
+          m_face_number[face] = m_number_of_faces++;
+        }
+      }
+    }
+    return std::ptrdiff_t(m_ball.size()) - number_of_halfedges / 2 + std::ptrdiff_t(m_number_of_faces);
+  }
+
+  Index set_of(Index halfedge) const
+  {
+    const Index face = Triangulated_surface::face(halfedge);
+    return m_face_seen.is_marked(face) ? m_face_number[face] : m_number_of_faces;
+  }
+
+  /// Collects the edges of the ball that are not in the tree, by increasing length of the loops that they close.
+  void collect_edges()
+  {
+    m_edges.clear();
+    for (Index a : m_ball) {
+      for (Index h : m_surface.outgoing(a)) {
+        const Index b = m_surface.target(h);
+        if (m_surface.edge(h) == h && m_reached.is_marked(b) && m_parent[a] != b && m_parent[b] != a) {
+          m_edges.push_back({h, m_distance[a] + m_distance[b] + float(m_surface.length(h))});
+        }
+      }
+    }
+    std::sort(m_edges.begin(), m_edges.end(), [](const Cotree_edge& a, const Cotree_edge& b) {
+      return a.loop_length != b.loop_length ? a.loop_length < b.loop_length : a.halfedge < b.halfedge;
+    });
+  }
+
+  /// The tree paths to `a` and `b`, which have but the center in common.
+  void close_loop(Index a, Index b)
+  {
+    m_loop.clear();
+    for (Index vertex = a; vertex != no_index; vertex = m_parent[vertex]) {
+      m_loop.push_back(vertex);
+    }
+    std::reverse(m_loop.begin(), m_loop.end());
+    for (Index vertex = b; m_parent[vertex] != no_index; vertex = m_parent[vertex]) {
+      m_loop.push_back(vertex);
+    }
+  }
+
+  const Triangulated_surface& m_surface;
+  const Corner_table& m_corners;
+  Indexed_heap m_heap;
+  Epoch_marks m_reached;
+  std::vector<float> m_distance;
+  std::vector<Index> m_parent;
+  std::vector<Index> m_first_hop;
+  Epoch_marks m_face_seen;
+  std::vector<Index> m_face_number;
+  Index m_number_of_faces = 0;
+  std::vector<Index> m_ball;
+  std::vector<Cotree_edge> m_edges;
+  Disjoint_sets m_faces;
+  Vertex_loop m_loop;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The curve skeleton of a point set in one call; apart from that of a mesh, which compiles in half the time.
+
+#ifndef CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H
+#define CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/concepts.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/tags.h>
+
+#include <type_traits>
+
+namespace CSCD {
+namespace internal {
+
+/// The point map that `np` gives, else that of the range.
+template <class PointRange, class NamedParameters>
+auto point_map(const PointRange& points, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
+    return default_point_map(points);
+  } else {
+    return parameters::get_parameter(np, CGAL::internal_np::point_map);
+  }
+}
+
+} // namespace internal
+
+/// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
+///
+/// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton
+/// is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same, and points
+/// off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to call, for any
+/// number of threads and any order of the points. O(n log n).
+///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
+/// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
+/// \tparam Skeleton a model of `CurveSkeletonGraph`; its nodes hold the indices of the points in a `CGAL::Point_set_3`,
+///         for other ranges the numbers of the points in the order of iteration, as `std::size_t`
+/// \param points at least four points, not all on a line
+/// \param skeleton is cleared first; if the function throws, it is left as it was
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{the points of the elements of `points`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+///     \cgalParamDefault{`points.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{normal_map}
+///     \cgalParamDescription{normals of the surface at the points, of any length and of either orientation}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{the seed of the order in which points are tried as sources}
+///     \cgalParamType{unsigned int}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{maximum_number_of_sources}
+///     \cgalParamDescription{bounds the number of sources from which separators are sought}
+///     \cgalParamType{std::size_t}
+///     \cgalParamDefault{no bound: the shape decides}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_threads}
+///     \cgalParamDescription{the number of threads for `CGAL::Parallel_tag`}
+///     \cgalParamType{unsigned int}
+///     \cgalParamDefault{0: one a core}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{separator_weight}
+///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
+///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
+///     \cgalParamDefault{`Length_and_planarity_weight`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{visitor}
+///     \cgalParamDescription{hears of progress and may stop the work}
+///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
+///     \cgalParamDefault{`Default_skeletonization_visitor`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return counts, timings and warnings; `reconstruction` tells how the surface was made
+/// \throw Input_error if no surface can be made of `points`; the message names the point and the remedy
+/// \throw Cancelled_error if the visitor stops the work
+template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class Skeleton,
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
+Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton& skeleton,
+                                              const NamedParameters& np = parameters::default_values())
+{
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
+                                   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
+                                   internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
+                                   internal_np::separator_weight_t>();
+  const auto point_map = internal::point_map(points, np);
+  using Traits = Point_set_traits<PointRange, std::decay_t<decltype(point_map)>>;
+  const auto make_traits = [&] {
+    if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
+      return Traits(points, point_map, parameters::get_parameter(np, CGAL::internal_np::normal_map));
+    } else if constexpr (internal::Is_range_of_indices<PointRange>::value) {
+      return points.has_normal_map() ? Traits(points, point_map, points.normal_map()) : Traits(points, point_map);
+    } else {
+      return Traits(points, point_map);
+    }
+  };
+  return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, skeleton, np);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H

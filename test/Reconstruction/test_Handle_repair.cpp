@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which handles are cut: those of a few edges, and no others; and the steps of the cut.
+
+#include "Traits/to_indexed_triangles.h"
+#include "support/shapes.h"
+#include <CSCD/Reconstruction/Handle_repair.h>
+#include <CSCD/Reconstruction/Loop_flood.h>
+#include <CSCD/Reconstruction/cut_along_loops.h>
+#include <CSCD/Reconstruction/split_pinched_vertices.h>
+#include <CSCD/Traits/Halfedge_pairing.h>
+#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::Halfedge_pairing;
+using CSCD::internal::Index;
+using CSCD::internal::Indexed_triangles;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vertex_loop;
+using CSCD::test::Shape;
+
+/// Twice the number of components less twice the genus.
+std::ptrdiff_t euler_number(const Indexed_triangles& triangles)
+{
+  return std::ptrdiff_t(triangles.points.size()) - std::ptrdiff_t(triangles.faces.size() / 2);
+}
+
+/// Cuts what `Handle_repair` finds, once. \return the number of loops
+std::size_t repair(Indexed_triangles& triangles)
+{
+  const Triangulated_surface surface{Indexed_triangles(triangles)};
+  const std::vector<Vertex_loop> loops = CSCD::internal::Handle_repair(surface)();
+  cut_along_loops(triangles, surface, loops);
+  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  EXPECT_EQ(CSCD::internal::no_index, pairing.conflict());
+  EXPECT_EQ(2 * loops.size(), CSCD::internal::bridge_borders(triangles, pairing));
+  EXPECT_FALSE(Triangulated_surface{Indexed_triangles(triangles)}.defect());
+  return loops.size();
+}
+
+TEST(Handle_repair, keeps_handles_that_are_sampled)
+{
+  for (const Shape& shape : {CSCD::test::torus(3, 1, 24), CSCD::test::torus(3, 1, 8), CSCD::test::double_torus(0.2),
+                             CSCD::test::trefoil_knot(0.4, 16), CSCD::test::sphere(3)}) {
+    SCOPED_TRACE(shape.name);
+    Indexed_triangles triangles = to_indexed_triangles(shape);
+    EXPECT_EQ(0u, repair(triangles));
+  }
+}
+
+TEST(Handle_repair, cuts_handles_of_a_few_edges)
+{
+  for (const std::size_t around : {3u, 4u}) {
+    SCOPED_TRACE(around);
+    // Rings of this many vertices, about as far from each other as these.
+    Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(6, 1, around));
+    EXPECT_EQ(0, euler_number(triangles));
+    EXPECT_EQ(1u, repair(triangles));
+    EXPECT_EQ(2, euler_number(triangles));
+    EXPECT_EQ(0u, repair(triangles));
+  }
+}
+
+/// Two loops around the same handle: cut along the one, the other separates.
+TEST(Loop_flood, tells_whether_a_loop_separates)
+{
+  constexpr Index around = 8;
+  const Shape torus = CSCD::test::torus(3, 1, around);
+  const Triangulated_surface surface(to_indexed_triangles(torus));
+  const auto ring = [](Index number) {
+    Vertex_loop loop;
+    for (Index i = 0; i < around; ++i) {
+      loop.push_back(number * around + i);
+    }
+    return loop;
+  };
+  CSCD::internal::Loop_flood flood(surface);
+  EXPECT_FALSE(flood.separates(ring(0)));
+  EXPECT_FALSE(flood.separates(ring(5)));
+  flood.add_barrier(ring(0));
+  EXPECT_TRUE(flood.separates(ring(5)));
+  const Index face = 0;
+  EXPECT_TRUE(flood.separates({surface.origin(3 * face), surface.origin(3 * face + 1), surface.origin(3 * face + 2)}));
+}
+
+TEST(split_pinched_vertices, gives_every_fan_a_vertex)
+{
+  // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.
+  Indexed_triangles triangles;
+  triangles.points.assign(9, CSCD::internal::Vector_3::Zero());
+  for (Index i = 0; i < 9; ++i) {
+    triangles.points[i].x() = i;
+  }
+  triangles.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}, {0, 7, 8}};
+  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  const std::vector<Index> originals = split_pinched_vertices(triangles, pairing);
+  EXPECT_EQ((std::vector<Index>{0, 0}), originals);
+  ASSERT_EQ(11u, triangles.points.size());
+  EXPECT_EQ(triangles.points[0], triangles.points[9]);
+  for (std::size_t f : {0u, 1u, 2u}) {
+    EXPECT_EQ(0u, triangles.faces[f][0]);
+    EXPECT_EQ(9u, triangles.faces[f + 4][0]);
+  }
+  EXPECT_EQ(10u, triangles.faces[8][0]);
+}
+
+} // namespace

@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Skeletons of point sets: their topology on generated shapes of several densities and noise levels, what must not
+// change them, and input of which no surface can be made.
+
+#include "support/Shape.h"
+#include "support/Similarity.h"
+#include "support/Skeleton_comparison.h"
+#include "support/invariants.h"
+#include "support/name_of_shape.h"
+#include "support/sampling.h"
+#include "support/shapes.h"
+#include <CSCD/exceptions.h>
+#include <CSCD/extract_curve_skeleton_from_points.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Points = std::vector<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Shape;
+using CSCD::test::Shape_maker;
+using CSCD::test::Similarity;
+using CSCD::test::Triple;
+using CSCD::test::operator*;
+using CSCD::test::operator-;
+
+Points to_points(const std::vector<Triple>& triples)
+{
+  Points result;
+  for (const Triple& p : triples) {
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+Plain_skeleton plain(const Skeleton& skeleton)
+{
+  Plain_skeleton result;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    result.points.push_back(CSCD::test::to_triple(skeleton[node].point));
+    result.sites.push_back(skeleton[node].vertices);
+    std::sort(result.sites.back().begin(), result.sites.back().end());
+  }
+  const auto range = boost::edges(skeleton);
+  for (auto e = range.first; e != range.second; ++e) {
+    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
+  }
+  return result;
+}
+
+/// Expects that every number below `number_of_points` stands at exactly one node.
+void expect_partition(const Skeleton& skeleton, std::size_t number_of_points)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    numbers.insert(numbers.end(), skeleton[node].vertices.begin(), skeleton[node].vertices.end());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  ASSERT_EQ(number_of_points, numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    ASSERT_EQ(i, numbers[i]);
+  }
+}
+
+struct Outcome
+{
+  Skeleton skeleton;
+  CSCD::Skeletonization_report report;
+};
+
+/// Skeletonizes and checks what must hold for every point set.
+Outcome skeletonize(const std::vector<Triple>& triples)
+{
+  const Points points = to_points(triples);
+  Outcome outcome;
+  outcome.report = CSCD::extract_curve_skeleton(points, outcome.skeleton);
+  expect_partition(outcome.skeleton, points.size());
+  const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(outcome.skeleton);
+  EXPECT_EQ(points.size(), outcome.report.number_of_sites);
+  EXPECT_EQ(facts.number_of_components, outcome.report.number_of_surface_components);
+  EXPECT_EQ(facts.betti_number, outcome.report.genus);
+  EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));
+  EXPECT_TRUE(outcome.report.reconstruction.has_value());
+  return outcome;
+}
+
+void expect_topology(const Shape& shape, const Outcome& outcome)
+{
+  EXPECT_EQ(shape.number_of_components, outcome.report.number_of_skeleton_components);
+  EXPECT_EQ(shape.genus, outcome.report.betti_number);
+}
+
+std::vector<Shape_maker> shapes()
+{
+  using namespace CSCD::test;
+  return {{"capsule", [] { return capsule(8, 1, 24); }},
+          {"torus", [] { return torus(3, 1, 24); }},
+          {"trefoil_knot", [] { return trefoil_knot(0.4, 16); }},
+          {"chain_of_rings", [] { return chain_of_rings(3, 16); }},
+          {"y_tube", [] { return y_tube(0.15); }},
+          {"hand", [] { return hand(0.12); }},
+          {"double_torus", [] { return double_torus(0.12); }},
+          {"genus_4", [] { return ladder(4, 0.15); }},
+          {"sphere", [] { return sphere(4); }},
+          {"two_components", [] {
+             return merged("", {capsule(8, 1, 16), translated(torus(3, 1, 16), {0, 10, 0})});
+           }}};
+}
+
+class Sampled_shape : public testing::TestWithParam<Shape_maker>
+{
+protected:
+  static constexpr std::size_t number = 6000;
+  Shape m_shape = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Sampled_shape, testing::ValuesIn(shapes()), CSCD::test::name_of_shape);
+
+TEST_P(Sampled_shape, has_the_topology_of_the_shape)
+{
+  for (const std::size_t n : {3000u, 8000u}) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+      SCOPED_TRACE(std::to_string(n) + " points, seed " + std::to_string(seed));
+      expect_topology(m_shape, skeletonize(sampled(m_shape, n, seed)));
+    }
+  }
+}
+
+TEST_P(Sampled_shape, has_it_under_noise)
+{
+  const double spacing = mean_spacing(m_shape, number);
+  const std::vector<Triple> clean = sampled(m_shape, number, 1);
+  double noise = skeletonize(clean).report.reconstruction->noise;
+  for (const double deviation : {0.3, 0.6, 1.0}) {
+    SCOPED_TRACE(deviation);
+    const Outcome outcome = skeletonize(CSCD::test::shaken(clean, deviation * spacing, 2));
+    // With noise as large as the spacing, thin limbs and bodies that nearly touch are beyond what can be told.
+    if (deviation < 1) {
+      expect_topology(m_shape, outcome);
+    }
+    EXPECT_LT(noise, outcome.report.reconstruction->noise);
+    noise = outcome.report.reconstruction->noise;
+    EXPECT_EQ(deviation > 0.5, outcome.report.reconstruction->is_smoothed);
+  }
+}
+
+TEST_P(Sampled_shape, bears_missing_data)
+{
+  std::vector<Triple> points = sampled(m_shape, number, 1);
+  const double radius = 0.02 * diagonal(m_shape);
+  for (const std::size_t i : {0u, 1000u, 2000u, 3000u}) {
+    points = CSCD::test::without_ball(std::move(points), Triple(points[i]), radius);
+  }
+  expect_topology(m_shape, skeletonize(points));
+}
+
+TEST_P(Sampled_shape, bears_duplicates_and_outliers)
+{
+  std::vector<Triple> points = sampled(m_shape, number, 1);
+  const Outcome clean = skeletonize(points);
+  const std::vector<Triple> twice(points.begin(), points.begin() + 500);
+  points.insert(points.end(), twice.begin(), twice.end());
+  std::mt19937_64 random(1);
+  const double far = diagonal(m_shape);
+  for (int i = 0; i < 10; ++i) {
+    const Triple direction =
+        CSCD::test::unit({CSCD::test::random_signed_unit(random), CSCD::test::random_signed_unit(random),
+                          CSCD::test::random_signed_unit(random)});
+    points.push_back((2 + i) * far * direction);
+  }
+  const Outcome outcome = skeletonize(points);
+  expect_topology(m_shape, outcome);
+  EXPECT_EQ(500u, outcome.report.reconstruction->number_of_duplicates);
+  EXPECT_EQ(10u, outcome.report.reconstruction->number_of_outliers);
+  EXPECT_LE(10u, outcome.report.reconstruction->number_of_unused_points);
+}
+
+/// The distance from each of `a` to the nearest of `b`, on average.
+double mean_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  double sum = 0;
+  for (const Triple& p : a) {
+    double least = std::numeric_limits<double>::max();
+    for (const Triple& q : b) {
+      least = std::min(least, CSCD::test::norm(p - q));
+    }
+    sum += least;
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+TEST_P(Sampled_shape, has_nearly_the_skeleton_of_the_mesh)
+{
+  if (m_shape.name == CSCD::test::sphere(4).name) {
+    GTEST_SKIP() << "a ball has no natural curve skeleton";
+  }
+  using Mesh = CGAL::Surface_mesh<Point>;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
+  CSCD::Skeleton_graph<Point, Mesh::Vertex_index> expected;
+  CSCD::extract_curve_skeleton(mesh, expected);
+  const std::vector<Triple> of_mesh = CSCD::test::plain(mesh, expected).points;
+  const std::vector<Triple> of_points = plain(skeletonize(sampled(m_shape, number, 1)).skeleton).points;
+  // The sites of nodes differ; ends may be a radius apart.
+  const double tolerance = 0.02 * diagonal(m_shape);
+  EXPECT_LT(mean_distance(of_points, of_mesh), tolerance);
+  EXPECT_LT(mean_distance(of_mesh, of_points), tolerance);
+}
+
+std::vector<Triple> some_points()
+{
+  return sampled(CSCD::test::double_torus(0.2), 8000, 1);
+}
+
+TEST(Point_skeleton, does_not_depend_on_the_pose)
+{
+  const std::vector<Triple> points = some_points();
+  const Plain_skeleton skeleton = plain(skeletonize(points).skeleton);
+  for (const Similarity& motion :
+       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {0, 0, 0}},
+        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
+    SCOPED_TRACE(motion.scale);
+    std::vector<Triple> moved_points;
+    for (const Triple& p : points) {
+      moved_points.push_back(motion(p));
+    }
+    Plain_skeleton expected = skeleton;
+    for (Triple& p : expected.points) {
+      p = motion(p);
+    }
+    EXPECT_EQ("", difference(expected, plain(skeletonize(moved_points).skeleton), 1e-5 * motion.scale));
+  }
+}
+
+TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
+{
+  const std::vector<Triple> points = some_points();
+  std::mt19937_64 random(1);
+  const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
+  std::vector<Triple> shuffled;
+  for (std::size_t number : order) {
+    shuffled.push_back(points[number]);
+  }
+  Plain_skeleton skeleton = plain(skeletonize(shuffled).skeleton);
+  for (std::vector<std::size_t>& sites : skeleton.sites) {
+    for (std::size_t& site : sites) {
+      site = order[site];
+    }
+    std::sort(sites.begin(), sites.end());
+  }
+  EXPECT_EQ(plain(skeletonize(points).skeleton), skeleton);
+}
+
+/// On a grid, all triangles have the same size: what is taken first must not hang on addresses.
+TEST(Point_skeleton, is_the_same_from_run_to_run_on_a_grid)
+{
+  const std::vector<Triple> points = CSCD::test::torus(3, 1, 24).points;
+  const Outcome first = skeletonize(points);
+  EXPECT_EQ(1u, first.report.betti_number);
+  const std::vector<std::vector<char>> allocated(100, std::vector<char>(1000)); // moves what is allocated later
+  EXPECT_EQ(plain(first.skeleton), plain(skeletonize(points).skeleton));
+}
+
+TEST(Point_skeleton, does_not_depend_on_the_number_of_threads)
+{
+  const Points points = to_points(some_points());
+  Skeleton expected;
+  CSCD::extract_curve_skeleton(points, expected);
+  for (const unsigned number_of_threads : {1u, 2u, 4u}) {
+    Skeleton skeleton;
+    CSCD::extract_curve_skeleton<CGAL::Parallel_if_available_tag>(
+        points, skeleton, CSCD::parameters::number_of_threads(number_of_threads));
+    EXPECT_EQ(plain(expected), plain(skeleton));
+  }
+}
+
+TEST(Point_skeleton, is_the_same_for_all_ranges)
+{
+  const Points points = to_points(some_points());
+  Skeleton expected;
+  CSCD::extract_curve_skeleton(points, expected);
+
+  CGAL::Point_set_3<Point> point_set;
+  std::vector<std::pair<int, Point>> pairs;
+  for (const Point& p : points) {
+    point_set.insert(p);
+    pairs.emplace_back(0, p);
+  }
+  Skeleton of_pairs;
+  CSCD::extract_curve_skeleton(
+      pairs, of_pairs,
+      CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Point>>()).random_seed(0));
+  EXPECT_EQ(plain(expected), plain(of_pairs));
+
+  CSCD::Skeleton_graph<Point, CGAL::Point_set_3<Point>::Index> of_point_set;
+  CSCD::extract_curve_skeleton(point_set, of_point_set);
+  ASSERT_EQ(num_vertices(expected), num_vertices(of_point_set));
+  for (std::size_t node = 0; node < num_vertices(expected); ++node) {
+    EXPECT_EQ(expected[node].point, of_point_set[node].point);
+    ASSERT_EQ(expected[node].vertices.size(), of_point_set[node].vertices.size());
+    EXPECT_TRUE(std::equal(expected[node].vertices.begin(), expected[node].vertices.end(),
+                           of_point_set[node].vertices.begin()));
+  }
+}
+
+/// Triangles across the given normals are refused.
+TEST(Point_skeleton, uses_normals)
+{
+  const Shape ball = CSCD::test::sphere(4);
+  const std::vector<Triple> inner = sampled(ball, 3000, 1);
+  CGAL::Point_set_3<Point> points;
+  points.add_normal_map();
+  for (const Triple& p : inner) {
+    const Triple n = CSCD::test::unit(p);
+    points.insert(Point(p[0], p[1], p[2]), Vector(n[0], n[1], n[2]));
+  }
+  CSCD::Skeleton_graph<Point, CGAL::Point_set_3<Point>::Index> skeleton;
+  const auto report = CSCD::extract_curve_skeleton(points, skeleton);
+  EXPECT_EQ(0u, report.reconstruction->number_of_border_edges);
+  // Normals along the surface contradict its triangles.
+  for (const auto& index : points) {
+    const Point& p = points.point(index);
+    const Triple tangent = CSCD::test::unit(CSCD::test::cross({p.x(), p.y(), p.z()}, {0, 0, 1}));
+    points.normal(index) = Vector(tangent[0], tangent[1], tangent[2]);
+  }
+  EXPECT_THROW(CSCD::extract_curve_skeleton(points, skeleton), CSCD::Input_error);
+}
+
+TEST(Point_skeleton, keeps_interlocked_rings_apart)
+{
+  using namespace CSCD::test;
+  Shape other = torus(3, 0.8, 24);
+  for (Triple& p : other.points) {
+    p = Triple{p[0] + 3, p[2], p[1]};
+  }
+  const Shape rings = merged("", {torus(3, 0.8, 24), other});
+  const Outcome outcome = skeletonize(sampled(rings, 8000, 1));
+  EXPECT_EQ(2u, outcome.report.number_of_skeleton_components);
+  EXPECT_EQ(2u, outcome.report.betti_number);
+}
+
+TEST(Point_skeleton, keeps_close_sheets_apart)
+{
+  using namespace CSCD::test;
+  // Two balls, five mean distances apart.
+  const Shape balls = merged("", {sphere(4), translated(sphere(4), {2.15, 0, 0})});
+  EXPECT_EQ(2u, skeletonize(sampled(balls, 8000, 1)).report.number_of_skeleton_components);
+}
+
+TEST(Point_skeleton, joins_the_stumps_of_a_severed_limb)
+{
+  using namespace CSCD::test;
+  std::vector<Triple> points = sampled(tube(10, 1, 24, Tube_end::flat), 6000, 1);
+  points.erase(std::remove_if(points.begin(), points.end(), [](const Triple& p) { return std::abs(p[0] - 5) < 0.15; }),
+               points.end());
+  const Outcome outcome = skeletonize(points);
+  EXPECT_EQ(1u, outcome.report.number_of_skeleton_components);
+}
+
+TEST(Point_skeleton, warns_of_points_that_hardly_sample_a_surface)
+{
+  std::mt19937_64 random(1);
+  std::vector<Triple> points;
+  for (int i = 0; i < 2000; ++i) {
+    points.push_back(
+        {CSCD::test::random_unit(random), CSCD::test::random_unit(random), CSCD::test::random_unit(random)});
+  }
+  const Outcome outcome = skeletonize(points);
+  const std::vector<std::string>& warnings = outcome.report.warnings;
+  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
+    return warning.find("hardly sample the surface") != std::string::npos;
+  }));
+}
+
+TEST(Point_skeleton, bears_few_points_and_flat_ones)
+{
+  std::mt19937_64 random(1);
+  for (const std::size_t number : {4u, 5u, 6u, 8u, 12u, 20u, 50u}) {
+    SCOPED_TRACE(number);
+    std::vector<Triple> points = sampled(CSCD::test::sphere(3), number, 1);
+    EXPECT_LE(1u, skeletonize(points).report.number_of_skeleton_components);
+  }
+  std::vector<Triple> plane;
+  for (int i = 0; i < 1000; ++i) {
+    plane.push_back({CSCD::test::random_unit(random), CSCD::test::random_unit(random), 0});
+  }
+  EXPECT_EQ(1u, skeletonize(plane).report.number_of_skeleton_components);
+}
+
+/// The message with which `points` are refused; the skeleton stays as it was.
+std::string refusal(const std::vector<Triple>& points)
+{
+  Skeleton skeleton;
+  add_vertex(skeleton);
+  try {
+    CSCD::extract_curve_skeleton(to_points(points), skeleton);
+  } catch (const CSCD::Input_error& error) {
+    EXPECT_EQ(1u, num_vertices(skeleton));
+    return error.what();
+  }
+  return "not refused";
+}
+
+void expect_refusal(const std::vector<Triple>& points, const std::string& part)
+{
+  EXPECT_NE(std::string::npos, refusal(points).find(part)) << refusal(points);
+}
+
+TEST(Point_skeleton, refuses_what_has_no_surface)
+{
+  expect_refusal({}, "empty");
+  expect_refusal({{1, 2, 3}}, "same place");
+  expect_refusal(std::vector<Triple>(10, {1, 2, 3}), "same place");
+  expect_refusal({{1, 2, 3}, {2, 3, 4}}, "2 different points");
+  expect_refusal({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}}, "3 different points");
+  std::vector<Triple> line;
+  std::vector<Triple> circle;
+  for (int i = 0; i < 500; ++i) {
+    line.push_back({0.1 * i, -0.2 * i, 0.3 * i});
+    circle.push_back({std::cos(0.01256 * i), std::sin(0.01256 * i), 0.1 * std::sin(0.05 * i)});
+  }
+  expect_refusal(line, "one line");
+  expect_refusal(circle, "do not sample a surface");
+}
+
+TEST(Point_skeleton, refuses_coordinates_that_are_not_finite)
+{
+  std::vector<Triple> points = some_points();
+  points[17][1] = std::numeric_limits<double>::quiet_NaN();
+  expect_refusal(points, "point 17 ");
+  points[17][1] = std::numeric_limits<double>::infinity();
+  expect_refusal(points, "point 17 ");
+}
+
+} // namespace
