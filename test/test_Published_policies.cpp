@@ -11,7 +11,8 @@
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -26,6 +27,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <numeric>
 #include <string>
 
 namespace {
@@ -75,8 +77,10 @@ TEST_P(Published_method, keeps_the_invariants)
   }
   EXPECT_EQ(report.betti_number, report.genus);
   EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, 0u);
-  EXPECT_EQ(report.number_of_sources, report.number_of_separators + report.number_of_sources_without_cut +
-                                          report.number_of_degenerate_loops + report.number_of_collapsed_loops);
+  EXPECT_EQ(report.number_of_sources,
+            report.number_of_separators + report.number_of_sources_without_cut + report.number_of_collapsed_loops);
+  EXPECT_EQ(std::accumulate(report.number_of_rejections.begin(), report.number_of_rejections.end(), std::size_t(0)),
+            report.number_of_sources_without_cut);
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Published_method, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
@@ -119,6 +123,17 @@ TEST(Published_policies, work_with_the_nearest_target_along_the_surface)
       skeletonize(mesh, skeleton, 0, 1, Policies(CSCD::Target_rule::nearest_along_surface));
   EXPECT_EQ(report.betti_number, 2u);
   EXPECT_EQ(report.number_of_skeleton_components, 1u);
+}
+
+TEST(Published_policies, work_with_the_variational_shortening)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
+  Skeleton skeleton;
+  const Policies policies(CSCD::Target_rule::nearest_in_space, CSCD::Shortening_rule::variational);
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, policies);
+  EXPECT_EQ(report.number_of_tips, 3u);
+  EXPECT_EQ(report.number_of_junctions, 1u);
+  EXPECT_GT(report.number_of_separators, number_of_sources / 2);
 }
 
 TEST(Published_policies, draw_as_many_sources_as_published_unless_told_otherwise)

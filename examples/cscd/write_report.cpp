@@ -42,11 +42,24 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"genus", r.genus}};
 }
 
+/// Why sources have no cut point that is accepted.
+Json rejections(const CSCD::Skeletonization_report& r)
+{
+  constexpr std::array<const char*, CSCD::number_of_cut_loop_outcomes> names{
+      "found",     "no_cut_point", "distance_below_chord", "one_direction", "not_connected", "meets_at_once",
+      "long_stem", "narrow"};
+  Json result = Json::object();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    result[names[i]] = r.number_of_rejections[i];
+  }
+  return result;
+}
+
 Json separators_part(const CSCD::Skeletonization_report& r)
 {
   return {{"number_of_sources", r.number_of_sources},
           {"number_of_sources_without_cut", r.number_of_sources_without_cut},
-          {"number_of_degenerate_loops", r.number_of_degenerate_loops},
+          {"number_of_rejections", rejections(r)},
           {"number_of_collapsed_loops", r.number_of_collapsed_loops},
           {"number_of_bumps", r.number_of_bumps},
           {"number_of_tunnels", r.number_of_tunnels},

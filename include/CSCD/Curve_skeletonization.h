@@ -119,7 +119,7 @@ public:
     m_packing.reset();
     m_report.number_of_sources = 0;
     m_report.number_of_sources_without_cut = 0;
-    m_report.number_of_degenerate_loops = 0;
+    m_report.number_of_rejections = {};
     m_report.number_of_collapsed_loops = 0;
     m_report.number_of_bumps = 0;
     m_report.number_of_tunnels = 0;

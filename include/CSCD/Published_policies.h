@@ -9,8 +9,9 @@
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Cut_loop.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Skeleton/Embedded_skeleton.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
@@ -23,10 +24,9 @@
 namespace CSCD {
 
 /// The method as published, CSCD-M: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus
-/// from the whole distance field, shortening by edge flips, random sources, the quotient graph of regions. A model of
-/// `SkeletonizationPolicies`. Slower than `Local_policies` by an order of magnitude; its time grows with the number of
-/// sources times that of vertices.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// from the whole distance field, shortening by edge flips or the variational flow, random sources, the quotient graph
+/// of regions. A model of `SkeletonizationPolicies`. Slower than `Local_policies` by an order of magnitude; its time
+/// grows with the number of sources times that of vertices. \tparam Traits a model of `SolidSkeletonizationTraits`
 template <class Traits>
 class Published_policies
 {
@@ -38,7 +38,10 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param target_rule which cut point is the target of a source
-  explicit Published_policies(Target_rule target_rule = Target_rule::nearest_in_space) : m_target_rule(target_rule)
+  /// \param shortening_rule how the loop through it is shortened
+  explicit Published_policies(Target_rule target_rule = Target_rule::nearest_in_space,
+                              Shortening_rule shortening_rule = Shortening_rule::edge_flips)
+      : m_target_rule(target_rule), m_shortening_rule(shortening_rule)
   {
     check_solid_skeletonization_traits<Traits>();
   }
@@ -48,7 +51,7 @@ public:
   std::vector<Separator> find_separators(const Traits& traits, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const
   {
-    internal::Sampled_search<ConcurrencyTag, Traits> search(traits, settings, m_target_rule);
+    internal::Sampled_search<ConcurrencyTag, Traits> search(traits, settings, m_target_rule, m_shortening_rule);
     const bool is_bounded = settings.maximum_number_of_sources != Search_settings().maximum_number_of_sources;
     return search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);
   }
@@ -67,6 +70,7 @@ public:
 
 private:
   Target_rule m_target_rule;
+  Shortening_rule m_shortening_rule;
 };
 
 } // namespace CSCD

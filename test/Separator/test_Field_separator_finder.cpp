@@ -11,8 +11,9 @@
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -22,8 +23,8 @@
 
 namespace {
 
+using CSCD::Cut_loop_outcome;
 using CSCD::Target_rule;
-using CSCD::internal::Field_search_outcome;
 using CSCD::internal::Field_search_result;
 using CSCD::internal::Field_separator_finder;
 using CSCD::internal::Index;
@@ -51,7 +52,7 @@ public:
     m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, m_workspace);
     Field_search_result result;
     m_finder(source, field.distances, result);
-    if (result.outcome == Field_search_outcome::found) {
+    if (result.has_separator()) {
       EXPECT_TRUE(CSCD::test::is_closed_curve(m_surface, result.separator.crossings));
       EXPECT_EQ(result.separator.source, source);
     }
@@ -79,7 +80,7 @@ TEST(Field_separator_finder, goes_around_a_tube)
   for (double x : {3., 5., 6.5}) {
     for (double angle : {0., 1., 2.5, 4.}) {
       const Field_search_result result = searched.find({x, std::cos(angle), std::sin(angle)});
-      ASSERT_EQ(result.outcome, Field_search_outcome::found);
+      ASSERT_TRUE(result.has_separator());
       EXPECT_NEAR(result.separator.length, 2 * pi, 0.05 * 2 * pi);
       EXPECT_NEAR(result.separator.center.x(), x, 0.3);
       EXPECT_NEAR(std::hypot(result.separator.center.y(), result.separator.center.z()), 0, 0.05);
@@ -92,7 +93,7 @@ TEST(Field_separator_finder, goes_around_the_tube_of_a_torus_not_around_its_hole
   Searched_surface searched(CSCD::test::torus(3, 1, 32));
   for (const Vector_3& point : {Vector_3(4, 0, 0), Vector_3(0, 2, 0), Vector_3(-3, 0, 1)}) {
     const Field_search_result result = searched.find(point);
-    ASSERT_EQ(result.outcome, Field_search_outcome::found);
+    ASSERT_TRUE(result.has_separator());
     EXPECT_NEAR(result.separator.length, 2 * pi, 0.1 * 2 * pi);
     EXPECT_NEAR(result.separator.center.norm(), 3, 0.1);
   }
@@ -107,8 +108,8 @@ TEST(Field_separator_finder, takes_the_target_that_the_rule_says)
   const Vector_3 middle(4, 2, 1);
   const Field_search_result first = in_space.find(middle);
   const Field_search_result second = along_surface.find(middle);
-  ASSERT_EQ(first.outcome, Field_search_outcome::found);
-  ASSERT_EQ(second.outcome, Field_search_outcome::found);
+  ASSERT_TRUE(first.has_separator());
+  ASSERT_TRUE(second.has_separator());
   EXPECT_NEAR(first.separator.length, 10, 0.5);
   EXPECT_NEAR(second.separator.length, 10, 0.5);
 }
@@ -119,7 +120,7 @@ TEST(Field_separator_finder, answers_again_as_before)
   const Field_search_result first = searched.find({1, 0, 0.3});
   searched.find({0, 1, 0.3});
   const Field_search_result again = searched.find({1, 0, 0.3});
-  ASSERT_EQ(first.outcome, Field_search_outcome::found);
+  ASSERT_TRUE(first.has_separator());
   EXPECT_EQ(first.separator.length, again.separator.length);
   EXPECT_EQ(first.separator.crossings.size(), again.separator.crossings.size());
 }
@@ -128,7 +129,9 @@ TEST(Field_separator_finder, says_when_there_is_no_target)
 {
   // Nothing is farther than a few edges.
   Searched_surface searched(CSCD::test::tetrahedron());
-  EXPECT_EQ(searched.find({0, 0, 0}).outcome, Field_search_outcome::no_target);
+  const Field_search_result result = searched.find({0, 0, 0});
+  EXPECT_EQ(result.outcome, Cut_loop_outcome::no_cut_point);
+  EXPECT_FALSE(result.has_separator());
 }
 
 } // namespace

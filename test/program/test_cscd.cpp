@@ -311,7 +311,7 @@ TEST_F(Cscd, reports_as_json)
   for (const char* key :
        {"number_of_isolated_vertices", "number_of_bridged_borders", "number_of_inserted_vertices",
         "number_of_degenerate_faces", "number_of_levels", "number_of_sources", "number_of_sources_without_cut",
-        "number_of_degenerate_loops", "number_of_collapsed_loops", "number_of_bumps", "number_of_tunnels",
+        "number_of_rejections", "number_of_collapsed_loops", "number_of_bumps", "number_of_tunnels",
         "number_of_separators", "number_of_plane_sections", "number_of_straightened_loops",
         "number_of_packed_separators", "number_of_handle_cuts", "number_of_nodes_outside", "number_of_edges_outside"}) {
     EXPECT_TRUE(report.contains(key) && report[key].is_number_unsigned()) << key;

@@ -13,10 +13,13 @@
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Selection/Distance_sampling.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Traits/Solid_queries.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
@@ -26,6 +29,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace CSCD::internal {
@@ -40,11 +44,16 @@ template <class ConcurrencyTag, class Traits>
 class Sampled_search
 {
 public:
-  Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule)
-      : m_surface(traits.levels().finest().surface), m_frames(m_surface), m_heat(delaunay(m_surface)),
+  Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule,
+                 Shortening_rule shortening_rule)
+      : m_surface(traits.levels().finest().surface), m_frames(m_surface),
+        m_queries(queries_for(shortening_rule, m_surface)), m_heat(delaunay(m_surface)),
         m_sampling(areas(m_surface), settings.random_seed),
-        m_for_each([this, target_rule] { return std::make_unique<Worker>(m_surface, m_frames, target_rule); },
-                   settings.number_of_threads)
+        m_for_each(
+            [this, target_rule] {
+              return std::make_unique<Worker>(m_surface, m_frames, target_rule, m_queries ? &*m_queries : nullptr);
+            },
+            settings.number_of_threads)
   {
   }
 
@@ -77,8 +86,8 @@ private:
   struct Worker
   {
     Worker(const Triangulated_surface& surface, const Tangent_frames<Triangulated_surface>& frames,
-           Target_rule target_rule)
-        : finder(surface, frames, target_rule)
+           Target_rule target_rule, const Solid_queries* queries)
+        : finder(surface, frames, target_rule, queries)
     {
     }
     Heat_method::Workspace workspace;
@@ -92,6 +101,11 @@ private:
     Intrinsic_triangulation<Triangulated_surface> result(surface);
     result.make_delaunay();
     return result;
+  }
+
+  static std::optional<Solid_queries> queries_for(Shortening_rule rule, const Triangulated_surface& surface)
+  {
+    return rule == Shortening_rule::variational ? std::make_optional<Solid_queries>(surface) : std::nullopt;
   }
 
   static std::vector<double> areas(const Triangulated_surface& surface)
@@ -138,26 +152,22 @@ private:
   void take_results(std::vector<Separator>& separators, Skeletonization_report& report) const
   {
     for (std::size_t i = 0; i < m_sources.size(); ++i) {
+      const Field_search_result& result = m_results[i];
       ++report.number_of_sources;
-      switch (m_results[i].outcome) {
-      case Field_search_outcome::found:
-        separators.push_back(m_results[i].separator);
-        break;
-      case Field_search_outcome::no_target:
-        ++report.number_of_sources_without_cut;
-        break;
-      case Field_search_outcome::degenerate:
-        ++report.number_of_degenerate_loops;
-        break;
-      case Field_search_outcome::collapsed:
+      if (result.has_separator()) {
+        separators.push_back(result.separator);
+      } else if (result.outcome == Cut_loop_outcome::found) {
         ++report.number_of_collapsed_loops;
-        break;
+      } else {
+        ++report.number_of_sources_without_cut;
+        ++report.number_of_rejections[std::size_t(result.outcome)];
       }
     }
   }
 
   const Triangulated_surface& m_surface;
   Tangent_frames<Triangulated_surface> m_frames;
+  std::optional<Solid_queries> m_queries;
   Heat_method m_heat;
   Distance_sampling m_sampling;
   For_each_index<ConcurrencyTag, std::unique_ptr<Worker>> m_for_each;

@@ -6,37 +6,14 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_H
 #define CSCD_SEPARATOR_CUT_LOOP_H
 
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Edge_step.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <array>
 #include <cstddef>
 
-namespace CSCD {
-
-/// Which cut point is the target of a source.
-enum class Target_rule
-{
-  nearest_in_space,     ///< least Euclidean distance: around the limb, however wide it is
-  nearest_along_surface ///< least geodesic distance: on a wide body that may be around another limb (supplement, J.1)
-};
-
-/// What became of a source or of one of its cut points.
-enum class Cut_loop_outcome
-{
-  found,                ///< a closed curve
-  no_cut_point,         ///< the source has no cut point outside of its neighborhood
-  distance_below_chord, ///< the distance is less than that in space, which only an estimate can be
-  one_direction,        ///< all fronts arrive from one side
-  not_connected,        ///< no way leads to the source
-  meets_at_once,        ///< the ways to the source join at the target or next to it: nothing is enclosed
-  long_stem,            ///< the ways to the source join far from it: the curve is not that of this source
-  narrow                ///< the ways to the source stay close together: they go around a bump
-};
-
-inline constexpr std::size_t number_of_cut_loop_outcomes = std::size_t(Cut_loop_outcome::narrow) + 1;
-
-namespace internal {
+namespace CSCD::internal {
 
 /// A simple closed curve along edges, and how it was found.
 struct Cut_loop
@@ -57,7 +34,6 @@ struct Cut_loop
   std::array<std::size_t, number_of_cut_loop_outcomes> number_of_candidates{};
 };
 
-} // namespace internal
-} // namespace CSCD
+} // namespace CSCD::internal
 
 #endif // CSCD_SEPARATOR_CUT_LOOP_H

@@ -9,8 +9,10 @@
 #include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Descent.h>
 #include <CSCD/Separator/Edge_step.h>
+#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Separator/incoming_directions.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>

@@ -10,93 +10,76 @@
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Separator/Cut_loop.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/Separator/Locality_ball.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Surface_path.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Separator/push_off_vertices.h>
+#include <CSCD/Separator/Separator_flip_shortening.h>
+#include <CSCD/Separator/Separator_variational_shortening.h>
+#include <CSCD/Separator/Shortening_outcome.h>
+#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Traits/Solid_queries.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <optional>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// How the search for the separator of one source ended.
-enum class Field_search_outcome
-{
-  found,     ///< a separator was found
-  no_target, ///< no cut point was accepted as target
-  collapsed, ///< the loop shrank to a point when it was shortened
-  degenerate ///< the shortened loop is no curve of enough edges
-};
-
 /// The result of the search for the separator of one source.
 struct Field_search_result
 {
-  Field_search_outcome outcome = Field_search_outcome::no_target;
-  Separator separator; ///< where one was found
+  /// `found`, or why no loop was.
+  Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
+  /// Of the loop, if one was found; `collapsed` leaves no separator.
+  Shortening_outcome shortening = Shortening_outcome::collapsed;
+  Separator separator;
+
+  bool has_separator() const
+  {
+    return outcome == Cut_loop_outcome::found && shortening != Shortening_outcome::collapsed;
+  }
 };
 
 /// The published way from a distance field to a separator (Alg. 3): cut points by the thresholds of Laplacian and
-/// gradient angle, the target, two ways back from it, shortening by edge flips within the locality ball. One object
-/// serves one thread; it keeps working memory of the size of the surface.
+/// gradient angle, the target, two ways back from it, and shortening within the locality ball. One object serves one
+/// thread; it keeps working memory of the size of the surface.
 class Field_separator_finder
 {
 public:
   /// \param frames those of `surface`; both are referred to
+  /// \param queries those of `surface`, for the variational shortening; null for shortening by edge flips
   Field_separator_finder(const Triangulated_surface& surface, const Tangent_frames<Triangulated_surface>& frames,
-                         Target_rule target_rule)
-      : m_surface(surface), m_frames(frames), m_target_rule(target_rule), m_loop_finder(frames, surface.points()),
-        m_shortening(surface)
+                         Target_rule target_rule, const Solid_queries* queries = nullptr)
+      : m_frames(frames), m_target_rule(target_rule), m_loop_finder(frames, surface.points()), m_flips(surface)
   {
+    if (queries != nullptr) {
+      m_flow.emplace(surface, *queries);
+    }
   }
 
-  /// Seeks the separator of `source`, which is at distance 0 of the vertices' `distances`. O(n) for n vertices, though
+  /// Seeks the separator of `source`, from which `distances` are those of all vertices. O(n) for n vertices, though
   /// most of the work is that of the loop.
   void operator()(Index source, const std::vector<double>& distances, Field_search_result& result)
   {
     const Cut_measures<Triangulated_surface> measures(m_frames, distances);
     m_loop_finder(measures, source, Cut_criterion(), m_target_rule, m_loop);
-    result.outcome =
-        m_loop.outcome == Cut_loop_outcome::found ? shorten(source, result.separator) : Field_search_outcome::no_target;
+    result.outcome = m_loop.outcome;
+    if (m_loop.outcome == Cut_loop_outcome::found) {
+      result.separator.source = source;
+      result.separator.level = 0;
+      const std::vector<Index> vertices = m_loop_finder.vertices(m_loop);
+      result.shortening = m_flow ? m_flow->shorten_vertex_loop(vertices, source, result.separator)
+                                 : m_flips.shorten_vertex_loop(vertices, source, result.separator);
+    }
   }
 
 private:
-  /// A loop of fewer edges encloses nothing.
-  static constexpr std::size_t least_loop_size = 3;
-
-  Field_search_outcome shorten(Index source, Separator& separator)
-  {
-    m_halfedges.clear();
-    for (const Edge_step& step : m_loop.steps) {
-      m_halfedges.push_back(step.is_reversed ? m_surface.twin(step.halfedge) : step.halfedge);
-    }
-    const Locality_ball is_outside(m_surface, m_surface.point(source), m_halfedges);
-    if (m_shortening(m_halfedges, true, is_outside, m_path) == Shortening_outcome::collapsed) {
-      return Field_search_outcome::collapsed;
-    }
-    if (!push_off_vertices(m_surface, m_path, separator.crossings) || separator.crossings.size() < least_loop_size) {
-      return Field_search_outcome::degenerate;
-    }
-    crossing_points(m_surface, separator.crossings, m_points);
-    set_measures(separator, m_points);
-    separator.source = source;
-    separator.level = 0;
-    return Field_search_outcome::found;
-  }
-
-  const Triangulated_surface& m_surface;
   const Tangent_frames<Triangulated_surface>& m_frames;
   Target_rule m_target_rule;
   Cut_loop_finder<Triangulated_surface> m_loop_finder;
-  Edge_flip_shortening<Triangulated_surface> m_shortening;
+  Separator_flip_shortening m_flips;
+  std::optional<Separator_variational_shortening> m_flow;
   Cut_loop m_loop;
-  std::vector<Index> m_halfedges;
-  Surface_path m_path;
-  std::vector<Vector_3> m_points;
 };
 
 } // namespace CSCD::internal
