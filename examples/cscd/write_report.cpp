@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
@@ -125,6 +126,10 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs.sentences()}};
+  if (options.method == published_method) {
+    document["target"] = options.target.empty() ? euclidean_target : options.target;
+    document["shortening"] = options.shortening.empty() ? flip_shortening : options.shortening;
+  }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
   }
