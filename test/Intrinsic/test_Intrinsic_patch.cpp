@@ -30,7 +30,7 @@ using Intrinsic_triangulation = CSCD::internal::Intrinsic_triangulation<Triangul
 
 /// What an edge crosses, from both ends, and its length.
 template <class Triangulation>
-std::vector<double> describe(const Triangulation& triangulation, Index halfedge)
+std::vector<double> describe(Triangulation& triangulation, Index halfedge)
 {
   Edge_trace trace;
   triangulation.trace(halfedge, trace);
@@ -42,17 +42,17 @@ std::vector<double> describe(const Triangulation& triangulation, Index halfedge)
   return result;
 }
 
-TEST(Intrinsic_patch, does_what_the_whole_triangulation_does)
+/// Walks and flips at random in a patch of `source` and in `whole`, which is the same triangulation, and compares.
+template <class Source>
+void expect_alike(const Source& source, const Intrinsic_triangulation& triangulation)
 {
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.3, 1));
-  Intrinsic_patch patch(surface, 0);
+  CSCD::internal::Intrinsic_patch<Source> patch(source, 0);
   std::mt19937_64 random(1);
   for (int round = 0; round < 5; ++round) {
-    // The patch is the same after it was used; both walk at random, turning and flipping alike.
     patch.clear();
     EXPECT_EQ(patch.number_of_faces(), 0u);
-    Intrinsic_triangulation whole(surface);
-    Index at_whole = Index(random() % surface.number_of_halfedges());
+    Intrinsic_triangulation whole = triangulation;
+    Index at_whole = Index(random() % source.number_of_halfedges());
     Index at_patch = patch.halfedge_along(at_whole);
     EXPECT_EQ(patch.number_of_faces(), 1u);
     for (int step = 0; step < 2000; ++step) {
@@ -78,8 +78,17 @@ TEST(Intrinsic_patch, does_what_the_whole_triangulation_does)
         ASSERT_EQ(describe(patch, at_patch), describe(whole, at_whole));
       }
     }
-    EXPECT_LE(patch.number_of_faces(), surface.number_of_faces());
+    EXPECT_LE(patch.number_of_faces(), source.number_of_faces());
   }
+}
+
+TEST(Intrinsic_patch, does_what_the_whole_triangulation_does)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 16), 0.3, 1));
+  Intrinsic_triangulation triangulation(surface);
+  expect_alike(surface, triangulation);
+  ASSERT_GT(triangulation.make_delaunay(), 0u);
+  expect_alike(triangulation, triangulation);
 }
 
 TEST(Intrinsic_patch, adds_faces_one_by_one)

@@ -9,6 +9,7 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Locality_ball.h>
 #include <CSCD/Separator/Shortening_outcome.h>
@@ -49,6 +50,7 @@ using CSCD::test::pi;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
 using Edge_flip_shortening = CSCD::internal::Edge_flip_shortening<Triangulated_surface>;
+using Intrinsic_triangulation = CSCD::internal::Intrinsic_triangulation<Triangulated_surface>;
 
 constexpr auto nothing_is_pinned = [](Index) { return false; };
 
@@ -128,6 +130,15 @@ void expect_geodesic(const Triangulated_surface& surface, const Surface_path& pa
       ASSERT_GE(vertex_angle(surface, vertex) - left, pi - tolerance) << "point " << i;
     }
   }
+}
+
+/// Whether two paths have the same points, bit by bit.
+bool are_equal(const Surface_path& a, const Surface_path& b)
+{
+  return a.length == b.length && std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+                                            [](const Edge_crossing& p, const Edge_crossing& q) {
+                                              return p.halfedge == q.halfedge && p.position == q.position;
+                                            });
 }
 
 /// The vertices of a ring of a tube, which makes a detour over the next ring at every `period`-th vertex.
@@ -317,7 +328,8 @@ TEST(Edge_flip_shortening, ends_in_geodesics_on_rough_surfaces)
 }
 
 /// The border of a disc of about `size` faces around `seed`, if it is a simple closed curve; else nothing.
-std::vector<Index> disc_border(const Triangulated_surface& surface, Index seed, std::size_t size)
+template <class Triangulation>
+std::vector<Index> disc_border(const Triangulation& surface, Index seed, std::size_t size)
 {
   std::vector<char> is_inside(surface.number_of_faces(), 0);
   std::vector<Index> faces{seed};
@@ -381,6 +393,43 @@ TEST(Edge_flip_shortening, shrinks_borders_of_discs_to_points_or_to_geodesics)
       }
     }
     EXPECT_GT(number_of_discs, 0u);
+  }
+}
+
+TEST(Edge_flip_shortening, shortens_curves_along_the_edges_of_an_intrinsic_triangulation)
+{
+  for (const Shape& shape : {CSCD::test::noisy(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat), 0.4, 1),
+                             CSCD::test::y_tube(0.15), CSCD::test::noisy(CSCD::test::y_tube(0.15), 0.2, 2)}) {
+    SCOPED_TRACE(shape.name);
+    const Triangulated_surface surface = CSCD::test::to_surface(shape);
+    Intrinsic_triangulation triangulation(surface);
+    Edge_flip_shortening shorten_on_surface(surface);
+    Surface_path path;
+    Surface_path path_on_surface;
+    std::size_t number_of_geodesics = 0;
+    for (const bool is_delaunay : {false, true}) {
+      if (is_delaunay) {
+        ASSERT_GT(triangulation.make_delaunay(), 0u);
+      }
+      CSCD::internal::Edge_flip_shortening<Intrinsic_triangulation> shorten(triangulation);
+      for (Index seed = 0; seed < surface.number_of_faces(); seed += surface.number_of_faces() / 100) {
+        const std::vector<Index> border = disc_border(triangulation, seed, surface.number_of_faces() / 3);
+        if (border.empty()) {
+          continue;
+        }
+        SCOPED_TRACE(seed);
+        const Shortening_outcome outcome = shorten(border, true, path);
+        if (!is_delaunay) {
+          ASSERT_EQ(shorten_on_surface(border, true, path_on_surface), outcome);
+          ASSERT_TRUE(are_equal(path, path_on_surface));
+        } else if (outcome != Shortening_outcome::collapsed) {
+          ++number_of_geodesics;
+          ASSERT_EQ(outcome, Shortening_outcome::straight);
+          expect_geodesic(surface, path, nothing_is_pinned);
+        }
+      }
+    }
+    EXPECT_GT(number_of_geodesics, 0u);
   }
 }
 
@@ -467,15 +516,6 @@ TEST(Edge_flip_shortening, does_not_pass_over_other_parts_of_the_curve)
   // Once the loop at its end has shrunk, nothing is in the way.
   EXPECT_EQ(shorten(curve, false, path), Shortening_outcome::straight);
   EXPECT_NEAR(path.length, 2 * surface.length(curve.front()), 1e-9);
-}
-
-/// Whether two paths have the same points, bit by bit.
-bool are_equal(const Surface_path& a, const Surface_path& b)
-{
-  return a.length == b.length && std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
-                                            [](const Edge_crossing& p, const Edge_crossing& q) {
-                                              return p.halfedge == q.halfedge && p.position == q.position;
-                                            });
 }
 
 TEST(Edge_flip_shortening, gives_the_same_on_several_threads_and_with_used_objects)

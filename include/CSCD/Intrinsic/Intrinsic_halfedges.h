@@ -61,21 +61,13 @@ public:
   double added_length() const { return m_added_length; }
   /// Whether the edge runs along an edge of the input.
   bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
+  /// See `Normal_coordinate`.
+  Normal_coordinate normal_coordinate(Index halfedge) const { return m_halfedges[halfedge].coordinate; }
   /// The number of input edges that the edge crosses.
   Index number_of_crossings(Index halfedge) const { return Index(crossings_of(m_halfedges[halfedge].coordinate)); }
   /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
   Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
 
-  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact;
-  /// where, is exact up to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
-  void trace(Index halfedge, Edge_trace& trace) const
-  {
-    trace.clear();
-    for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
-      trace.cross(m_input->twin(left_input_halfedge(halfedge, i)));
-    }
-    trace.straighten(Input_lengths{*m_input, m_added_length}, m_halfedges[halfedge].input_halfedge);
-  }
   /// @}
 
 protected:
@@ -151,22 +143,36 @@ protected:
 
   /// Follows the curve to the next edge that it crosses. \return false if it ends at the apex instead; `rank` is then
   /// its rank among those that emanate there, counterclockwise
-  bool follow(Curve_position& at) const
+  template <class Twin>
+  bool follow(Curve_position& at, const Twin& twin_of) const
   {
     const Index after = next(at.halfedge);
     const Index before = previous(at.halfedge);
     const Normal_coordinate side = m_halfedges[at.halfedge].coordinate;
-    const Triangle_curves curves(side, m_halfedges[after].coordinate, m_halfedges[before].coordinate);
+    const Normal_coordinate side_after = m_halfedges[after].coordinate;
+    const Triangle_curves curves(side, side_after, m_halfedges[before].coordinate);
     if (at.rank < curves.around[0]) {
-      at.halfedge = m_halfedges[before].twin;
+      at.halfedge = twin_of(before);
       return true;
     }
     if (at.rank >= curves.around[0] + curves.from[2]) {
-      at = {m_halfedges[after].twin, m_halfedges[after].coordinate - side + at.rank};
+      at = {twin_of(after), side_after - side + at.rank};
       return true;
     }
     at.rank -= curves.around[0];
     return false;
+  }
+
+  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. `twin_of(h)` is the
+  /// twin of `h`, and may add faces.
+  template <class Twin>
+  void trace_over_input(Index halfedge, Edge_trace& trace, const Twin& twin_of) const
+  {
+    trace.clear();
+    for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
+      trace.cross(m_input->twin(left_input_halfedge(halfedge, i, twin_of)));
+    }
+    trace.straighten(Input_lengths{*m_input, m_added_length}, m_halfedges[halfedge].input_halfedge);
   }
 
   /// The input halfedge that is `number` steps counterclockwise from `halfedge`.
@@ -206,10 +212,11 @@ private:
   }
 
   /// The input edge that crosses `halfedge` after `rank` others, as a halfedge from its end on the left.
-  Index left_input_halfedge(Index halfedge, Normal_coordinate rank) const
+  template <class Twin>
+  Index left_input_halfedge(Index halfedge, Normal_coordinate rank, const Twin& twin_of) const
   {
     Curve_position at{halfedge, rank};
-    while (follow(at)) {
+    while (follow(at, twin_of)) {
     }
     return advance(m_halfedges[previous(at.halfedge)].input_halfedge, at.rank + 1);
   }

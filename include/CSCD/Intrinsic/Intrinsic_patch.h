@@ -6,34 +6,55 @@
 #ifndef CSCD_INTRINSIC_INTRINSIC_PATCH_H
 #define CSCD_INTRINSIC_INTRINSIC_PATCH_H
 
+#include <CSCD/Intrinsic/Edge_trace.h>
 #include <CSCD/Intrinsic/Flat_diamond.h>
 #include <CSCD/Intrinsic/Intrinsic_halfedges.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
-#include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// An intrinsic triangulation that holds only the faces that were asked for, in the order in which they were, and is
-/// emptied in constant time: what is done in it costs nothing of the size of the surface. The input is only read, so
-/// that any number of patches, of several threads, may share one; each keeps one index for every halfedge of it.
-/// Halfedges have numbers of their own. Vertices keep those of the input.
-/// \tparam Triangulation see `Intrinsic_halfedges`; without borders
+/// The surface over which the edges of `triangulation` run: itself, if it is not intrinsic.
 template <class Triangulation>
-class Intrinsic_patch : public Intrinsic_halfedges<Triangulation>
+const Triangulation& input_of(const Triangulation& triangulation)
 {
-  using Base = Intrinsic_halfedges<Triangulation>;
+  return triangulation;
+}
+
+template <class Triangulation>
+const Triangulation& input_of(const Intrinsic_triangulation<Triangulation>& triangulation)
+{
+  return triangulation.input();
+}
+
+template <class Triangulation>
+using Input_of = std::decay_t<decltype(input_of(std::declval<const Triangulation&>()))>;
+
+/// A triangulation of which only those faces are held that were asked for, in the order in which they were, so that
+/// edges can be flipped without touching it. It is emptied in constant time: what is done here costs nothing of the
+/// size of the surface. The source is only read, so that any number of patches, of several threads, may share one; each
+/// keeps one index for every halfedge of it. Halfedges have numbers of their own, vertices keep theirs.
+/// \tparam Source a triangulation without borders: a surface, or an `Intrinsic_triangulation`, whose edges are known to
+///         be lines over its input
+template <class Source>
+class Intrinsic_patch : public Intrinsic_halfedges<Input_of<Source>>
+{
+  using Base = Intrinsic_halfedges<Input_of<Source>>;
 
 public:
   using Base::next;
   using Base::previous;
 
-  /// \param added_length is added to the lengths of all edges, see `mollifying_length()`
-  explicit Intrinsic_patch(const Triangulation& input, double added_length)
-      : Base(input, added_length), m_halfedge_along(input.number_of_halfedges(), 0)
+  /// \param added_length what is added to the lengths of the input, see `mollifying_length()`; an intrinsic
+  ///        triangulation has added it already
+  Intrinsic_patch(const Source& source, double added_length)
+      : Base(input_of(source), added_length), m_source(&source), m_halfedge_along(source.number_of_halfedges(), 0)
   {
   }
 
@@ -41,25 +62,26 @@ public:
   void clear()
   {
     this->m_halfedges.clear();
+    m_source_halfedge.clear();
     m_angle.clear();
   }
 
-  /// The halfedge that runs along `input_halfedge`, the face of which is added if it is new.
+  /// The halfedge that runs along `source_halfedge`, the face of which is added if it is new.
   /// \pre the edge has not been flipped
-  Index halfedge_along(Index input_halfedge)
+  Index halfedge_along(Index source_halfedge)
   {
-    if (!has_along(input_halfedge)) {
-      add_face(Triangulation::face(input_halfedge));
+    if (!has_along(source_halfedge)) {
+      add_face(Source::face(source_halfedge));
     }
-    CGAL_postcondition(has_along(input_halfedge));
-    return m_halfedge_along[input_halfedge];
+    CGAL_postcondition(has_along(source_halfedge));
+    return m_halfedge_along[source_halfedge];
   }
 
   /// The twin of `halfedge`, the face of which is added if it is new.
   Index twin(Index halfedge)
   {
     if (this->m_halfedges[halfedge].twin == no_index) {
-      add_face(Triangulation::face(this->input().twin(this->input_halfedge(halfedge))));
+      add_face(Source::face(m_source->twin(m_source_halfedge[halfedge])));
     }
     return this->m_halfedges[halfedge].twin;
   }
@@ -93,15 +115,18 @@ public:
       return false;
     }
     this->replace_diagonal(halfedge, diamond.other_diagonal());
-    for (const Index moved : {halfedge, t}) {
-      if (this->is_input_edge(moved)) {
-        m_halfedge_along[this->input_halfedge(moved)] = moved;
-      }
-    }
+    move_source(previous(halfedge), t);
+    move_source(previous(t), halfedge);
     for (const Index h : {halfedge, t}) {
       m_angle[h] = m_angle[next(h)] = m_angle[previous(h)] = unknown_angle;
     }
     return true;
+  }
+
+  /// Writes to `trace` the edges of the input that `halfedge` crosses, see `Intrinsic_triangulation::trace()`.
+  void trace(Index halfedge, Edge_trace& trace)
+  {
+    this->trace_over_input(halfedge, trace, [this](Index h) { return twin(h); });
   }
 
 private:
@@ -109,32 +134,55 @@ private:
   static constexpr double least_part = 1e-9;
   static constexpr double unknown_angle = -1;
 
-  /// Whether there is a halfedge that runs along `input_halfedge`. Numbers that are left over from a patch before, or
+  /// Whether there is a halfedge that runs along `source_halfedge`. Numbers that are left over from a patch before, or
   /// from before a flip, tell on themselves, so that they need not be cleared.
-  bool has_along(Index input_halfedge) const
+  bool has_along(Index source_halfedge) const
   {
-    const Index h = m_halfedge_along[input_halfedge];
-    return h < this->number_of_halfedges() && this->is_input_edge(h) && this->input_halfedge(h) == input_halfedge;
+    const Index h = m_halfedge_along[source_halfedge];
+    return h < this->number_of_halfedges() && m_source_halfedge[h] == source_halfedge;
+  }
+
+  /// Takes notice that a halfedge has moved, and a new one has taken its place.
+  void move_source(Index from, Index to)
+  {
+    const Index source_halfedge = std::exchange(m_source_halfedge[from], no_index);
+    m_source_halfedge[to] = source_halfedge;
+    if (source_halfedge != no_index) {
+      m_halfedge_along[source_halfedge] = to;
+    }
   }
 
   /// Adds a face and links it to its neighbors. Between an old face and a new one nothing was ever flipped.
-  void add_face(Index input_face)
+  void add_face(Index source_face)
   {
     const Index first = this->number_of_halfedges();
-    this->append_face(input_face);
+    append(*m_source, source_face);
     m_angle.insert(m_angle.end(), 3, unknown_angle);
     for (Index k = 0; k < 3; ++k) {
-      m_halfedge_along[3 * input_face + k] = first + k;
+      m_source_halfedge.push_back(3 * source_face + k);
+      m_halfedge_along[3 * source_face + k] = first + k;
     }
     for (Index k = 0; k < 3; ++k) {
-      const Index input_twin = this->input().twin(3 * input_face + k);
-      if (has_along(input_twin)) {
-        this->link(first + k, m_halfedge_along[input_twin]);
+      const Index source_twin = m_source->twin(3 * source_face + k);
+      if (has_along(source_twin)) {
+        this->link(first + k, m_halfedge_along[source_twin]);
       }
     }
   }
 
-  std::vector<Index> m_halfedge_along;
+  void append(const Input_of<Source>&, Index input_face) { this->append_face(input_face); }
+
+  void append(const Intrinsic_triangulation<Input_of<Source>>& source, Index source_face)
+  {
+    for (Index h = 3 * source_face; h < 3 * source_face + 3; ++h) {
+      this->m_halfedges.push_back(
+          {source.origin(h), no_index, source.input_halfedge(h), source.normal_coordinate(h), source.length(h)});
+    }
+  }
+
+  const Source* m_source;
+  std::vector<Index> m_halfedge_along;  // of each halfedge of the source
+  std::vector<Index> m_source_halfedge; // that a halfedge runs along, if any
   std::vector<double> m_angle;
 };
 

@@ -75,12 +75,12 @@ public:
   Index edge(Index halfedge) const { return std::min(halfedge, twin(halfedge)); }
 
   /// A halfedge from `vertex`; the first one counterclockwise if there is a border, `no_index` if there is no face.
-  Index outgoing(Index vertex) const { return m_outgoing[vertex]; }
+  Index first_outgoing(Index vertex) const { return m_outgoing[vertex]; }
   /// The next halfedge of the same origin, counterclockwise; `no_index` if a border comes before.
   Index next_around_origin(Index halfedge) const { return twin(previous(halfedge)); }
   bool is_border_vertex(Index vertex) const { return m_outgoing[vertex] != no_index && is_border(m_outgoing[vertex]); }
 
-  /// Calls `function(h)` for all halfedges from `vertex`, counterclockwise, from `outgoing(vertex)` on.
+  /// Calls `function(h)` for all halfedges from `vertex`, counterclockwise, from `first_outgoing(vertex)` on.
   template <class Function>
   void for_each_outgoing(Index vertex, const Function& function) const
   {
@@ -180,6 +180,15 @@ public:
   }
   /// @}
 
+  /// \name Traces
+  /// @{
+  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact;
+  /// where, is exact up to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
+  void trace(Index halfedge, Edge_trace& trace) const
+  {
+    this->trace_over_input(halfedge, trace, [this](Index h) { return twin(h); });
+  }
+
   /// Writes to `trace` the edges of this triangulation that `input_halfedge` crosses, in order from its origin; empty
   /// if it is an edge here. O(k + degree).
   void trace_input_edge(Index input_halfedge, Edge_trace& trace) const
@@ -197,9 +206,10 @@ public:
     typename Base::Curve_position at{twin(opposite), coordinate(opposite) - curves.around[1] - start.rank};
     do {
       trace.cross(twin(at.halfedge));
-    } while (this->follow(at));
+    } while (this->follow(at, [this](Index h) { return twin(h); }));
     trace.straighten(*this, start.corner);
   }
+  /// @}
 
   /// What the angles opposite an edge may exceed pi by, in radians: far more than rounding makes of cocircular
   /// vertices, far less than would be felt in cotangents.

@@ -8,6 +8,7 @@
 
 #include <CSCD/Intrinsic/Edge_trace.h>
 #include <CSCD/Intrinsic/Intrinsic_patch.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Intrinsic/mollifying_length.h>
 #include <CSCD/Separator/Edge_path.h>
 #include <CSCD/Separator/Shortening_outcome.h>
@@ -35,7 +36,8 @@ namespace CSCD::internal {
 ///
 /// All work is done in an `Intrinsic_patch` of the faces beside the curve: a curve costs nothing of the size of the
 /// surface. One object serves one thread; any number of them may share a surface. Reuse one object.
-/// \tparam Triangulation see `Intrinsic_patch`
+/// \tparam Triangulation see `Intrinsic_patch`: a surface, or an intrinsic triangulation of one, on the edges of which
+///         curves are then given; the results are over the surface in either case
 template <class Triangulation>
 class Edge_flip_shortening
 {
@@ -50,11 +52,11 @@ public:
   {
   }
 
-  /// The same on the first `number_of_faces` faces only, around the others, which no curve ever crosses: where they are
-  /// in the way, it goes along their edges. So borders are kept that were bridged, see `first_bridging_face()`.
+  /// The same on the first `number_of_faces` faces of a surface only, around the others, which no curve ever crosses:
+  /// where they are in the way, it goes along their edges. So borders are kept that were bridged, see
+  /// `first_bridging_face()`.
   Edge_flip_shortening(const Triangulation& surface, Index number_of_faces)
-      : m_patch(surface, mollifying_length(surface, number_of_faces)), m_path(m_patch),
-        m_number_of_faces(number_of_faces)
+      : m_patch(surface, added_length(surface, number_of_faces)), m_path(m_patch), m_number_of_faces(number_of_faces)
   {
   }
 
@@ -65,7 +67,7 @@ public:
   /// Shortens the curve along `halfedges` and writes it to `result`, as a path over the surface that is never longer.
   /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about that of
   /// the faces between the curve before and after.
-  /// \param halfedges those of the surface, each from where the one before leads to, and so on if the curve is closed
+  /// \param halfedges those of the triangulation, each from where the one before leads to, and so on if the curve is closed
   /// \param is_pinned tells of a vertex whether the curve must not be taken off it; it may be taken onto it (E.2)
   /// \return what has become of it; `collapsed` leaves no points
   /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
@@ -91,6 +93,18 @@ public:
 
 private:
   using Patch = Intrinsic_patch<Triangulation>;
+
+  template <class Surface>
+  static double added_length(const Surface& surface, Index number_of_faces)
+  {
+    return mollifying_length(surface, number_of_faces);
+  }
+  template <class Surface>
+  static double added_length(const Intrinsic_triangulation<Surface>& surface, Index)
+  {
+    return surface.added_length();
+  }
+
   static constexpr double pi = boost::math::constants::pi<double>();
 
   /// A curve is given up after so many steps for each of its first segments: hundreds of times what it takes.
@@ -143,8 +157,8 @@ private:
     m_first = 0;
     m_is_collapsed = halfedges.empty();
     Index last = no_index;
-    for (const Index input_halfedge : halfedges) {
-      const Index h = m_patch.halfedge_along(input_halfedge);
+    for (const Index given : halfedges) {
+      const Index h = m_patch.halfedge_along(given);
       CGAL_precondition(last == no_index || vertex_behind(last) == m_patch.origin(h));
       const Index segment = m_path.add(h, h);
       m_path.link(last, segment);
