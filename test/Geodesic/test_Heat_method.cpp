@@ -127,7 +127,7 @@ TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
 
 TEST(Heat_method, is_exact_on_a_sphere_to_part_of_an_edge_however_fine)
 {
-  for (const std::size_t times : {2, 3, 4, 5}) {
+  for (const std::size_t times : {2u, 3u, 4u, 5u}) {
     SCOPED_TRACE(times);
     const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(times));
     const Heat_method method(surface);
@@ -311,7 +311,7 @@ TEST(Heat_method, gives_the_same_bits_in_batches_of_any_size)
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
     const Heat_method method(surface);
-    for (const std::size_t size : {1, 2, 3, 8, 13}) {
+    for (const std::size_t size : {1u, 2u, 3u, 8u, 13u}) {
       std::vector<std::vector<Geodesic_source>> source_sets;
       for (Index i = 0; i < size; ++i) {
         source_sets.push_back(

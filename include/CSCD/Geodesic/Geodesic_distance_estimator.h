@@ -120,11 +120,12 @@ public:
   void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
   {
     std::vector<std::vector<internal::Geodesic_source>> collected;
+    collected.reserve(std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
     for (const auto& sources : source_sets) {
       collected.push_back(collect_sources(sources));
     }
-    CGAL_precondition(std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))) ==
-                      collected.size());
+    CGAL_precondition(collected.size() ==
+                      std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
     Heat_method::Workspace workspace;
     std::vector<internal::Heat_field> fields;
     std::vector<std::vector<internal::Geodesic_source>> batch;
