@@ -13,6 +13,7 @@
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -105,6 +106,28 @@ TEST(Heat_method, is_exact_on_a_plane_to_part_of_an_edge)
         return offset.z() == 0 && offset.norm() < 0.5 ? offset.norm() : -1.;
       });
   EXPECT_LT(error, 0.6);
+}
+
+TEST(Heat_method, is_as_exact_on_thin_triangles_once_they_are_delaunay)
+{
+  // A sheared plane: straight lines in it are shortest.
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::moved(CSCD::test::subdivided_cube(5), [](const CSCD::test::Triple& p) {
+        return CSCD::test::Triple{p[0] + 2.3 * p[1], p[1], p[2]};
+      }));
+  CSCD::internal::Intrinsic_triangulation<Triangulated_surface> delaunay(surface);
+  EXPECT_GT(delaunay.make_delaunay(), 1000u);
+  const Index source = CSCD::test::nearest_vertex(surface, {0.5 + 2.3 * 0.5, 0.5, 1});
+  const auto exact = [&](Index vertex) {
+    const Vector_3& p = surface.point(vertex);
+    const bool is_well_inside =
+        p.z() == 1 && std::fabs(p.y() - 0.5) < 0.3 && std::fabs(p.x() - 2.3 * p.y() - 0.5) < 0.3;
+    return is_well_inside ? (p - surface.point(source)).norm() : -1.;
+  };
+  const Heat_method method(surface);
+  const Heat_method delaunay_method(delaunay);
+  EXPECT_GT(largest_error_in_edges(method, distances_from(method, source), exact), 2);
+  EXPECT_LT(largest_error_in_edges(delaunay_method, distances_from(delaunay_method, source), exact), 1);
 }
 
 TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
