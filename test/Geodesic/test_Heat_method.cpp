@@ -13,6 +13,7 @@
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -107,6 +108,28 @@ TEST(Heat_method, is_exact_on_a_plane_to_part_of_an_edge)
   EXPECT_LT(error, 0.6);
 }
 
+TEST(Heat_method, is_as_exact_on_thin_triangles_once_they_are_delaunay)
+{
+  // A sheared plane: straight lines in it are shortest.
+  const Triangulated_surface surface =
+      CSCD::test::to_surface(CSCD::test::moved(CSCD::test::subdivided_cube(5), [](const CSCD::test::Triple& p) {
+        return CSCD::test::Triple{p[0] + 2.3 * p[1], p[1], p[2]};
+      }));
+  CSCD::internal::Intrinsic_triangulation<Triangulated_surface> delaunay(surface);
+  EXPECT_GT(delaunay.make_delaunay(), 1000u);
+  const Index source = CSCD::test::nearest_vertex(surface, {0.5 + 2.3 * 0.5, 0.5, 1});
+  const auto exact = [&](Index vertex) {
+    const Vector_3& p = surface.point(vertex);
+    const bool is_well_inside =
+        p.z() == 1 && std::fabs(p.y() - 0.5) < 0.3 && std::fabs(p.x() - 2.3 * p.y() - 0.5) < 0.3;
+    return is_well_inside ? (p - surface.point(source)).norm() : -1.;
+  };
+  const Heat_method method(surface);
+  const Heat_method delaunay_method(delaunay);
+  EXPECT_GT(largest_error_in_edges(method, distances_from(method, source), exact), 2);
+  EXPECT_LT(largest_error_in_edges(delaunay_method, distances_from(delaunay_method, source), exact), 1);
+}
+
 TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(6, 1, 48, CSCD::test::Tube_end::flat));
@@ -127,7 +150,7 @@ TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
 
 TEST(Heat_method, is_exact_on_a_sphere_to_part_of_an_edge_however_fine)
 {
-  for (const std::size_t times : {2, 3, 4, 5}) {
+  for (const std::size_t times : {2u, 3u, 4u, 5u}) {
     SCOPED_TRACE(times);
     const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(times));
     const Heat_method method(surface);
@@ -311,7 +334,7 @@ TEST(Heat_method, gives_the_same_bits_in_batches_of_any_size)
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
     const Heat_method method(surface);
-    for (const std::size_t size : {1, 2, 3, 8, 13}) {
+    for (const std::size_t size : {1u, 2u, 3u, 8u, 13u}) {
       std::vector<std::vector<Geodesic_source>> source_sets;
       for (Index i = 0; i < size; ++i) {
         source_sets.push_back(

@@ -52,7 +52,7 @@ TEST(Polygon_trace, joins_points_over_the_surface)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 32), 0.1, 1));
   const Solid_queries queries(surface);
   const CSCD::internal::Polygon_trace trace(surface);
-  for (const std::size_t number_of_points : {16, 40, 200, 1000}) {
+  for (const std::size_t number_of_points : {16u, 40u, 200u, 1000u}) {
     SCOPED_TRACE(number_of_points);
     std::vector<Surface_point> points;
     for (std::size_t i = 0; i < number_of_points; ++i) {

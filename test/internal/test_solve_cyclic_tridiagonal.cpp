@@ -18,7 +18,7 @@ using CSCD::internal::Vector_3;
 
 TEST(solve_cyclic_tridiagonal, fulfils_the_equations)
 {
-  for (const std::size_t n : {3, 4, 5, 50}) {
+  for (const std::size_t n : {3u, 4u, 5u, 50u}) {
     std::vector<double> coupling;
     std::vector<Vector_3> right_side;
     for (std::size_t i = 0; i < n; ++i) {

@@ -111,7 +111,7 @@ public:
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
-  /// exactly what one call of `estimate()` for each of them writes, in a third of the time or less.
+  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
   /// \param source_sets a range of ranges of vertices or of `Face_location`s
   /// \param distance_maps a range of maps
   /// \pre there are as many maps as sets
@@ -120,11 +120,12 @@ public:
   void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
   {
     std::vector<std::vector<internal::Geodesic_source>> collected;
+    collected.reserve(std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
     for (const auto& sources : source_sets) {
       collected.push_back(collect_sources(sources));
     }
-    CGAL_precondition(std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))) ==
-                      collected.size());
+    CGAL_precondition(collected.size() ==
+                      std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
     Heat_method::Workspace workspace;
     std::vector<internal::Heat_field> fields;
     std::vector<std::vector<internal::Geodesic_source>> batch;

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstddef>
 
 namespace CSCD::internal {
 
@@ -34,8 +33,8 @@ struct Geodesic_source
     const Face_layout layout = lay_out_face(lengths, unit > 0 ? unit : 1.);
     const std::array<double, 2> point = layout.point(coordinates);
     Geodesic_source result{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index corner = triangulation.origin(Index(3 * face + k));
+    for (Index k = 0; k < 3; ++k) {
+      const Index corner = triangulation.origin(3 * face + k);
       if (coordinates[k] == 1) {
         return at_vertex(corner);
       }

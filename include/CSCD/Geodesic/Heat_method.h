@@ -61,7 +61,7 @@ public:
     workspace.m_single(m_operators, {&sources}, {&field}, parts);
   }
 
-  /// Computes the distances from each of `source_sets` by itself, eight at a time, in a third of the time or less.
+  /// Computes the distances from each of `source_sets` by itself, eight at a time, in about a third of the time.
   /// They are the same as one by one, bit for bit unless the compiler fuses multiplications and additions as it likes.
   void operator()(const std::vector<std::vector<Geodesic_source>>& source_sets, std::vector<Heat_field>& fields,
                   Workspace& workspace, Heat_field_parts parts = {}) const
