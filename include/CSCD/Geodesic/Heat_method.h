@@ -24,9 +24,9 @@ namespace CSCD::internal {
 /// often.
 ///
 /// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
-/// off over two or three edges on ridges, where shortest paths from different sides meet; elsewhere make the
-/// triangulation Delaunay first. It comes through far more edges than a number can follow the heat (see `Heat_batch`).
-/// All members are const and may be called by several threads at once, each with its own workspace.
+/// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
+/// be made Delaunay first. Distances of any number of edges are right (see `Heat_batch`). All members are const and may
+/// be called by several threads at once, each with its own workspace.
 class Heat_method
 {
 public:
