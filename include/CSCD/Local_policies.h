@@ -21,6 +21,7 @@ struct Local_policies
   /// Finds the separator of a source; one object a thread.
   using Separator_finder = Local_separator_finder<Traits>;
 
+  /// The finder of one thread, for the surface of `traits`.
   Separator_finder make_separator_finder(const Traits& traits) const { return Separator_finder(traits); }
 
   /// Of two separators that overlap, the one of lesser weight is packed.

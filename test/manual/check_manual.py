@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Usage: check_manual.py SOURCE_DIR TAG_FILE
-# Fails unless the reference lists whatever Doxygen found to be public, by headers that exist, the examples are listed,
-# and CITATION.cff names the version of the library.
+# Usage: check_manual.py SOURCE_DIR DOCUMENTATION_DIR
+# Fails unless the reference lists whatever Doxygen found to be public, by headers that exist, and all examples; what
+# pages name is there, and links of the manual lead to files; CITATION.cff names the version of the library.
 
 import pathlib
 import re
@@ -18,24 +18,35 @@ def names_of(compound):
 
 
 def public_names(tag_file):
-    """The names of the namespace CSCD that are neither concepts nor checks of them."""
+    """The names of the namespace CSCD, and those of them that are concepts or checks of concepts."""
     compounds = {}
     for compound in ElementTree.parse(tag_file).getroot().findall("compound"):
         compounds[compound.findtext("name")] = compound
-    names = names_of(compounds["CSCD"])
-    for group in ("PkgCSCDConcepts", "PkgCSCDConceptChecks"):
-        names -= names_of(compounds[group])
-    return names
+    concepts = names_of(compounds["PkgCSCDConcepts"]) | names_of(compounds["PkgCSCDConceptChecks"])
+    return names_of(compounds["CSCD"]) | concepts, concepts
+
+
+def dead_links(html):
+    """The links of the pages in a folder to files that are not there, each with the name of its page."""
+    for page in sorted(html.glob("*.html")):
+        for link in re.findall(r'(?:href|src)="([^"#:]+)(?:#[^"]*)?"', page.read_text(encoding="utf-8")):
+            if not (html / link).exists():
+                yield f"{page.name}: {link} is not there"
 
 
 def main():
-    source = pathlib.Path(sys.argv[1])
+    source, documentation = map(pathlib.Path, sys.argv[1:])
     reference = (source / "doc/manual/reference.dox").read_text(encoding="utf-8")
-    complaints = []
+    complaints = list(dead_links(documentation / "html"))
 
+    names, concepts = public_names(documentation / "CSCD.tag")
     listed = set(re.findall(r"`CSCD::(\w+)(?:\(\))?`", reference))
-    for name in sorted(public_names(sys.argv[2]) - listed):
+    for name in sorted(names - concepts - listed):
         complaints.append(f"doc/manual/reference.dox: {name} is public and not listed")
+    for page in [source / "README.md", *sorted(source.glob("doc/*.md")), *sorted(source.glob("doc/manual/*.dox"))]:
+        for name in sorted(set(re.findall(r"CSCD::(\w+)", page.read_text(encoding="utf-8"))) - names):
+            if name not in ("CSCD", "parameters"):
+                complaints.append(f"{page}: there is no CSCD::{name}, or it is not public")
     for header in re.findall(r"`(CSCD/[\w/]+\.h)`", reference):
         if not (source / "include" / header).is_file():
             complaints.append(f"doc/manual/reference.dox: there is no header {header}")
