@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
-# doc/performance.md, doc/points.md and README.md. Takes a quarter of an hour.
+# doc/performance.md, doc/points.md, doc/geodesics.md and README.md. Takes a quarter of an hour.
 # Usage: benchmark/run.sh [REPETITIONS [PROGRAM...]], by default 3 and all programs.
 
 set -euo pipefail
@@ -13,7 +13,7 @@ build_dir=$source_dir/build
 repetitions=${1:-3}
 programs=("${@:2}")
 if [[ ${#programs[@]} -eq 0 ]]; then
-  programs=(benchmark_skeletonization benchmark_stages benchmark_points)
+  programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics)
 fi
 
 # shellcheck source=cmake/install_packages.sh
@@ -30,9 +30,14 @@ cmake --build "$build_dir" --target "${programs[@]}"
 
 results=()
 for program in "${programs[@]}"; do
-  results+=("$build_dir/$program.json")
   "$build_dir/bin/benchmark/$program" --benchmark_min_time=0.1 --benchmark_repetitions="$repetitions" \
     --benchmark_out="$build_dir/$program.json" --benchmark_out_format=json
+  if [[ $program == benchmark_geodesics ]]; then
+    python3 "$source_dir/benchmark/write_geodesics_tables.py" "$build_dir/$program.json"
+  else
+    results+=("$build_dir/$program.json")
+  fi
 done
-
-python3 "$source_dir/benchmark/write_tables.py" "$repetitions" "${results[@]}"
+if [[ ${#results[@]} -gt 0 ]]; then
+  python3 "$source_dir/benchmark/write_tables.py" "$repetitions" "${results[@]}"
+fi

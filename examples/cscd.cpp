@@ -71,16 +71,24 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->allow_extra_args(false);
   command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
       ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
-  command->add_option("--method", options.method, "how separators are found")
-      ->check(CLI::IsMember({"local"}))
+  command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
+      ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();
+  command
+      ->add_option("--target", options.target,
+                   "published method: whether loops close at the cut point nearest in space or along the surface")
+      ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
+  command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
+      ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
   command->add_option("--seed", options.seed, "seed of the random choice of sources")->capture_default_str();
   command->add_option("--threads", options.number_of_threads, "number of threads; the skeleton does not depend on it")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   command
-      ->add_option("--separators", options.maximum_number_of_sources,
-                   "greatest number of points from which separators are sought; the shape decides if not given")
+      ->add_option(
+          "--separators", options.maximum_number_of_sources,
+          "greatest number of points from which separators are sought; the shape decides if not given, or 3000 "
+          "are for the published method")
       ->check(CLI::PositiveNumber)
       ->type_name("N");
   command->add_option("--report", options.report, "file for counts, timings and warnings as JSON")->type_name("FILE");

@@ -79,7 +79,7 @@ TEST(Archetypes, are_models)
   EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Solid_traits_archetype>);
   EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Multiresolution_traits_archetype>);
   EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_archetype, Skeletonization_traits_archetype>));
-  EXPECT_TRUE(CSCD::is_separator_finder_v<Finder_archetype>);
+  EXPECT_TRUE((CSCD::is_separator_finder_v<Finder_archetype, Skeletonization_traits_archetype>));
   EXPECT_TRUE(CSCD::is_separator_weight_v<Separator_weight_archetype>);
   EXPECT_TRUE(CSCD::is_curve_skeleton_graph_v<Skeleton_archetype>);
   EXPECT_TRUE(CSCD::is_skeletonization_visitor_v<Visitor_archetype>);
@@ -131,13 +131,15 @@ TEST(Archetypes, of_policies_with_several_threads)
 {
   const Skeletonization_traits_archetype traits(shape());
   Visitor_archetype visitor;
+  std::size_t number_of_weights = 0;
   CSCD::Curve_skeletonization<Skeletonization_traits_archetype, Policies_archetype, Visitor_archetype&> skeletonization(
-      traits, Policies_archetype(1), visitor);
+      traits, Policies_archetype(number_of_weights), visitor);
   Skeleton_archetype skeleton;
   skeletonization.set_number_of_threads(2).operator()<CGAL::Parallel_if_available_tag>(skeleton);
   expect_partition(skeleton);
   EXPECT_EQ(skeletonization.report().number_of_tips, 3u);
   EXPECT_GT(visitor.number_of_calls(), 0u);
+  EXPECT_GE(number_of_weights, skeletonization.report().number_of_separators);
 }
 
 TEST(Archetypes, of_levels_of_detail_for_the_local_finder)

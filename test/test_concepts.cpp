@@ -202,28 +202,47 @@ struct Finder_that_answers_by_value
   CSCD::Search_result operator()(unsigned source, unsigned level_hint);
 };
 
-struct Policies_with_a_finder_for_bodies
+struct Finder_of_nothing
 {
-  using Separator_finder = CSCD::Local_separator_finder<Body>;
-  Separator_finder make_separator_finder(const Body& body) const;
-  double separator_weight(const CSCD::Separator& separator) const;
+  void operator()(unsigned source, unsigned level_hint, CSCD::Search_result& result);
 };
 
-struct Policies_with_a_weight_in_words : Policies_with_a_finder_for_bodies
+struct Policies_for_bodies
 {
-  Weight_in_words separator_weight;
+  struct Packing
+  {
+    const std::vector<unsigned>& packed() const;
+  };
+  template <class ConcurrencyTag, class Progress>
+  std::vector<CSCD::Separator> find_separators(const Body& body, const CSCD::Search_settings& settings,
+                                               CSCD::Skeletonization_report& report, const Progress& progress) const;
+  Packing pack_separators(const Body& body, std::vector<CSCD::Separator>& separators,
+                          CSCD::Skeletonization_report& report) const;
+  CSCD::Embedded_skeleton build_skeleton(const Body& body, const std::vector<CSCD::Separator>& separators,
+                                         const Packing& packing, CSCD::Skeletonization_report& report) const;
+};
+
+struct Policies_that_pack_by_value : Policies_for_bodies
+{
+  struct Packing
+  {
+    std::vector<unsigned> packed() const;
+  };
+  Packing pack_separators(const Body& body, std::vector<CSCD::Separator>& separators,
+                          CSCD::Skeletonization_report& report) const;
 };
 
 TEST(Concepts, Skeletonization_policies)
 {
   using Traits = CSCD::Triangle_mesh_traits<Mesh>;
   EXPECT_TRUE((CSCD::is_skeletonization_policies_v<CSCD::Local_policies<Traits>, Traits>));
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_with_a_finder_for_bodies, Body>));
-  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_with_a_finder_for_bodies, Traits>));
-  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_with_a_weight_in_words, Body>));
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_for_bodies, Body>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_for_bodies, Traits>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Policies_that_pack_by_value, Body>));
   EXPECT_FALSE((CSCD::is_skeletonization_policies_v<Body, Body>));
-  EXPECT_TRUE(CSCD::is_separator_finder_v<CSCD::Local_separator_finder<Traits>>);
-  EXPECT_FALSE(CSCD::is_separator_finder_v<Finder_that_answers_by_value>);
+  EXPECT_TRUE((CSCD::is_separator_finder_v<CSCD::Local_separator_finder<Traits>, Traits>));
+  EXPECT_FALSE((CSCD::is_separator_finder_v<Finder_that_answers_by_value, Traits>));
+  EXPECT_FALSE((CSCD::is_separator_finder_v<Finder_of_nothing, Traits>));
   CSCD::check_skeletonization_policies<CSCD::Local_policies<Traits>, Traits>();
 }
 

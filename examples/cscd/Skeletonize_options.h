@@ -15,16 +15,28 @@ namespace cscd {
 /// The name that means standard input or standard output.
 inline constexpr const char* standard_stream = "-";
 
+/// \name Values of options
+/// @{
+inline constexpr const char* local_method = "local";
+inline constexpr const char* published_method = "published";
+inline constexpr const char* euclidean_target = "euclidean";
+inline constexpr const char* geodesic_target = "geodesic";
+inline constexpr const char* flip_shortening = "flips";
+inline constexpr const char* variational_shortening = "variational";
+/// @}
+
 /// What to skeletonize, how, and where the results go.
 struct Skeletonize_options
 {
   std::string input;                ///< a file name, or `standard_stream`
   std::string format;               ///< of the input: off, obj, ply, stl, xyz or pts; by its ending if empty
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
-  std::string method = "local";
+  std::string method = local_method;
+  std::string target;     ///< of the published method: which cut point; `euclidean_target` if empty
+  std::string shortening; ///< of the published method: how loops are shortened; `flip_shortening` if empty
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
-  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 lets the shape decide
+  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 lets the method decide
   std::string report;                        ///< file name for the report as JSON, or empty
   std::string html;                          ///< file name for the viewer page, or empty
   bool is_quiet = false;

@@ -11,18 +11,20 @@
 #include "Skeletonize_options.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
+#include <CSCD/Published_policies.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
 
 #include <CGAL/tags.h>
 
 namespace cscd {
 
-/// Skeletonizes the surface of `traits` into `skeleton`. \return the rest of the result
-template <class Traits, class AnySkeleton>
-Skeletonization_result run_skeletonization(const Traits& traits, const Skeletonize_options& options,
-                                           Progress_visitor& visitor, AnySkeleton& skeleton)
+/// Skeletonizes the surface of `traits` into `skeleton` by the algorithms of `policies`. \return the rest of the result
+template <class Traits, class Policies, class AnySkeleton>
+Skeletonization_result run_policies(const Traits& traits, const Policies& policies, const Skeletonize_options& options,
+                                    Progress_visitor& visitor, AnySkeleton& skeleton)
 {
-  CSCD::Curve_skeletonization<Traits, CSCD::Local_policies<Traits>, Progress_visitor&> skeletonization(traits, {},
-                                                                                                       visitor);
+  CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
   skeletonization.set_random_seed(options.seed).set_number_of_threads(options.number_of_threads);
   if (options.maximum_number_of_sources > 0) {
     skeletonization.set_maximum_number_of_sources(options.maximum_number_of_sources);
@@ -35,6 +37,22 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Skeletoni
     result.separators.push_back(skeletonization.polyline(skeletonization.separators()[separator]));
   }
   return result;
+}
+
+/// The same by the method that `options` name.
+template <class Traits, class AnySkeleton>
+Skeletonization_result run_skeletonization(const Traits& traits, const Skeletonize_options& options,
+                                           Progress_visitor& visitor, AnySkeleton& skeleton)
+{
+  if (options.method == published_method) {
+    const CSCD::Published_policies<Traits> policies(
+        options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
+                                          : CSCD::Target_rule::nearest_in_space,
+        options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
+                                                     : CSCD::Shortening_rule::edge_flips);
+    return run_policies(traits, policies, options, visitor, skeleton);
+  }
+  return run_policies(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
 }
 
 } // namespace cscd

@@ -30,6 +30,12 @@ namespace {
 
 void check_options(const Skeletonize_options& options)
 {
+  if (options.method != published_method && !options.target.empty()) {
+    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
+  }
+  if (options.method != published_method && !options.shortening.empty()) {
+    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
+  }
   for (const std::string& output : options.outputs) {
     check_output(output);
   }

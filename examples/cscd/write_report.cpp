@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
@@ -42,11 +43,27 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"genus", r.genus}};
 }
 
+/// Why sources have no cut point that is accepted.
+Json rejections(const CSCD::Skeletonization_report& r)
+{
+  constexpr std::array<const char*, CSCD::number_of_cut_loop_outcomes> names{
+      "found",     "no_cut_point", "distance_below_chord", "one_direction", "not_connected", "meets_at_once",
+      "long_stem", "narrow"};
+  Json result = Json::object();
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    result[names[i]] = r.number_of_rejections[i];
+  }
+  return result;
+}
+
 Json separators_part(const CSCD::Skeletonization_report& r)
 {
   return {{"number_of_sources", r.number_of_sources},
           {"number_of_sources_without_cut", r.number_of_sources_without_cut},
+          {"number_of_rejections", rejections(r)},
+          {"number_of_collapsed_loops", r.number_of_collapsed_loops},
           {"number_of_bumps", r.number_of_bumps},
+          {"number_of_tunnels", r.number_of_tunnels},
           {"number_of_separators", r.number_of_separators},
           {"number_of_plane_sections", r.number_of_plane_sections},
           {"number_of_straightened_loops", r.number_of_straightened_loops},
@@ -109,6 +126,10 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs.sentences()}};
+  if (options.method == published_method) {
+    document["target"] = options.target.empty() ? euclidean_target : options.target;
+    document["shortening"] = options.shortening.empty() ? flip_shortening : options.shortening;
+  }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
   }

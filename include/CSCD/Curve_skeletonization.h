@@ -7,25 +7,11 @@
 #define CSCD_CURVE_SKELETONIZATION_H
 
 #include <CSCD/Local_policies.h>
-#include <CSCD/Selection/Bump_branches.h>
-#include <CSCD/Selection/Cut_graph.h>
-#include <CSCD/Selection/Disjoint_separators.h>
-#include <CSCD/Selection/Separator_packing.h>
-#include <CSCD/Selection/Separator_search.h>
-#include <CSCD/Selection/cut_handles.h>
+#include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Skeleton/Branch_refinement.h>
-#include <CSCD/Skeleton/Inside_repair.h>
-#include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Site_assignment.h>
+#include <CSCD/Skeleton/Embedded_skeleton.h>
 #include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/Skeleton/Surface_regions.h>
-#include <CSCD/Skeleton/center_junctions.h>
-#include <CSCD/Skeleton/drop_overshoots.h>
-#include <CSCD/Skeleton/make_simple.h>
-#include <CSCD/Skeleton/merge_junctions.h>
-#include <CSCD/Skeleton/smooth_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -37,10 +23,8 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -106,27 +90,27 @@ public:
   /// @{
 
   /// The seed of the order in which sources are tried.
-  unsigned random_seed() const { return m_random_seed; }
+  unsigned random_seed() const { return m_settings.random_seed; }
   /// Sets the seed of the order in which sources are tried. Default 0.
   Curve_skeletonization& set_random_seed(unsigned seed)
   {
-    m_random_seed = seed;
+    m_settings.random_seed = seed;
     return *this;
   }
   /// The bound on the number of sources.
-  std::size_t maximum_number_of_sources() const { return m_maximum_number_of_sources; }
+  std::size_t maximum_number_of_sources() const { return m_settings.maximum_number_of_sources; }
   /// Bounds the number of sources. By default there is no bound: the shape decides.
   Curve_skeletonization& set_maximum_number_of_sources(std::size_t number)
   {
-    m_maximum_number_of_sources = number;
+    m_settings.maximum_number_of_sources = number;
     return *this;
   }
   /// The number of threads for `CGAL::Parallel_tag`.
-  unsigned number_of_threads() const { return m_number_of_threads; }
+  unsigned number_of_threads() const { return m_settings.number_of_threads; }
   /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
-    m_number_of_threads = number;
+    m_settings.number_of_threads = number;
     return *this;
   }
   /// @}
@@ -143,22 +127,19 @@ public:
     m_packing.reset();
     m_report.number_of_sources = 0;
     m_report.number_of_sources_without_cut = 0;
+    m_report.number_of_rejections = {};
+    m_report.number_of_collapsed_loops = 0;
     m_report.number_of_bumps = 0;
+    m_report.number_of_tunnels = 0;
     m_report.number_of_separators = 0;
     m_report.number_of_plane_sections = 0;
     m_report.number_of_straightened_loops = 0;
     run_stage(Skeletonization_stage::find_separators, [this] {
-      using Finder = typename Policies::Separator_finder;
-      internal::Separator_search<ConcurrencyTag, Finder> search(
-          m_traits.levels(), m_random_seed, m_number_of_threads,
-          [this] { return m_policies.make_separator_finder(m_traits); });
-      search(m_maximum_number_of_sources, m_separators, m_report,
-             [this](double fraction) { progress(first_pass_share * fraction); });
-      explore_ends(search);
-      search(m_maximum_number_of_sources, m_separators, m_report,
-             [this](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
+      m_separators = m_policies.template find_separators<ConcurrencyTag>(
+          m_traits, m_settings, m_report, [this](double fraction) { progress(fraction); });
+      m_report.number_of_separators = m_separators.size();
     });
-    return m_separators.size();
+    return m_report.number_of_separators;
   }
 
   /// Weighs, packs and prunes the separators, and cuts the surface along those that remain.
@@ -168,8 +149,7 @@ public:
   {
     run_stage(Skeletonization_stage::pack_separators, [this] {
       m_separators.resize(m_report.number_of_separators);
-      m_packing.emplace(m_traits.levels().finest().surface, m_separators, weights());
-      m_report.number_of_handle_cuts = internal::cut_handles(m_traits, m_separators, *m_packing);
+      m_packing.emplace(m_policies.pack_separators(m_traits, m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
     });
     return m_report.number_of_packed_separators;
@@ -185,7 +165,10 @@ public:
     CGAL_precondition(m_packing.has_value());
     check_curve_skeleton_graph<OutputSkeleton>();
     OutputSkeleton result;
-    run_stage(Skeletonization_stage::build_skeleton, [&] { result = make_graph<OutputSkeleton>(build_draft()); });
+    run_stage(Skeletonization_stage::build_skeleton, [&] {
+      result = make_graph<OutputSkeleton>(
+          m_policies.build_skeleton(m_traits, std::as_const(m_separators), std::as_const(*m_packing), m_report));
+    });
     skeleton = std::move(result);
   }
 
@@ -229,13 +212,6 @@ public:
 private:
   using Index = internal::Index;
 
-  /// The part of the search that its first pass is, for the progress.
-  static constexpr double first_pass_share = 0.75;
-  /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
-  static constexpr double unexplored_distance = 0.6;
-  /// How many times as many separators are asked for there.
-  static constexpr unsigned exploration_factor = 3;
-
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)
   {
@@ -263,53 +239,6 @@ private:
     }
   }
 
-  std::vector<double> weights() const
-  {
-    std::vector<double> result;
-    result.reserve(m_separators.size());
-    for (const Separator& separator : m_separators) {
-      result.push_back(m_policies.separator_weight(separator));
-    }
-    return result;
-  }
-
-  /// The separators that would be packed so far, less those of bumps.
-  std::vector<Index> pack_for_trial() const
-  {
-    const internal::Triangulated_surface& surface = m_traits.levels().finest().surface;
-    internal::Disjoint_separators disjoint(surface, m_separators, weights());
-    disjoint.pack([](Index) { return true; });
-    internal::Cut_graph cut_graph(surface, disjoint.arrangement());
-    cut_graph.cut(disjoint.arrangement());
-    const internal::Bump_branches bumps(cut_graph, m_separators, disjoint.packed());
-    std::vector<char> is_bump(m_separators.size(), 0);
-    for (Index separator : bumps.separators()) {
-      is_bump[separator] = 1;
-    }
-    std::vector<Index> packed = disjoint.packed();
-    packed.erase(std::remove_if(packed.begin(), packed.end(), [&](Index separator) { return is_bump[separator] != 0; }),
-                 packed.end());
-    return packed;
-  }
-
-  /// Lets `search` look closer where the separators that would be packed so far leave much of the surface: at the ends
-  /// of limbs, and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily missed at first.
-  template <class Search>
-  void explore_ends(Search& search) const
-  {
-    const std::vector<Index> packed = pack_for_trial();
-    const internal::Surface_regions regions(m_traits.levels(), m_separators, packed,
-                                            internal::Surface_regions::rough_size);
-    search.explore(
-        [&](Index vertex) {
-          const Index level_vertex = regions.level().from_finest(vertex);
-          const Index separator = regions.separator(level_vertex);
-          return separator != internal::no_index && double(regions.distance(level_vertex)) >
-                                                        unexplored_distance * m_separators[packed[separator]].radius();
-        },
-        exploration_factor);
-  }
-
   void progress(double fraction)
   {
     m_visitor.progress(fraction);
@@ -318,28 +247,10 @@ private:
     }
   }
 
-  internal::Skeleton_draft build_draft()
-  {
-    internal::Node_placement<Traits> placement(m_traits, m_separators, m_packing->packed(), m_packing->cut_graph());
-    internal::Skeleton_draft draft = placement();
-    internal::make_simple(draft);
-    internal::merge_junctions(draft);
-    internal::center_junctions(m_traits, draft);
-    internal::drop_overshoots(draft);
-    internal::Branch_refinement<Traits>(m_traits, draft)();
-    internal::smooth_branches(draft);
-    internal::Inside_repair<Traits> repair(m_traits, draft);
-    repair();
-    draft.compact();
-    m_report.number_of_nodes_outside = repair.number_of_nodes_outside();
-    m_report.number_of_edges_outside = repair.number_of_edges_outside();
-    return draft;
-  }
-
   template <class OutputSkeleton>
-  OutputSkeleton make_graph(const internal::Skeleton_draft& draft)
+  OutputSkeleton make_graph(const Embedded_skeleton& skeleton)
   {
-    const internal::Site_assignment<Traits> assignment(m_traits, m_packing->cut_graph(), draft);
+    const internal::Skeleton_draft& draft = skeleton.draft;
     OutputSkeleton result;
     std::vector<decltype(add_vertex(result))> vertex;
     vertex.reserve(draft.size());
@@ -348,12 +259,12 @@ private:
       auto& bundle = result[vertex[node]];
       bundle.point = m_traits.to_input_point(draft[node].position);
       if constexpr (has_radius_v<OutputSkeleton>) {
-        bundle.radius = m_traits.to_input_length(assignment.radius(node));
+        bundle.radius = m_traits.to_input_length(skeleton.radius[node]);
       }
     }
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
       for (const auto& descriptor : m_traits.descriptors(site)) {
-        result[vertex[assignment.node(site)]].vertices.push_back(descriptor);
+        result[vertex[skeleton.node_of_site[site]]].vertices.push_back(descriptor);
       }
     }
     draft.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
@@ -388,11 +299,9 @@ private:
   const Traits& m_traits;
   Policies m_policies;
   Visitor m_visitor;
-  unsigned m_random_seed = 0;
-  unsigned m_number_of_threads = 0;
-  std::size_t m_maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
+  Search_settings m_settings;
   std::vector<Separator> m_separators;
-  std::optional<internal::Separator_packing> m_packing;
+  std::optional<typename Policies::Packing> m_packing;
   Skeletonization_report m_report;
 };
 

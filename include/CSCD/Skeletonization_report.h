@@ -7,6 +7,7 @@
 #define CSCD_SKELETONIZATION_REPORT_H
 
 #include <CSCD/Reconstruction/Reconstruction_report.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Skeletonization_visitor.h>
 
 #include <array>
@@ -38,12 +39,16 @@ struct Skeletonization_report
   /// @{
   std::size_t number_of_sources = 0;             ///< sources from which a separator was sought
   std::size_t number_of_sources_without_cut = 0; ///< no acceptable cut point was met
-  std::size_t number_of_bumps = 0;               ///< separators rejected since they only encircle a bump
-  std::size_t number_of_separators = 0;          ///< separators found
-  std::size_t number_of_plane_sections = 0;      ///< of these, shortened by the section plane
-  std::size_t number_of_straightened_loops = 0;  ///< of these, shortened by straightening
-  std::size_t number_of_packed_separators = 0;   ///< separators that cut the surface
-  std::size_t number_of_handle_cuts = 0;         ///< of these, added for handles that no source had found
+  /// Why sources have no cut point that is accepted, in the order of `Cut_loop_outcome`; published only.
+  std::array<std::size_t, number_of_cut_loop_outcomes> number_of_rejections{};
+  std::size_t number_of_collapsed_loops = 0;    ///< the loop shrank to a point when it was shortened; published only
+  std::size_t number_of_bumps = 0;              ///< separators rejected since they only encircle a bump
+  std::size_t number_of_tunnels = 0;            ///< separators rejected since they do not span the body; published only
+  std::size_t number_of_separators = 0;         ///< separators found
+  std::size_t number_of_plane_sections = 0;     ///< of these, shortened by the section plane
+  std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening
+  std::size_t number_of_packed_separators = 0;  ///< separators that cut the surface
+  std::size_t number_of_handle_cuts = 0;        ///< of these, added for handles that no source had found
   /// @}
 
   /// \name Skeleton

@@ -7,11 +7,16 @@
 #ifndef CSCD_CONCEPTS_H
 #define CSCD_CONCEPTS_H
 
+#include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Surface_levels.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <iterator>
@@ -161,12 +166,24 @@ using weight_of_separator = decltype(std::declval<const W&>()(std::declval<const
 template <class F>
 using search = decltype(std::declval<F&>()(Index(), Index(), std::declval<Search_result&>()));
 
-template <class P>
-using Separator_finder = typename P::Separator_finder;
+template <class F, class T>
+using make_finder = decltype(F(std::declval<const T&>()));
+
 template <class P, class T>
-using make_separator_finder = decltype(std::declval<const P&>().make_separator_finder(std::declval<const T&>()));
+using find_separators = decltype(std::declval<const P&>().template find_separators<CGAL::Sequential_tag>(
+    std::declval<const T&>(), std::declval<const Search_settings&>(), std::declval<Skeletonization_report&>(),
+    std::declval<void (&)(double)>()));
 template <class P>
-using separator_weight = decltype(std::declval<const P&>().separator_weight(std::declval<const Separator&>()));
+using Packing = typename P::Packing;
+template <class P, class T>
+using pack_separators = decltype(std::declval<const P&>().pack_separators(
+    std::declval<const T&>(), std::declval<std::vector<Separator>&>(), std::declval<Skeletonization_report&>()));
+template <class P>
+using packed = decltype(std::declval<const typename P::Packing&>().packed());
+template <class P, class T>
+using build_skeleton = decltype(std::declval<const P&>().build_skeleton(
+    std::declval<const T&>(), std::declval<const std::vector<Separator>&>(), std::declval<const typename P::Packing&>(),
+    std::declval<Skeletonization_report&>()));
 
 // Found by argument-dependent look-up only. boost::graph_traits is not asked: it fails hard on what is no graph.
 template <class G>
@@ -475,10 +492,11 @@ constexpr void check_separator_weight()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// Finds the separator of one source after the other; one object serves one thread. `f(source, level_hint, result)`
-/// seeks the separator of `source`, a vertex of the finest level, preferably on the level `level_hint`, and writes all
-/// members of `result`, a `Search_result&` that may hold an earlier answer. What it writes depends on its arguments
-/// alone, not on earlier calls: else the answer would not be the same for every number of threads.
+/// Finds the separator of one source after the other; one object serves one thread. `F(t)` makes one for the surface
+/// `t`, an object of type `T`, in any thread. `f(source, level_hint, result)` seeks the separator of `source`, a vertex
+/// of the finest level, preferably on the level `level_hint`, and writes all members of `result`, a `Search_result&`
+/// that may hold an earlier answer. What it writes depends on its arguments alone, not on earlier calls: else the
+/// answer would not be the same for every number of threads.
 ///
 /// \cgalHasModels{`Local_separator_finder`}
 /// \cgalArchetype{Policies_archetype.h}
@@ -491,32 +509,41 @@ class SeparatorFinder
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// Whether `T` is a model of `SeparatorFinder`.
-template <class T>
-inline constexpr bool is_separator_finder_v = internal::is_valid_v<internal::expressions::search, T>;
+/// Whether `F` is a model of `SeparatorFinder` for surfaces of type `T`.
+template <class F, class T>
+inline constexpr bool is_separator_finder_v = internal::is_valid_v<internal::expressions::search, F>&&
+    internal::is_valid_v<internal::expressions::make_finder, F, T>;
 
-/// refuses at compile time a type that is no model of `SeparatorFinder`.
-template <class T>
+/// refuses at compile time a type that is no model of `SeparatorFinder` for surfaces of type `T`.
+template <class F, class T>
 constexpr void check_separator_finder()
 {
-  static_assert(is_separator_finder_v<T>,
+  static_assert(internal::is_valid_v<internal::expressions::search, F>,
                 "CSCD: SeparatorFinder requires f(source, level_hint, result) of two indices and a Search_result&");
+  static_assert(internal::is_valid_v<internal::expressions::make_finder, F, T>,
+                "CSCD: SeparatorFinder requires F(t), which makes one for a surface");
 }
 
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// The algorithms of the pipeline's stages, for surfaces of type `T`.
+/// The algorithms of the pipeline's stages, for surfaces of type `T`. All functions are const.
 ///
 /// | expression | value |
 /// |---|---|
-/// | `P::Separator_finder` | a model of `SeparatorFinder` |
-/// | `p.make_separator_finder(t)` | the finder of one thread, for the surface `t`; called by several threads at once |
-/// | `p.separator_weight(separator)` | the weight of a separator: a function, or a `SeparatorWeight` |
+/// | `P::Packing` | which separators are packed, and what else follows from them; can be moved |
+/// | `packing.packed()` | the packed ones, as positions in the list: a `const std::vector<unsigned>&` |
+/// | `p.template find_separators<Tag>(t, settings, report, progress)` | a `std::vector<Separator>` |
+/// | `p.pack_separators(t, separators, report)` | a `P::Packing` of `separators`, to which more may be appended |
+/// | `p.build_skeleton(t, separators, packing, report)` | an `Embedded_skeleton` |
 ///
-/// Policies can be moved.
+/// Separators lie on the finest level of `t`. They are sought by the `Search_settings`, with frequent calls of
+/// `progress(fraction)`, which may throw.
+/// `Tag` is one of CGAL's concurrency tags; the answer must not depend on it, nor on the number of threads. In the
+/// `Skeletonization_report` each function fills in what it knows: the numbers of sources and of separators that were
+/// not taken, of handle cuts, of nodes and edges outside. Policies can be moved.
 ///
-/// \cgalHasModels{`Local_policies`}
+/// \cgalHasModels{`Local_policies`, `Published_policies`}
 /// \cgalArchetype{Policies_archetype.h}
 /// \cgalConcept
 class SkeletonizationPolicies
@@ -531,14 +558,17 @@ class SkeletonizationPolicies
 template <class P, class T>
 struct Skeletonization_policies_requirements
 {
-  static constexpr bool has_separator_finder_type = internal::is_valid_v<internal::expressions::Separator_finder, P>;
-  static constexpr bool has_make_separator_finder =
-      internal::gives_own_type<internal::expressions::Separator_finder, internal::expressions::make_separator_finder, P,
-                               T>();
-  static constexpr bool has_separator_weight = internal::gives_v<double, internal::expressions::separator_weight, P>;
+  static constexpr bool has_find_separators =
+      internal::gives_v<std::vector<Separator>, internal::expressions::find_separators, P, T>;
+  static constexpr bool has_pack_separators =
+      internal::gives_own_type<internal::expressions::Packing, internal::expressions::pack_separators, P, T>();
+  static constexpr bool has_packed =
+      internal::refers_to_v<std::vector<internal::Index>, internal::expressions::packed, P>;
+  static constexpr bool has_build_skeleton =
+      internal::gives_v<Embedded_skeleton, internal::expressions::build_skeleton, P, T>;
   static constexpr bool is_movable = std::is_move_constructible_v<P>;
   static constexpr bool value =
-      has_separator_finder_type && has_make_separator_finder && has_separator_weight && is_movable;
+      has_find_separators && has_pack_separators && has_packed && has_build_skeleton && is_movable;
 };
 
 /// Whether `P` is a model of `SkeletonizationPolicies` for surfaces of type `T`.
@@ -550,16 +580,17 @@ template <class P, class T>
 constexpr void check_skeletonization_policies()
 {
   using Requirements = Skeletonization_policies_requirements<P, T>;
-  static_assert(Requirements::has_separator_finder_type,
-                "CSCD: SkeletonizationPolicies requires the type P::Separator_finder");
-  static_assert(Requirements::has_make_separator_finder,
-                "CSCD: SkeletonizationPolicies requires p.make_separator_finder(t) const, a P::Separator_finder");
-  static_assert(Requirements::has_separator_weight,
-                "CSCD: SkeletonizationPolicies requires p.separator_weight(separator) const, convertible to double");
+  static_assert(Requirements::has_find_separators,
+                "CSCD: SkeletonizationPolicies requires p.template find_separators<Tag>(t, settings, report, progress) "
+                "const, a std::vector<Separator>");
+  static_assert(Requirements::has_pack_separators,
+                "CSCD: SkeletonizationPolicies requires p.pack_separators(t, separators, report) const, a P::Packing");
+  static_assert(Requirements::has_packed,
+                "CSCD: SkeletonizationPolicies requires packing.packed() const, a const std::vector<unsigned>&");
+  static_assert(Requirements::has_build_skeleton,
+                "CSCD: SkeletonizationPolicies requires p.build_skeleton(t, separators, packing, report) const, an "
+                "Embedded_skeleton");
   static_assert(Requirements::is_movable, "CSCD: SkeletonizationPolicies requires a move constructor");
-  if constexpr (Requirements::has_separator_finder_type) {
-    check_separator_finder<typename P::Separator_finder>();
-  }
 }
 
 /// @}

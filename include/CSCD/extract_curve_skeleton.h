@@ -13,8 +13,8 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
+#include <CSCD/internal/vertex_point_map.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
@@ -24,17 +24,6 @@
 
 namespace CSCD {
 namespace internal {
-
-/// The point map that `np` gives, else that of the mesh; a mesh whose map is given need not have one of its own.
-template <class TriangleMesh, class NamedParameters>
-auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
-    return get(CGAL::vertex_point, mesh);
-  } else {
-    return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
-  }
-}
 
 /// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that meshes and points
 /// have in common.
@@ -60,7 +49,7 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
   auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
   check_separator_weight<decltype(weight)>();
   using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies{std::move(weight)},
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
                                                                              visitor);
   // Any integer type will do for a number.
   skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))

@@ -6,9 +6,19 @@
 #ifndef CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 
+#include "Separator_weight_archetype.h"
+#include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/internal/Vector_3.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CSCD::test {
 
@@ -31,37 +41,57 @@ private:
   Local_separator_finder<Traits> m_finder;
 };
 
-/// Can be moved only. The weight is a function, not an object.
+/// Can be moved only, and so can its packing.
 template <class Traits>
 class Policies_archetype
 {
 public:
   using Separator_finder = Separator_finder_archetype<Traits>;
 
-  /// What may be used where a double is asked for.
-  class Weight
+  class Packing
   {
   public:
-    explicit Weight(double value) : m_value(value) {}
-    operator double() const { return m_value; }
+    const std::vector<CSCD::internal::Index>& packed() const { return m_packing.packed(); }
 
   private:
-    double m_value;
+    friend class Policies_archetype;
+    explicit Packing(CSCD::internal::Separator_packing&& packing) : m_packing(std::move(packing)) {}
+
+    CSCD::internal::Separator_packing m_packing;
   };
 
-  /// Adds `offset` to the length of every separator.
-  explicit Policies_archetype(double offset) : m_offset(offset) {}
+  /// \param number_of_weights counts the weights that are asked for
+  explicit Policies_archetype(std::size_t& number_of_weights)
+      : m_policies(Separator_weight_archetype(number_of_weights))
+  {
+  }
   Policies_archetype(const Policies_archetype&) = delete;
   Policies_archetype& operator=(const Policies_archetype&) = delete;
   Policies_archetype(Policies_archetype&&) = default;
   Policies_archetype& operator=(Policies_archetype&&) = delete;
   ~Policies_archetype() = default;
 
-  Separator_finder make_separator_finder(const Traits& traits) const { return Separator_finder(traits); }
-  Weight separator_weight(const Separator& separator) const { return Weight(m_offset + separator.length); }
+  template <class ConcurrencyTag, class Progress>
+  std::vector<Separator> find_separators(const Traits& traits, const Search_settings& settings,
+                                         Skeletonization_report& report, const Progress& progress) const
+  {
+    return m_policies.template find_separators<ConcurrencyTag>(traits, settings, report, progress);
+  }
+
+  Packing pack_separators(const Traits& traits, std::vector<Separator>& separators,
+                          Skeletonization_report& report) const
+  {
+    return Packing(m_policies.pack_separators(traits, separators, report));
+  }
+
+  Embedded_skeleton build_skeleton(const Traits& traits, const std::vector<Separator>& separators,
+                                   const Packing& packing, Skeletonization_report& report) const
+  {
+    return m_policies.build_skeleton(traits, separators, packing.m_packing, report);
+  }
 
 private:
-  double m_offset;
+  Local_policies<Traits, Separator_weight_archetype, Separator_finder> m_policies;
 };
 
 } // namespace CSCD::test

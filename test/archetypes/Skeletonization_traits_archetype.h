@@ -28,8 +28,8 @@ class Skeletonization_traits_archetype
 public:
   using Point = Point_archetype;
   using Site_descriptor = Triangle_mesh_archetype::Vertex;
-  using Index = internal::Index;
-  using Vector_3 = internal::Vector_3;
+  using Index = CSCD::internal::Index;
+  using Vector_3 = CSCD::internal::Vector_3;
 
   explicit Skeletonization_traits_archetype(const Shape& shape)
       : m_mesh(shape), m_traits(m_mesh, Vertex_point_map_archetype(m_mesh))
@@ -64,8 +64,8 @@ public:
 
   /// \name SolidSkeletonizationTraits
   /// @{
-  const internal::Surface_levels& levels() const { return m_traits.levels(); }
-  const internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
+  const CSCD::internal::Surface_levels& levels() const { return m_traits.levels(); }
+  const CSCD::internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
   bool is_inside(const Vector_3& p) const { return m_traits.is_inside(p); }
   Surface_point_archetype closest_point(const Vector_3& p) const
   {

@@ -22,3 +22,9 @@ extern CSCD::Skeleton_graph<Point, Mesh::Vertex_index> skeleton;
 extern Mesh::Property_map<Mesh::Vertex_index, Point> map;
 extern CSCD::Default_skeletonization_visitor my_visitor;
 std::vector<Point> my_points();
+
+extern Mesh::Vertex_index source;
+extern std::vector<Mesh::Vertex_index> sources;
+extern std::vector<std::vector<Mesh::Vertex_index>> source_sets;
+extern Mesh::Property_map<Mesh::Vertex_index, double> distance_map;
+extern std::vector<Mesh::Property_map<Mesh::Vertex_index, double>> distance_maps;

@@ -136,7 +136,10 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --bad", 1, {"--bad"});
   expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
   expect_refusal("skeletonize torus.off -o", 1, {"--output"});
-  expect_refusal("skeletonize torus.off --method published", 1, {"--method", "published"});
+  expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
+  expect_refusal("skeletonize torus.off --target geodesic", 1, {"--target", "published"});
+  expect_refusal("skeletonize torus.off --shortening flips", 1, {"--shortening", "published"});
+  expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
   expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
@@ -311,8 +314,9 @@ TEST_F(Cscd, reports_as_json)
   for (const char* key :
        {"number_of_isolated_vertices", "number_of_bridged_borders", "number_of_inserted_vertices",
         "number_of_degenerate_faces", "number_of_levels", "number_of_sources", "number_of_sources_without_cut",
-        "number_of_bumps", "number_of_separators", "number_of_plane_sections", "number_of_straightened_loops",
-        "number_of_packed_separators", "number_of_handle_cuts", "number_of_nodes_outside", "number_of_edges_outside"}) {
+        "number_of_collapsed_loops", "number_of_bumps", "number_of_tunnels", "number_of_separators",
+        "number_of_plane_sections", "number_of_straightened_loops", "number_of_packed_separators",
+        "number_of_handle_cuts", "number_of_nodes_outside", "number_of_edges_outside"}) {
     EXPECT_TRUE(report.contains(key) && report[key].is_number_unsigned()) << key;
   }
   for (const char* stage : {"compile surface", "find separators", "pack separators", "build skeleton"}) {
@@ -349,6 +353,29 @@ TEST_F(Cscd, number_of_sources_can_be_bounded)
   const nlohmann::json report = nlohmann::json::parse(content("r.json"));
   EXPECT_LE(report.at("number_of_sources"), 3);
   EXPECT_EQ(1, report.at("betti_number"));
+}
+
+TEST_F(Cscd, knows_the_published_method)
+{
+  m_folder.write("torus.off", off(torus()));
+  const std::string command =
+      "skeletonize torus.off --method published --separators 64 --threads 1 --report r.json -o -";
+  const std::string flips = run(command).out;
+  EXPECT_TRUE(is_graph_of_a_cycle(flips));
+  const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+  EXPECT_EQ("published", report.at("method"));
+  EXPECT_EQ("euclidean", report.at("target"));
+  EXPECT_EQ("flips", report.at("shortening"));
+  EXPECT_EQ(64, report.at("number_of_sources"));
+  std::size_t number_of_rejections = 0;
+  for (const auto& [reason, number] : report.at("number_of_rejections").items()) {
+    number_of_rejections += number.get<std::size_t>();
+  }
+  EXPECT_EQ(number_of_rejections, report.at("number_of_sources_without_cut"));
+  const std::string flow = run(command + " --target geodesic --shortening variational").out;
+  EXPECT_TRUE(is_graph_of_a_cycle(flow));
+  EXPECT_NE(flips, flow);
+  EXPECT_EQ(flips, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
 }
 
 TEST_F(Cscd, writes_a_page_with_all_in_it)

@@ -102,7 +102,6 @@ private:
     ++report.number_of_sources;
     switch (result.outcome) {
     case Search_outcome::found:
-      ++report.number_of_separators;
       ++(result.is_section ? report.number_of_plane_sections : report.number_of_straightened_loops);
       separators.push_back(result.separator);
       break;

@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_SEPARATOR_H
 #define CSCD_SEPARATOR_SEPARATOR_H
 
+#include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -13,20 +14,6 @@
 #include <vector>
 
 namespace CSCD {
-
-namespace internal {
-
-/// A point where a curve crosses an edge of the finest surface.
-/// The curve passes with the origin of the halfedge on its right and the target on its left, and goes on into the face
-/// of the halfedge's twin.
-struct Edge_crossing
-{
-  Index halfedge;
-  /// In (0, 1): from the origin of `halfedge` to its target.
-  double position;
-};
-
-} // namespace internal
 
 /// A local separator: a simple closed curve on the finest surface, given by the edges that it crosses, with its
 /// measures in the normalized frame of the traits object.

@@ -7,12 +7,12 @@
 #define CSCD_SKELETON_NODE_PLACEMENT_H
 
 #include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Selection/Surface_regions.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/Skeleton/Section_disc.h>
 #include <CSCD/Skeleton/Skeleton_draft.h>
 #include <CSCD/Skeleton/Surface_pieces.h>
-#include <CSCD/Skeleton/Surface_regions.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>

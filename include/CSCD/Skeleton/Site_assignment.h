@@ -7,12 +7,14 @@
 #define CSCD_SKELETON_SITE_ASSIGNMENT_H
 
 #include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Skeleton/Embedded_skeleton.h>
 #include <CSCD/Skeleton/Skeleton_draft.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -39,6 +41,13 @@ public:
   Index node(Index site) const { return m_node[site]; }
   /// Mean distance of the surface around `node` from the curve, by area.
   double radius(Index node) const { return m_radius[node]; }
+
+  /// Hands both over to `skeleton`, and is empty afterwards.
+  void move_to(Embedded_skeleton& skeleton) &&
+  {
+    skeleton.node_of_site = std::move(m_node);
+    skeleton.radius = std::move(m_radius);
+  }
 
 private:
   /// For each piece, the nodes of its separators and its own.

@@ -7,7 +7,7 @@
 #define CSCD_SKELETON_SURFACE_PIECES_H
 
 #include <CSCD/Selection/Cut_graph.h>
-#include <CSCD/Skeleton/Surface_regions.h>
+#include <CSCD/Selection/Surface_regions.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 

@@ -108,6 +108,46 @@ public:
     std::sort(distances.begin(), distances.end());
   }
 
+  /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
+  /// (C. Ericson, Real-Time Collision Detection, 5.1.5). A side without length is left to the other sides.
+  Vector_3 closest_point_of_face(Index face, const Vector_3& point) const
+  {
+    const std::array<Index, 3> corner = corners(face);
+    const Vector_3& a = m_surface.point(corner[0]);
+    const Vector_3& b = m_surface.point(corner[1]);
+    const Vector_3& c = m_surface.point(corner[2]);
+    const Vector_3 ab = b - a;
+    const Vector_3 ac = c - a;
+    const double ab_at_a = ab.dot(point - a), ac_at_a = ac.dot(point - a);
+    const double ab_at_b = ab.dot(point - b), ac_at_b = ac.dot(point - b);
+    const double ab_at_c = ab.dot(point - c), ac_at_c = ac.dot(point - c);
+    if (ab_at_a <= 0 && ac_at_a <= 0) {
+      return a;
+    }
+    if (ab_at_b >= 0 && ac_at_b <= ab_at_b) {
+      return b;
+    }
+    if (ac_at_c >= 0 && ab_at_c <= ac_at_c) {
+      return c;
+    }
+    const double at_c = ab_at_a * ac_at_b - ab_at_b * ac_at_a; // barycentric coordinates, not normalized
+    const double at_b = ab_at_c * ac_at_a - ab_at_a * ac_at_c;
+    const double at_a = ab_at_b * ac_at_c - ab_at_c * ac_at_b;
+    if (at_c <= 0 && ab_at_a >= 0 && ab_at_b <= 0 && ab_at_a > ab_at_b) {
+      return a + ab_at_a / (ab_at_a - ab_at_b) * ab;
+    }
+    if (at_b <= 0 && ac_at_a >= 0 && ac_at_c <= 0 && ac_at_a > ac_at_c) {
+      return a + ac_at_a / (ac_at_a - ac_at_c) * ac;
+    }
+    const double from_b = ac_at_b - ab_at_b;
+    const double from_c = ab_at_c - ac_at_c;
+    if (at_a <= 0 && from_b >= 0 && from_c >= 0 && from_b + from_c > 0) {
+      return b + from_b / (from_b + from_c) * (c - b);
+    }
+    const double sum = at_a + at_b + at_c;
+    return sum > 0 ? Vector_3(a + at_b / sum * ab + at_c / sum * ac) : a;
+  }
+
 private:
   using Box = Eigen::AlignedBox3d;
   using Tree = Eigen::KdBVH<double, 3, Index>;
@@ -304,46 +344,6 @@ private:
     const double distance =
         (weight[0] * at[0].z() + weight[1] * at[1].z() + weight[2] * at[2].z()) / (weight[0] + weight[1] + weight[2]);
     return distance > 0 ? distance : infinity;
-  }
-
-  /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
-  /// (C. Ericson, Real-Time Collision Detection, 5.1.5). A side without length is left to the other sides.
-  Vector_3 closest_point_of_face(Index face, const Vector_3& point) const
-  {
-    const std::array<Index, 3> corner = corners(face);
-    const Vector_3& a = m_surface.point(corner[0]);
-    const Vector_3& b = m_surface.point(corner[1]);
-    const Vector_3& c = m_surface.point(corner[2]);
-    const Vector_3 ab = b - a;
-    const Vector_3 ac = c - a;
-    const double ab_at_a = ab.dot(point - a), ac_at_a = ac.dot(point - a);
-    const double ab_at_b = ab.dot(point - b), ac_at_b = ac.dot(point - b);
-    const double ab_at_c = ab.dot(point - c), ac_at_c = ac.dot(point - c);
-    if (ab_at_a <= 0 && ac_at_a <= 0) {
-      return a;
-    }
-    if (ab_at_b >= 0 && ac_at_b <= ab_at_b) {
-      return b;
-    }
-    if (ac_at_c >= 0 && ab_at_c <= ac_at_c) {
-      return c;
-    }
-    const double at_c = ab_at_a * ac_at_b - ab_at_b * ac_at_a; // barycentric coordinates, not normalized
-    const double at_b = ab_at_c * ac_at_a - ab_at_a * ac_at_c;
-    const double at_a = ab_at_b * ac_at_c - ab_at_c * ac_at_b;
-    if (at_c <= 0 && ab_at_a >= 0 && ab_at_b <= 0 && ab_at_a > ab_at_b) {
-      return a + ab_at_a / (ab_at_a - ab_at_b) * ab;
-    }
-    if (at_b <= 0 && ac_at_a >= 0 && ac_at_c <= 0 && ac_at_a > ac_at_c) {
-      return a + ac_at_a / (ac_at_a - ac_at_c) * ac;
-    }
-    const double from_b = ac_at_b - ab_at_b;
-    const double from_c = ab_at_c - ac_at_c;
-    if (at_a <= 0 && from_b >= 0 && from_c >= 0 && from_b + from_c > 0) {
-      return b + from_b / (from_b + from_c) * (c - b);
-    }
-    const double sum = at_a + at_b + at_c;
-    return sum > 0 ? Vector_3(a + at_b / sum * ab + at_c / sum * ac) : a;
   }
 
   const Triangulated_surface& m_surface;

@@ -3,8 +3,8 @@
 //
 // The part of the surface that is nearest to each packed separator.
 
-#ifndef CSCD_SKELETON_SURFACE_REGIONS_H
-#define CSCD_SKELETON_SURFACE_REGIONS_H
+#ifndef CSCD_SELECTION_SURFACE_REGIONS_H
+#define CSCD_SELECTION_SURFACE_REGIONS_H
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Corner_table.h>
@@ -88,4 +88,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_SKELETON_SURFACE_REGIONS_H
+#endif // CSCD_SELECTION_SURFACE_REGIONS_H

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What tells the cut locus from the rest of a distance field, vertex by vertex.
+
+#ifndef CSCD_CUT_LOCUS_CUT_MEASURES_H
+#define CSCD_CUT_LOCUS_CUT_MEASURES_H
+
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// When a vertex counts as a point of the cut locus; scale-free.
+struct Cut_criterion
+{
+  /// The scale-free Laplacian is at most this. Across a straight ridge where unit gradients meet at the angle a, it is
+  /// about -2.3 sin(a/2); elsewhere it is positive or small.
+  double laplacian_threshold = -0.5;
+  /// Gradients around the vertex run against each other at this angle at least, in radians.
+  double angle_threshold = boost::math::double_constants::third_pi;
+};
+
+/// The derivatives of a distance field at the vertices, each computed when it is asked for, from the faces around the
+/// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise.
+template <class Triangulation>
+class Cut_measures
+{
+public:
+  using Frames = Tangent_frames<Triangulation>;
+  using Complex = typename Frames::Complex;
+
+  /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
+  ///        referred to and must outlive this object
+  Cut_measures(const Frames& frames, const std::vector<double>& distances) : m_frames(frames), m_distances(distances)
+  {
+    CGAL_precondition(distances.size() == frames.triangulation().number_of_vertices());
+  }
+
+  const Frames& frames() const { return m_frames; }
+  const std::vector<double>& distances() const { return m_distances; }
+  double distance(Index vertex) const { return m_distances[vertex]; }
+  bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
+
+  /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
+  Complex face_direction(Index halfedge) const
+  {
+    const Triangulation& triangulation = m_frames.triangulation();
+    const auto& corner = m_frames.corner(halfedge);
+    if (corner.sine == 0) {
+      return 0;
+    }
+    const double here = m_distances[triangulation.origin(halfedge)];
+    const Index last = triangulation.previous(halfedge);
+    const double along = (m_distances[triangulation.target(halfedge)] - here) / corner.length;
+    const double along_last = (m_distances[triangulation.origin(last)] - here) / m_frames.corner(last).length;
+    const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
+    const double norm = std::abs(gradient);
+    return norm > 0 && std::isfinite(norm) ? corner.turn * gradient / norm : Complex(0);
+  }
+
+  /// The mean of the unit gradients around `vertex`, weighted by angle, in its frame: it is shorter than 1 where they
+  /// disagree.
+  Complex gradient(Index vertex) const
+  {
+    Complex sum = 0;
+    double weight = 0;
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const double angle = std::atan2(m_frames.corner(h).sine, m_frames.corner(h).cosine);
+      sum += angle * face_direction(h);
+      weight += angle;
+    });
+    return weight > 0 ? sum / weight : Complex(0);
+  }
+
+  /// The Laplacian times the spacing: that of the vertices around `vertex` or, if it is larger, the mean edge length,
+  /// over which a heat method smooths its distances.
+  double laplacian(Index vertex) const
+  {
+    const double area = m_frames.area(vertex);
+    if (!(area > 0)) {
+      return 0;
+    }
+    const Triangulation& triangulation = m_frames.triangulation();
+    double sum = 0;
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const Index next = triangulation.next(h);
+      const Index last = triangulation.previous(h);
+      sum += cotangent(last) * (m_distances[triangulation.origin(next)] - m_distances[vertex]) / 2 +
+             cotangent(next) * (m_distances[triangulation.origin(last)] - m_distances[vertex]) / 2;
+    });
+    const double spacing = std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing));
+    return std::isfinite(sum) ? sum / area * spacing : 0;
+  }
+
+  /// The greatest angle in [0, pi] between the gradients of two faces around `vertex` that run towards each other.
+  /// O(d^2) for degree d up to a constant, beyond which an even sample of the faces is taken.
+  double convergence(Index vertex) const
+  {
+    Sectors sectors;
+    collect_sectors(vertex, sectors);
+    const std::size_t stride = (sectors.size() + most_sectors - 1) / most_sectors;
+    double least_cosine = 1;
+    for (std::size_t i = 0; i < sectors.size(); i += stride) {
+      for (std::size_t j = i + stride; j < sectors.size(); j += stride) {
+        const double cosine = dot(sectors[i].gradient, sectors[j].gradient);
+        if (cosine < least_cosine && are_converging(sectors[i], sectors[j])) {
+          least_cosine = cosine;
+        }
+      }
+    }
+    return std::acos(std::clamp(least_cosine, -1., 1.));
+  }
+
+  /// Whether `vertex` is a point of the cut locus.
+  bool is_cut(Index vertex, const Cut_criterion& criterion) const
+  {
+    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
+           convergence(vertex) >= criterion.angle_threshold;
+  }
+
+  /// A face around a vertex: where it lies, and its gradient.
+  struct Sector
+  {
+    Index halfedge;
+    Complex direction; ///< from the vertex to the middle of the face, of length 1
+    Complex gradient;  ///< of length 1
+  };
+
+  using Sectors = boost::container::small_vector<Sector, 16>;
+
+  /// Collects the faces around `vertex` that have a gradient, counterclockwise.
+  void collect_sectors(Index vertex, Sectors& sectors) const
+  {
+    sectors.clear();
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const Complex gradient = face_direction(h);
+      if (gradient != Complex(0)) {
+        const auto& corner = m_frames.corner(h);
+        // The bisector of the corner, by the half-angle formulas.
+        const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
+        sectors.push_back({h, corner.turn * bisector, gradient});
+      }
+    });
+  }
+
+  static double dot(const Complex& a, const Complex& b) { return a.real() * b.real() + a.imag() * b.imag(); }
+
+private:
+  /// The dual area of a vertex of a regular triangulation with edges of length 1.
+  static constexpr double area_of_unit_spacing = 0.8660254037844386;
+  /// Faces around a vertex that are compared pair by pair.
+  static constexpr std::size_t most_sectors = 32;
+
+  static bool are_converging(const Sector& a, const Sector& b)
+  {
+    return dot(a.gradient - b.gradient, a.direction - b.direction) < 0;
+  }
+
+  /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
+  double cotangent(Index halfedge) const
+  {
+    const auto& corner = m_frames.corner(halfedge);
+    return corner.sine > 0 ? corner.cosine / corner.sine : 0;
+  }
+
+  const Frames& m_frames;
+  const std::vector<double>& m_distances;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_CUT_LOCUS_CUT_MEASURES_H

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Linear finite elements on a triangulation: its faces in the plane, masses, and the cotangent Laplacian.
+
+#ifndef CSCD_GEODESIC_COTANGENT_ELEMENTS_H
+#define CSCD_GEODESIC_COTANGENT_ELEMENTS_H
+
+#include <CSCD/Geodesic/Face_layout.h>
+#include <CSCD/Traits/is_bridging_face.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Linear finite elements on a triangulation, from the lengths of its edges alone.
+///
+/// Every component is measured in its own unit, the mean length of its edges: results on a component do not depend on
+/// others, and numbers are moderate whatever the scale is. Faces that bridge borders are left out: borders keep the
+/// natural condition, that no heat flows through them. Vertices may be joined by several edges or to themselves.
+class Cotangent_elements
+{
+public:
+  struct Face
+  {
+    std::array<Index, 3> vertices; ///< the corners 0, 1 and 2 of the layout: origins of the halfedges 3f, 3f+1, 3f+2
+    Index face = no_index;         ///< its number in the triangulation
+    Face_layout layout;            ///< in the unit of its component
+  };
+
+  /// Lays out all faces of `triangulation`, which is not referred to later; linear.
+  /// \tparam Triangulation has `number_of_vertices()`, `number_of_faces()`, `origin(h)` and `length(h)`, where face f
+  ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_bridging(f)`
+  template <class Triangulation>
+  explicit Cotangent_elements(const Triangulation& triangulation)
+      : m_number_of_triangulation_faces(triangulation.number_of_faces()),
+        m_masses(triangulation.number_of_vertices(), 0.)
+  {
+    number_components(triangulation);
+    measure_units(triangulation);
+    m_faces.reserve(triangulation.number_of_faces());
+    for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
+      if (!is_bridging_face(triangulation, f)) {
+        add_face(triangulation, f);
+      }
+    }
+  }
+
+  Index number_of_vertices() const { return Index(m_masses.size()); }
+  /// The faces that carry area, by ascending number.
+  const std::vector<Face>& faces() const { return m_faces; }
+  /// The number of all faces of the triangulation.
+  Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
+  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of bridging faces only.
+  double mass(Index vertex) const { return m_masses[vertex]; }
+
+  Index number_of_components() const { return Index(m_units.size()); }
+  /// The component of `vertex`, joined through faces that carry area.
+  Index component(Index vertex) const { return m_component[vertex]; }
+  /// The mean length of the component's edges, those on no border counted twice.
+  double unit(Index component) const { return m_units[component]; }
+
+  /// The lower triangle of (the mass matrix times `mass_factor`) + (the stiffness matrix, the negative Laplacian).
+  /// A vertex without mass and stiffness gets a 1 on the diagonal.
+  /// \param is_pinned doubles the stiffness's diagonal at one vertex of each component: if the right-hand side adds up
+  ///        to 0 on a component, then the equation keeps its solution, but the one with 0 there
+  Eigen::SparseMatrix<double> matrix(double mass_factor, bool is_pinned) const
+  {
+    std::vector<double> diagonal(number_of_vertices(), 0.);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(3 * m_faces.size() + number_of_vertices());
+    for (const Face& face : m_faces) {
+      const std::array<double, 3> couplings = face.layout.couplings();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index i = face.vertices[(k + 1) % 3];
+        const Index j = face.vertices[(k + 2) % 3];
+        if (i != j) {
+          entries.emplace_back(int(std::max(i, j)), int(std::min(i, j)), couplings[k]);
+          diagonal[i] -= couplings[k];
+          diagonal[j] -= couplings[k];
+        }
+      }
+    }
+    std::vector<char> has_pin(is_pinned ? number_of_components() : 0, 0);
+    for (Index v = 0; v < number_of_vertices(); ++v) {
+      const bool is_pin = is_pinned && std::exchange(has_pin[m_component[v]], char(1)) == 0;
+      const double value = mass_factor * m_masses[v] + (is_pin ? 2 : 1) * diagonal[v];
+      entries.emplace_back(int(v), int(v), value > 0 ? value : 1.);
+    }
+    Eigen::SparseMatrix<double> result(number_of_vertices(), number_of_vertices());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+private:
+  template <class Triangulation>
+  void number_components(const Triangulation& triangulation)
+  {
+    Disjoint_sets sets(number_of_vertices());
+    for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
+      if (!is_bridging_face(triangulation, f)) {
+        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
+        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
+      }
+    }
+    m_component.assign(number_of_vertices(), no_index);
+    for (Index v = 0; v < number_of_vertices(); ++v) {
+      const Index root = sets.find(v);
+      if (m_component[root] == no_index) {
+        m_component[root] = Index(m_units.size());
+        m_units.push_back(0);
+      }
+      m_component[v] = m_component[root];
+    }
+  }
+
+  template <class Triangulation>
+  void measure_units(const Triangulation& triangulation)
+  {
+    std::vector<double> count(m_units.size(), 0.);
+    for (Index h = 0; h < 3 * triangulation.number_of_faces(); ++h) {
+      if (!is_bridging_face(triangulation, h / 3)) {
+        m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
+        count[m_component[triangulation.origin(h)]] += 1;
+      }
+    }
+    for (std::size_t i = 0; i < m_units.size(); ++i) {
+      m_units[i] = m_units[i] > 0 ? m_units[i] / count[i] : 0.;
+    }
+  }
+
+  template <class Triangulation>
+  void add_face(const Triangulation& triangulation, Index f)
+  {
+    const double unit = m_units[m_component[triangulation.origin(3 * f)]];
+    // Where everything is in one point, any finite elements will do: distances get the unit 0.
+    std::array<double, 3> lengths{1, 1, 1};
+    for (Index k = 0; unit > 0 && k < 3; ++k) {
+      lengths[k] = triangulation.length(3 * f + k) / unit;
+    }
+    m_faces.push_back({{triangulation.origin(3 * f), triangulation.origin(3 * f + 1), triangulation.origin(3 * f + 2)},
+                       f,
+                       lay_out_face(lengths, 1)});
+    for (const Index vertex : m_faces.back().vertices) {
+      m_masses[vertex] += m_faces.back().layout.area() / 3;
+    }
+  }
+
+  Index m_number_of_triangulation_faces;
+  std::vector<Face> m_faces;
+  std::vector<double> m_masses;
+  std::vector<Index> m_component; // of every vertex
+  std::vector<double> m_units;    // of every component
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_GEODESIC_COTANGENT_ELEMENTS_H

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The halfedges of a triangulation whose edges are straight lines over another surface, and how they cross its edges.
+
+#ifndef CSCD_INTRINSIC_INTRINSIC_HALFEDGES_H
+#define CSCD_INTRINSIC_INTRINSIC_HALFEDGES_H
+
+#include <CSCD/Intrinsic/Edge_trace.h>
+#include <CSCD/Intrinsic/Flat_diamond.h>
+#include <CSCD/Intrinsic/Flat_triangle.h>
+#include <CSCD/Intrinsic/Normal_coordinates.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Faces, in the layout of `Triangulated_surface`, whose edges are straight lines over an input triangulation with the
+/// same vertices. What is stored tells exactly, whatever rounding does to lengths, which input edges each edge crosses:
+/// its normal coordinate, and the input corner into which each of its halfedges leaves its origin (Gillespie, Sharp,
+/// Crane: Integer coordinates for intrinsic geometry processing, 2021; their roundabouts, counted from the input
+/// halfedge before instead of after).
+/// Edges may have equal ends, and several may have the same two.
+/// What owns the faces is derived from this: a whole triangulation, or the part of it that was touched.
+/// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
+///         (`no_index` on a border) and `length()`
+template <class Triangulation>
+class Intrinsic_halfedges
+{
+public:
+  /// \name Combinatorics
+  /// @{
+  Index number_of_halfedges() const { return Index(m_halfedges.size()); }
+  Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
+
+  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  static Index face(Index halfedge) { return halfedge / 3; }
+
+  Index origin(Index halfedge) const { return m_halfedges[halfedge].origin; }
+  Index target(Index halfedge) const { return m_halfedges[next(halfedge)].origin; }
+  Index opposite_vertex(Index halfedge) const { return m_halfedges[previous(halfedge)].origin; }
+  /// @}
+
+  /// \name Geometry
+  /// @{
+  double length(Index halfedge) const { return m_halfedges[halfedge].length; }
+  /// The angle of the face of `halfedge` at its origin.
+  double angle(Index halfedge) const { return corner_angle(*this, halfedge); }
+  /// @}
+
+  /// \name Relation to the input
+  /// @{
+  const Triangulation& input() const { return *m_input; }
+  /// What was added to the length of every input edge.
+  double added_length() const { return m_added_length; }
+  /// Whether the edge runs along an edge of the input.
+  bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
+  /// See `Normal_coordinate`.
+  Normal_coordinate normal_coordinate(Index halfedge) const { return m_halfedges[halfedge].coordinate; }
+  /// The number of input edges that the edge crosses.
+  Index number_of_crossings(Index halfedge) const { return Index(crossings_of(m_halfedges[halfedge].coordinate)); }
+  /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
+  Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
+
+  /// @}
+
+protected:
+  struct Halfedge
+  {
+    Index origin;
+    Index twin;
+    Index input_halfedge;
+    Normal_coordinate coordinate;
+    double length;
+  };
+
+  /// The input with the lengths that count here.
+  struct Input_lengths
+  {
+    const Triangulation& input;
+    double added_length;
+
+    static Index next(Index halfedge) { return Triangulation::next(halfedge); }
+    static Index previous(Index halfedge) { return Triangulation::previous(halfedge); }
+    Index twin(Index halfedge) const { return input.twin(halfedge); }
+    double length(Index halfedge) const { return input.length(halfedge) + added_length; }
+  };
+
+  Intrinsic_halfedges(const Triangulation& input, double added_length) : m_input(&input), m_added_length(added_length)
+  {
+  }
+
+  /// Adds a face of the input as it is, without neighbors.
+  void append_face(Index input_face)
+  {
+    for (Index h = 3 * input_face; h < 3 * input_face + 3; ++h) {
+      m_halfedges.push_back({m_input->origin(h), no_index, h, along_input_edge, m_input->length(h) + m_added_length});
+    }
+  }
+
+  void link(Index halfedge, Index twin)
+  {
+    m_halfedges[halfedge].twin = twin;
+    m_halfedges[twin].twin = halfedge;
+  }
+
+  /// Replaces the edge of `h`, from i to j in a face with apex k, by the edge from k to l, the other apex, whose
+  /// halfedges are afterwards `previous(h)` and `previous(twin)`. The halfedge from k to i moves to `twin`, that from l
+  /// to j moves to `h`, the other two keep their place.
+  /// \pre the diamond is convex, and its faces are two
+  void replace_diagonal(Index h, double new_length)
+  {
+    const Index t = m_halfedges[h].twin;
+    const Index h_next = next(h);
+    const Index h_previous = previous(h);
+    const Index t_next = next(t);
+    const Index t_previous = previous(t);
+    const Normal_coordinate coordinate = flipped_coordinate(
+        m_halfedges[h].coordinate, m_halfedges[h_next].coordinate, m_halfedges[h_previous].coordinate,
+        m_halfedges[t_next].coordinate, m_halfedges[t_previous].coordinate);
+    const Index k = m_halfedges[h_previous].origin;
+    const Index l = m_halfedges[t_previous].origin;
+    move_two(h_previous, t, t_previous, h);
+    m_halfedges[h_previous] = {k, t_previous, leaving_corner(t, t_next, coordinate), coordinate, new_length};
+    m_halfedges[t_previous] = {l, h_previous, leaving_corner(h, h_next, coordinate), coordinate, new_length};
+  }
+
+  std::vector<Halfedge> m_halfedges;
+
+  /// Where a curve is that crosses an edge: it enters the face of `halfedge`, after `rank` others, seen from the
+  /// origin.
+  struct Curve_position
+  {
+    Index halfedge;
+    Normal_coordinate rank;
+  };
+
+  /// Follows the curve to the next edge that it crosses. \return false if it ends at the apex instead; `rank` is then
+  /// its rank among those that emanate there, counterclockwise
+  template <class Twin>
+  bool follow(Curve_position& at, const Twin& twin_of) const
+  {
+    const Index after = next(at.halfedge);
+    const Index before = previous(at.halfedge);
+    const Normal_coordinate side = m_halfedges[at.halfedge].coordinate;
+    const Normal_coordinate side_after = m_halfedges[after].coordinate;
+    const Triangle_curves curves(side, side_after, m_halfedges[before].coordinate);
+    if (at.rank < curves.around[0]) {
+      at.halfedge = twin_of(before);
+      return true;
+    }
+    if (at.rank >= curves.around[0] + curves.from[2]) {
+      at = {twin_of(after), side_after - side + at.rank};
+      return true;
+    }
+    at.rank -= curves.around[0];
+    return false;
+  }
+
+  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. `twin_of(h)` is the
+  /// twin of `h`, and may add faces.
+  template <class Twin>
+  void trace_over_input(Index halfedge, Edge_trace& trace, const Twin& twin_of) const
+  {
+    trace.clear();
+    for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
+      trace.cross(m_input->twin(left_input_halfedge(halfedge, i, twin_of)));
+    }
+    trace.straighten(Input_lengths{*m_input, m_added_length}, m_halfedges[halfedge].input_halfedge);
+  }
+
+  /// The input halfedge that is `number` steps counterclockwise from `halfedge`.
+  Index advance(Index halfedge, Normal_coordinate number) const
+  {
+    for (; number > 0; --number) {
+      halfedge = m_input->twin(Triangulation::previous(halfedge));
+    }
+    return halfedge;
+  }
+
+private:
+  /// Moves two halfedges at a time, each of which may be the twin of the other.
+  void move_two(Index from_1, Index to_1, Index from_2, Index to_2)
+  {
+    const auto moved = [&](Index halfedge) { return halfedge == from_1 ? to_1 : halfedge == from_2 ? to_2 : halfedge; };
+    Halfedge first = m_halfedges[from_1];
+    Halfedge second = m_halfedges[from_2];
+    first.twin = moved(first.twin);
+    second.twin = moved(second.twin);
+    m_halfedges[to_1] = first;
+    m_halfedges[to_2] = second;
+    for (const Index to : {to_1, to_2}) {
+      if (m_halfedges[to].twin != no_index) {
+        m_halfedges[m_halfedges[to].twin].twin = to;
+      }
+    }
+  }
+
+  /// The input halfedge into whose face a line leaves the origin of `before`, which is the next edge counterclockwise
+  /// after `before`; `opposite` is the third side of the triangle of both, `coordinate` that of the line.
+  Index leaving_corner(Index before, Index opposite, Normal_coordinate coordinate) const
+  {
+    const Normal_coordinate between =
+        Triangle_curves::emanating(m_halfedges[before].coordinate, m_halfedges[opposite].coordinate, coordinate);
+    return advance(m_halfedges[before].input_halfedge, between + (coordinate == along_input_edge ? 1 : 0));
+  }
+
+  /// The input edge that crosses `halfedge` after `rank` others, as a halfedge from its end on the left.
+  template <class Twin>
+  Index left_input_halfedge(Index halfedge, Normal_coordinate rank, const Twin& twin_of) const
+  {
+    Curve_position at{halfedge, rank};
+    while (follow(at, twin_of)) {
+    }
+    return advance(m_halfedges[previous(at.halfedge)].input_halfedge, at.rank + 1);
+  }
+
+  const Triangulation* m_input;
+  double m_added_length;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_INTRINSIC_INTRINSIC_HALFEDGES_H

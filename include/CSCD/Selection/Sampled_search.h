@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Seeks separators from sources drawn at random, each from a distance field of the whole surface.
+
+#ifndef CSCD_SELECTION_SAMPLED_SEARCH_H
+#define CSCD_SELECTION_SAMPLED_SEARCH_H
+
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Selection/Distance_sampling.h>
+#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
+#include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Traits/Solid_queries.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/for_each_index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
+/// method on the intrinsic Delaunay triangulation gives the distance field of each, and that its separator.
+///
+/// Sources are drawn in rounds, of which each knows all earlier ones; so the answer does not depend on the number of
+/// threads. A thread takes a group of sources at a time, whose distances are solved for together.
+/// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
+template <class ConcurrencyTag, class Traits>
+class Sampled_search
+{
+public:
+  Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule,
+                 Shortening_rule shortening_rule)
+      : m_surface(traits.levels().finest().surface), m_frames(m_surface),
+        m_queries(queries_for(shortening_rule, m_surface)), m_heat(delaunay(m_surface)),
+        m_sampling(areas(m_surface), settings.random_seed),
+        m_for_each(
+            [this, target_rule] {
+              return std::make_unique<Worker>(m_surface, m_frames, target_rule, m_queries ? &*m_queries : nullptr);
+            },
+            settings.number_of_threads)
+  {
+  }
+
+  /// Seeks a separator from each of `number_of_sources` sources, and counts in `report`; `progress(fraction)` is called
+  /// after each round and may throw.
+  template <class Progress>
+  std::vector<Separator> operator()(std::size_t number_of_sources, Skeletonization_report& report,
+                                    const Progress& progress)
+  {
+    report.number_of_threads = m_for_each.number_of_threads();
+    std::vector<Separator> separators;
+    while (report.number_of_sources < number_of_sources) {
+      m_sampling.draw(std::min(round_size, number_of_sources - report.number_of_sources), m_sources);
+      if (m_sources.empty()) {
+        break;
+      }
+      search_round();
+      take_results(separators, report);
+      progress(double(report.number_of_sources) / double(number_of_sources));
+    }
+    return separators;
+  }
+
+private:
+  static constexpr std::size_t group_size = Heat_method::batch_size;
+  static constexpr std::size_t most_groups = 4;
+  /// Sources of a round: enough for a few threads, and few against the number of all.
+  static constexpr std::size_t round_size = group_size * most_groups;
+
+  struct Worker
+  {
+    Worker(const Triangulated_surface& surface, const Tangent_frames<Triangulated_surface>& frames,
+           Target_rule target_rule, const Solid_queries* queries)
+        : finder(surface, frames, target_rule, queries)
+    {
+    }
+    Heat_method::Workspace workspace;
+    std::vector<std::vector<Geodesic_source>> source_sets;
+    std::vector<Heat_field> fields;
+    Field_separator_finder finder;
+  };
+
+  static Intrinsic_triangulation<Triangulated_surface> delaunay(const Triangulated_surface& surface)
+  {
+    Intrinsic_triangulation<Triangulated_surface> result(surface);
+    result.make_delaunay();
+    return result;
+  }
+
+  static std::optional<Solid_queries> queries_for(Shortening_rule rule, const Triangulated_surface& surface)
+  {
+    return rule == Shortening_rule::variational ? std::make_optional<Solid_queries>(surface) : std::nullopt;
+  }
+
+  static std::vector<double> areas(const Triangulated_surface& surface)
+  {
+    std::vector<double> result(surface.number_of_vertices());
+    for (Index vertex = 0; vertex < result.size(); ++vertex) {
+      result[vertex] = double(surface.vertex_area(vertex));
+    }
+    return result;
+  }
+
+  std::size_t end_of_group(Index group) const { return std::min((group + 1) * group_size, m_sources.size()); }
+
+  void search_round()
+  {
+    const auto number_of_groups = Index((m_sources.size() + group_size - 1) / group_size);
+    m_for_each(number_of_groups,
+               [this](Index group, std::unique_ptr<Worker>& worker) { search_group(group, *worker); });
+    for (Index group = 0; group < number_of_groups; ++group) {
+      m_sampling.add_source([&](Index vertex) { return m_distance[group][vertex]; });
+    }
+  }
+
+  void search_group(Index group, Worker& worker)
+  {
+    const std::size_t begin = group * group_size;
+    const std::size_t end = end_of_group(group);
+    worker.source_sets.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      worker.source_sets.push_back({Geodesic_source::at_vertex(m_sources[i])});
+    }
+    m_heat(worker.source_sets, worker.fields, worker.workspace);
+    std::vector<float>& distance = m_distance[group];
+    distance.assign(m_surface.number_of_vertices(), std::numeric_limits<float>::infinity());
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<double>& distances = worker.fields[i - begin].distances;
+      for (std::size_t vertex = 0; vertex < distance.size(); ++vertex) {
+        distance[vertex] = std::min(distance[vertex], float(distances[vertex]));
+      }
+      worker.finder(m_sources[i], distances, m_results[i]);
+    }
+  }
+
+  void take_results(std::vector<Separator>& separators, Skeletonization_report& report) const
+  {
+    for (std::size_t i = 0; i < m_sources.size(); ++i) {
+      const Field_search_result& result = m_results[i];
+      ++report.number_of_sources;
+      if (result.has_separator()) {
+        separators.push_back(result.separator);
+      } else if (result.outcome == Cut_loop_outcome::found) {
+        ++report.number_of_collapsed_loops;
+      } else {
+        ++report.number_of_sources_without_cut;
+        ++report.number_of_rejections[std::size_t(result.outcome)];
+      }
+    }
+  }
+
+  const Triangulated_surface& m_surface;
+  Tangent_frames<Triangulated_surface> m_frames;
+  std::optional<Solid_queries> m_queries;
+  Heat_method m_heat;
+  Distance_sampling m_sampling;
+  For_each_index<ConcurrencyTag, std::unique_ptr<Worker>> m_for_each;
+  std::vector<Index> m_sources;
+  std::array<Field_search_result, round_size> m_results;
+  std::array<std::vector<float>, most_groups> m_distance; ///< from the nearest source of a group
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SELECTION_SAMPLED_SEARCH_H

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a user may set about the search for separators.
+
+#ifndef CSCD_SELECTION_SEARCH_SETTINGS_H
+#define CSCD_SELECTION_SEARCH_SETTINGS_H
+
+#include <cstddef>
+#include <limits>
+
+namespace CSCD {
+
+/// What a user may set about the search for separators.
+struct Search_settings
+{
+  /// Seed of the order in which sources are tried.
+  unsigned random_seed = 0;
+  /// Number of threads for `CGAL::Parallel_tag`; 0 stands for as many as TBB allows.
+  unsigned number_of_threads = 0;
+  /// Bounds the number of sources.
+  std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SELECTION_SEARCH_SETTINGS_H

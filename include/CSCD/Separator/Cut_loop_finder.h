@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a distance field to the closed curve around the limb of its source.
+
+#ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
+#define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
+
+#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
+#include <CSCD/Separator/Descent.h>
+#include <CSCD/Separator/Edge_step.h>
+#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Separator/incoming_directions.h>
+#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Selects the target of a source among its cut points, traces the two ways back from it, and joins them (supplement,
+/// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
+/// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
+/// size of the surface.
+template <class Triangulation>
+class Cut_loop_finder
+{
+public:
+  using Measures = Cut_measures<Triangulation>;
+
+  /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
+  Cut_loop_finder(const Tangent_frames<Triangulation>& frames, const std::vector<Vector_3>& points)
+      : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_descent(frames),
+        m_on_first(points.size())
+  {
+    CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
+  }
+
+  /// Finds the loop of `source` with the cut points that `criterion` says.
+  void operator()(const Measures& measures, Index source, const Cut_criterion& criterion, Target_rule rule,
+                  Cut_loop& loop)
+  {
+    find(
+        measures, source, rule, [&](Index vertex) { return measures.is_cut(vertex, criterion); }, loop);
+  }
+
+  /// Finds the loop of `source` with the cut points for which `is_cut(vertex)` holds. O(n) for n vertices, and what the
+  /// candidates cost.
+  template <class Predicate>
+  void find(const Measures& measures, Index source, Target_rule rule, const Predicate& is_cut, Cut_loop& loop)
+  {
+    loop.outcome = Cut_loop_outcome::no_cut_point;
+    loop.steps.clear();
+    loop.number_of_candidates = {};
+    collect_candidates(measures, source, rule);
+    while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
+      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+      const Index vertex = m_candidates.back().second;
+      m_candidates.pop_back();
+      if (is_cut(vertex)) {
+        loop.outcome = try_target(measures, source, vertex, loop);
+        ++loop.number_of_candidates[std::size_t(loop.outcome)];
+      }
+    }
+  }
+
+  /// The vertices of a loop in order, beginning with the target.
+  std::vector<Index> vertices(const Cut_loop& loop) const
+  {
+    std::vector<Index> result;
+    for (const Edge_step& step : loop.steps) {
+      result.push_back(begin_of(m_triangulation, step));
+    }
+    return result;
+  }
+
+private:
+  /// A target is farther from its source than this many mean edge lengths: nearer, the heat method's field is wrong.
+  static constexpr double least_distance = 4;
+  /// The least distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
+  static constexpr double least_distance_to_chord = 0.98;
+  /// The least aperture: half of that of a round tube. It decides about more targets than any other test.
+  static constexpr double least_aperture = 0.3;
+  /// The greatest distance of the base from the source, relative to that of the target ...
+  static constexpr double most_stem = 0.1;
+  /// ... or to the mean edge length: ways along edges join a few edges before the source, wherever they come from.
+  static constexpr double most_edges_of_stem = 3;
+
+  /// Makes a heap of all vertices that are far enough from the source, by what the rule says.
+  void collect_candidates(const Measures& measures, Index source, Target_rule rule)
+  {
+    m_candidates.clear();
+    const double least = least_distance * m_frames.mean_edge_length();
+    for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
+      if (measures.is_reached(vertex) && measures.distance(vertex) >= least) {
+        m_candidates.emplace_back(rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_points[source]).norm()
+                                                                        : measures.distance(vertex),
+                                  vertex);
+      }
+    }
+    std::make_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+  }
+
+  /// Traces the loop of `source` through `target`.
+  Cut_loop_outcome try_target(const Measures& measures, Index source, Index target, Cut_loop& loop)
+  {
+    loop.target = target;
+    loop.distance = measures.distance(target);
+    if (loop.distance < least_distance_to_chord * (m_points[target] - m_points[source]).norm()) {
+      return Cut_loop_outcome::distance_below_chord;
+    }
+    const std::optional<std::array<Edge_step, 2>> directions = incoming_directions(measures, target);
+    if (!directions) {
+      return Cut_loop_outcome::one_direction;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      m_path[side].assign(1, (*directions)[side]);
+      if (!m_descent(measures, end_of(m_triangulation, m_path[side].front()), source, m_path[side])) {
+        return Cut_loop_outcome::not_connected;
+      }
+    }
+    if (!cut_where_paths_join(target, loop)) {
+      return Cut_loop_outcome::meets_at_once;
+    }
+    if (measures.distance(loop.base) >
+        std::max(most_stem * loop.distance, most_edges_of_stem * m_frames.mean_edge_length())) {
+      return Cut_loop_outcome::long_stem;
+    }
+    loop.aperture = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm() / loop.distance;
+    if (loop.aperture < least_aperture) {
+      return Cut_loop_outcome::narrow;
+    }
+    join_paths(loop);
+    return Cut_loop_outcome::found;
+  }
+
+  /// Ends both paths at the first vertex of the second one that is on the first one too. Since each path passes a
+  /// vertex once, what is left is simple: there are no steps back and forth, and no vertex comes twice.
+  /// \return false if this is next to the target, or a path returns to the target
+  bool cut_where_paths_join(Index target, Cut_loop& loop)
+  {
+    m_on_first.clear();
+    for (const Edge_step& step : m_path[0]) {
+      m_on_first.mark(end_of(m_triangulation, step));
+    }
+    const auto is_joined = [&](const Edge_step& step) { return m_on_first.is_marked(end_of(m_triangulation, step)); };
+    // Both end at the source.
+    const auto second_end = std::find_if(m_path[1].begin(), m_path[1].end(), is_joined);
+    loop.base = end_of(m_triangulation, *second_end);
+    m_path[1].erase(second_end + 1, m_path[1].end());
+    const auto ends_at_base = [&](const Edge_step& step) { return end_of(m_triangulation, step) == loop.base; };
+    const auto first_end = std::find_if(m_path[0].begin(), m_path[0].end(), ends_at_base);
+    m_path[0].erase(first_end + 1, m_path[0].end());
+    const auto is_at_target = [&](const Edge_step& step) { return end_of(m_triangulation, step) == target; };
+    return m_path[0].size() > 1 && m_path[1].size() > 1 &&
+           std::none_of(m_path[0].begin(), m_path[0].end(), is_at_target) &&
+           std::none_of(m_path[1].begin(), m_path[1].end(), is_at_target);
+  }
+
+  /// The point of `path`, which begins at the target, at half the distance of the target.
+  Vector_3 half_way(const Measures& measures, const Edge_steps& path) const
+  {
+    const double goal = measures.distance(begin_of(m_triangulation, path.front())) / 2;
+    for (const Edge_step& step : path) {
+      const Index from = begin_of(m_triangulation, step);
+      const Index to = end_of(m_triangulation, step);
+      if (measures.distance(to) <= goal) {
+        const double drop = measures.distance(from) - measures.distance(to);
+        const double part = drop > 0 ? std::clamp((measures.distance(from) - goal) / drop, 0., 1.) : 1;
+        return (1 - part) * m_points[from] + part * m_points[to];
+      }
+    }
+    return m_points[end_of(m_triangulation, path.back())];
+  }
+
+  void join_paths(Cut_loop& loop) const
+  {
+    loop.steps = m_path[0];
+    for (auto step = m_path[1].rbegin(); step != m_path[1].rend(); ++step) {
+      loop.steps.push_back(reversed(m_triangulation, *step));
+    }
+  }
+
+  const Tangent_frames<Triangulation>& m_frames;
+  const Triangulation& m_triangulation;
+  const std::vector<Vector_3>& m_points;
+  Descent<Triangulation> m_descent;
+  std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the least first
+  std::array<Edge_steps, 2> m_path;                   ///< from the target down
+  Epoch_marks m_on_first;                             ///< the vertices of the first path
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_CUT_LOOP_FINDER_H

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ways down a distance field to its source.
+
+#ifndef CSCD_SEPARATOR_DESCENT_H
+#define CSCD_SEPARATOR_DESCENT_H
+
+#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Separator/Edge_step.h>
+#include <CSCD/internal/Distance_front.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Traces ways along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
+/// must lead down. Where none does, the way goes on along a shortest path to a vertex that is nearer than all before:
+/// so it cannot run in a circle, and ends at the source whatever the field is like.
+/// One object serves one thread, and keeps working memory of the size of the surface.
+template <class Triangulation>
+class Descent
+{
+public:
+  /// \param frames is referred to and must outlive this object
+  explicit Descent(const Tangent_frames<Triangulation>& frames)
+      : m_frames(frames), m_front(frames.triangulation().number_of_vertices()),
+        m_step_to(frames.triangulation().number_of_vertices())
+  {
+  }
+
+  /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
+  /// edges; O(m log m) for the m vertices around a minimum that is no source.
+  /// \return false, with steps to somewhere, if `source` is not connected with `vertex`
+  bool operator()(const Cut_measures<Triangulation>& measures, Index vertex, Index source, Edge_steps& path)
+  {
+    const std::size_t begin = path.size();
+    while (vertex != source) {
+      Edge_step best;
+      double least = measures.distance(vertex);
+      m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+        if (neighbor == source || measures.distance(neighbor) < least) {
+          least = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
+          best = step_from(vertex, neighbor, halfedge);
+        }
+      });
+      if (best.halfedge != no_index) {
+        path.push_back(best);
+        vertex = end_of(m_frames.triangulation(), best);
+      } else {
+        ++m_number_of_minima;
+        vertex = leave_minimum(measures, vertex, source, begin, path);
+        if (vertex == no_index) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// How often a way came to a vertex without a nearer neighbor, over all calls.
+  std::size_t number_of_minima() const { return m_number_of_minima; }
+
+private:
+  Edge_step step_from(Index vertex, Index neighbor, Index halfedge) const
+  {
+    const Triangulation& triangulation = m_frames.triangulation();
+    return {halfedge, !(triangulation.origin(halfedge) == vertex && triangulation.target(halfedge) == neighbor)};
+  }
+
+  /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
+  /// \return that vertex, or `no_index` if there is none
+  Index leave_minimum(const Cut_measures<Triangulation>& measures, Index vertex, Index source, std::size_t begin,
+                      Edge_steps& path)
+  {
+    const double record = measures.distance(vertex);
+    m_front.clear();
+    m_front.reach(vertex, 0);
+    Index found = no_index;
+    m_front.spread([&](Index at, float way) {
+      if (found != no_index) {
+        return;
+      }
+      if (at == source || measures.distance(at) < record) {
+        found = at; // what else was reached is only passed
+        return;
+      }
+      m_frames.for_each_neighbor(at, [&](Index neighbor, Index halfedge) {
+        if (m_front.reach(neighbor, way + float(m_frames.corner(halfedge).length))) {
+          m_step_to[neighbor] = step_from(at, neighbor, halfedge);
+        }
+      });
+    });
+    if (found != no_index) {
+      append_detour(vertex, found, begin, path);
+    }
+    return found;
+  }
+
+  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, what lies between is left
+  /// out.
+  void append_detour(Index from, Index to, std::size_t begin, Edge_steps& path)
+  {
+    const Triangulation& triangulation = m_frames.triangulation();
+    m_detour.clear();
+    for (Index at = to; at != from; at = begin_of(triangulation, m_step_to[at])) {
+      m_detour.push_back(m_step_to[at]);
+    }
+    std::reverse(m_detour.begin(), m_detour.end());
+    for (const Edge_step& step : m_detour) {
+      const Index end = end_of(triangulation, step);
+      const auto meets = [&](const Edge_step& earlier) { return begin_of(triangulation, earlier) == end; };
+      const auto first = path.begin() + std::ptrdiff_t(begin);
+      const auto meeting = std::find_if(first, path.end(), meets);
+      if (meeting != path.end()) {
+        path.erase(meeting, path.end());
+      } else {
+        path.push_back(step);
+      }
+    }
+  }
+
+  const Tangent_frames<Triangulation>& m_frames;
+  Distance_front m_front;
+  std::vector<Edge_step> m_step_to; ///< the step by which the front came to a vertex
+  Edge_steps m_detour;
+  std::size_t m_number_of_minima = 0;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_DESCENT_H

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The two directions from which fronts arrive at a point of the cut locus.
+
+#ifndef CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
+#define CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
+
+#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Separator/Edge_step.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/container/small_vector.hpp>
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+namespace CSCD::internal {
+
+/// Splits the faces around a cut point into the two sides that fronts come from: the split of their cycle into two arcs
+/// with the greatest angle between the sums of unit gradients that converge.
+template <class Triangulation>
+class Front_sides
+{
+public:
+  using Measures = Cut_measures<Triangulation>;
+  using Complex = typename Measures::Complex;
+
+  Front_sides(const Measures& measures, Index vertex)
+  {
+    typename Measures::Sectors sectors;
+    measures.collect_sectors(vertex, sectors);
+    // The cycle twice, so that arcs need not wrap around.
+    boost::container::small_vector<Sum, 33> sums(1);
+    for (std::size_t i = 0; i < 2 * sectors.size(); ++i) {
+      const auto& sector = sectors[i % sectors.size()];
+      sums.push_back({sums.back().gradient + sector.gradient, sums.back().direction + sector.direction});
+    }
+    const std::size_t size = sectors.size();
+    const std::size_t stride = (size + most_sectors - 1) / most_sectors;
+    for (std::size_t begin = 0; begin < size; begin += stride) {
+      for (std::size_t end = begin + stride; end < begin + size && end < size; end += stride) {
+        consider(difference(sums[end], sums[begin]), difference(sums[begin + size], sums[end]));
+      }
+    }
+  }
+
+  /// Whether there are two sides.
+  explicit operator bool() const { return m_cosine <= 1; }
+  /// The direction of the gradient on one side, of length 1.
+  const Complex& gradient(std::size_t side) const { return m_gradient[side]; }
+
+private:
+  /// Faces around a vertex that are sorted into sides one by one; of more, several go together.
+  static constexpr std::size_t most_sectors = 32;
+
+  struct Sum
+  {
+    Complex gradient = 0;
+    Complex direction = 0;
+  };
+
+  static Sum difference(const Sum& a, const Sum& b) { return {a.gradient - b.gradient, a.direction - b.direction}; }
+
+  void consider(const Sum& a, const Sum& b)
+  {
+    const double norms[] = {std::abs(a.gradient), std::abs(b.gradient)};
+    if (!(norms[0] > 0 && norms[1] > 0)) {
+      return;
+    }
+    const Complex gradients[] = {a.gradient / norms[0], b.gradient / norms[1]};
+    const double cosine = Measures::dot(gradients[0], gradients[1]);
+    if (cosine < m_cosine && Measures::dot(gradients[0] - gradients[1], a.direction - b.direction) < 0) {
+      m_cosine = cosine;
+      m_gradient = {gradients[0], gradients[1]};
+    }
+  }
+
+  double m_cosine = std::numeric_limits<double>::max();
+  std::array<Complex, 2> m_gradient{};
+};
+
+/// An edge of a vertex: where it leads, and in which direction.
+struct Spoke
+{
+  Edge_step step;
+  double distance; ///< that of its end, from the source
+  double angle;    ///< in the frame of the vertex
+};
+
+using Spokes = boost::container::small_vector<Spoke, 16>;
+
+/// Collects the edges of `vertex`, counterclockwise.
+template <class Triangulation>
+void collect_spokes(const Cut_measures<Triangulation>& measures, Index vertex, Spokes& spokes)
+{
+  const auto& frames = measures.frames();
+  frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+    const bool is_reversed = frames.triangulation().origin(halfedge) != vertex;
+    spokes.push_back({{halfedge, is_reversed},
+                      measures.distance(neighbor),
+                      is_reversed ? frames.direction_at_target(halfedge) : frames.direction_at_origin(halfedge)});
+  });
+}
+
+/// The two nearest ends of `spokes` that are nearer than their neighbors in the ring and at least a right angle apart;
+/// null where there are none.
+inline std::array<const Spoke*, 2> ring_minima(const Spokes& spokes)
+{
+  const std::size_t size = spokes.size();
+  const bool is_border = spokes.back().step.is_reversed;
+  // Of equal ones that follow each other the first counts.
+  const auto is_nearer = [&](std::size_t a, std::size_t b) {
+    return spokes[a].distance < spokes[b].distance || (spokes[a].distance == spokes[b].distance && a < b);
+  };
+  const auto is_minimum = [&](std::size_t i) {
+    const bool has_before = i > 0 || !is_border;
+    const bool has_after = i + 1 < size || !is_border;
+    return (!has_before || is_nearer(i, (i + size - 1) % size)) && (!has_after || is_nearer(i, (i + 1) % size));
+  };
+  std::array<const Spoke*, 2> result{};
+  for (std::size_t i = 0; i < size; ++i) {
+    if (is_minimum(i) && (result[0] == nullptr || spokes[i].distance < result[0]->distance)) {
+      result[0] = &spokes[i];
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const double turn = std::abs(spokes[i].angle - result[0]->angle);
+    const bool is_apart =
+        std::min(turn, boost::math::double_constants::two_pi - turn) >= boost::math::double_constants::half_pi;
+    if (is_apart && is_minimum(i) && (result[1] == nullptr || spokes[i].distance < result[1]->distance)) {
+      result[1] = &spokes[i];
+    }
+  }
+  return result;
+}
+
+/// The edge of `spokes` that is closest in direction to the way of the front whose distance has the gradient
+/// `gradient`.
+template <class Complex>
+const Spoke* closest_to_descent(const Spokes& spokes, const Complex& gradient)
+{
+  const auto cosine = [&](const Spoke& spoke) {
+    return -gradient.real() * std::cos(spoke.angle) - gradient.imag() * std::sin(spoke.angle);
+  };
+  const auto closest = std::max_element(spokes.begin(), spokes.end(),
+                                        [&](const Spoke& a, const Spoke& b) { return cosine(a) < cosine(b); });
+  return &*closest;
+}
+
+/// The edges along which to leave the cut point `vertex` towards the source, on one side and on the other (section
+/// 3.1.4, which is missing): the edges to the two minima of the distance in the ring around it. They need not be nearer
+/// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
+/// are closest in direction to the ways of the fronts. Nothing if the fronts have no two sides, or one edge serves
+/// both. O(d^2) for degree d up to a constant.
+template <class Triangulation>
+std::optional<std::array<Edge_step, 2>> incoming_directions(const Cut_measures<Triangulation>& measures, Index vertex)
+{
+  Spokes spokes;
+  collect_spokes(measures, vertex, spokes);
+  if (spokes.empty()) {
+    return std::nullopt;
+  }
+  std::array<const Spoke*, 2> chosen = ring_minima(spokes);
+  if (chosen[1] == nullptr) {
+    const Front_sides<Triangulation> sides(measures, vertex);
+    if (!sides) {
+      return std::nullopt;
+    }
+    chosen = {closest_to_descent(spokes, sides.gradient(0)), closest_to_descent(spokes, sides.gradient(1))};
+    if (chosen[0] == chosen[1]) {
+      return std::nullopt;
+    }
+  }
+  return std::array<Edge_step, 2>{chosen[0]->step, chosen[1]->step};
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SEPARATOR_INCOMING_DIRECTIONS_H

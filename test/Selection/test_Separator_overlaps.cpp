@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Separators overlap that cross or pass closest to the same vertex.
+
+#include "Separator/make_separator.h"
+#include "Traits/to_surface.h"
+#include "support/shapes.h"
+#include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Selection/Separator_overlaps.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using CSCD::Separator;
+using CSCD::internal::Index;
+using CSCD::internal::Separator_overlaps;
+using CSCD::internal::Triangulated_surface;
+using CSCD::test::circle_separator;
+using CSCD::test::tube_section;
+using Indices = std::vector<Index>;
+
+class Separator_overlaps_test : public testing::Test
+{
+protected:
+  Indices others(const std::vector<Separator>& separators, Index separator) const
+  {
+    const Separator_overlaps overlaps(m_tube, separators);
+    return {overlaps.others(separator).begin(), overlaps.others(separator).end()};
+  }
+
+  Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+};
+
+TEST_F(Separator_overlaps_test, are_none_between_distant_ones)
+{
+  const std::vector<Separator> separators{tube_section(m_tube, 2), tube_section(m_tube, 5), tube_section(m_tube, 8)};
+  for (Index i : {0U, 1U, 2U}) {
+    EXPECT_TRUE(others(separators, i).empty());
+  }
+}
+
+TEST_F(Separator_overlaps_test, are_of_all_pairs_that_cross)
+{
+  const std::vector<Separator> separators{tube_section(m_tube, 4), tube_section(m_tube, 4, {1, 0.6, 0}),
+                                          tube_section(m_tube, 4, {1, 0, 0.6}), tube_section(m_tube, 8)};
+  EXPECT_EQ(others(separators, 0), (Indices{1, 2}));
+  EXPECT_EQ(others(separators, 1), (Indices{0, 2}));
+  EXPECT_EQ(others(separators, 2), (Indices{0, 1}));
+  EXPECT_TRUE(others(separators, 3).empty());
+}
+
+TEST_F(Separator_overlaps_test, are_of_those_that_coincide)
+{
+  const Separator section = tube_section(m_tube, 5.03);
+  EXPECT_EQ(others({section, section}, 0), Indices{1});
+  Separator reversed = section;
+  std::reverse(reversed.crossings.begin(), reversed.crossings.end());
+  for (CSCD::internal::Edge_crossing& crossing : reversed.crossings) {
+    crossing = {m_tube.twin(crossing.halfedge), 1 - crossing.position};
+  }
+  EXPECT_EQ(others({section, reversed}, 0), Indices{1}) << "whichever way round";
+}
+
+TEST_F(Separator_overlaps_test, are_of_those_that_cross_edges_in_the_middle_in_opposite_directions)
+{
+  const Separator section = tube_section(m_tube, 5);
+  Separator middle = section;
+  Separator reversed = section;
+  std::reverse(reversed.crossings.begin(), reversed.crossings.end());
+  for (std::size_t i = 0; i < section.crossings.size(); ++i) {
+    middle.crossings[i].position = 0.5;
+    reversed.crossings[i] = {m_tube.twin(reversed.crossings[i].halfedge), 0.5};
+  }
+  EXPECT_EQ(others({middle, reversed}, 0), Indices{1});
+}
+
+/// The overlaps are found by vertices: no crossing may be missed.
+TEST_F(Separator_overlaps_test, hold_all_that_an_arrangement_refuses)
+{
+  std::vector<Separator> separators;
+  for (int i = 0; i < 60; ++i) {
+    separators.push_back(tube_section(m_tube, 1 + 8. * (i * 37 % 60) / 60, {1, 0.4 * (i % 5 - 2), 0.3 * (i % 3 - 1)}));
+  }
+  std::size_t number_of_crossing_pairs = 0;
+  for (Index i = 0; i < separators.size(); ++i) {
+    for (Index j = 0; j < i; ++j) {
+      CSCD::internal::Separator_arrangement arrangement(m_tube);
+      ASSERT_TRUE(arrangement.insert(i, separators[i].crossings));
+      if (!arrangement.insert(j, separators[j].crossings)) {
+        const Indices found = others(separators, i);
+        EXPECT_TRUE(std::binary_search(found.begin(), found.end(), j)) << i << ' ' << j;
+        ++number_of_crossing_pairs;
+      }
+    }
+  }
+  EXPECT_GT(number_of_crossing_pairs, 50u);
+}
+
+TEST_F(Separator_overlaps_test, are_of_circles_around_one_vertex)
+{
+  const Index vertex = CSCD::test::nearest_vertex(m_tube, {5, 0, 1});
+  const std::vector<Separator> separators{circle_separator(m_tube, vertex, 0.2), circle_separator(m_tube, vertex, 0.4),
+                                          circle_separator(m_tube, vertex, 0.8)};
+  EXPECT_EQ(others(separators, 0), Indices{1}) << "the third runs along the neighbors of the vertex";
+  EXPECT_TRUE(others(separators, 2).empty());
+}
+
+TEST_F(Separator_overlaps_test, tell_a_curve_that_crosses_itself)
+{
+  // Twice around, once straight and once tilted: an eight on the tube.
+  Separator twice = tube_section(m_tube, 5);
+  const Separator tilted = tube_section(m_tube, 5, {1, 0.8, 0});
+  const std::vector<CSCD::internal::Edge_crossing> straight = twice.crossings;
+  const auto shared = std::find_if(straight.begin(), straight.end(), [&](const auto& crossing) {
+    return std::any_of(tilted.crossings.begin(), tilted.crossings.end(),
+                       [&](const auto& other) { return other.halfedge == crossing.halfedge; });
+  });
+  ASSERT_NE(shared, straight.end());
+  const auto start = std::find_if(tilted.crossings.begin(), tilted.crossings.end(),
+                                  [&](const auto& crossing) { return crossing.halfedge == shared->halfedge; });
+  twice.crossings.assign(straight.begin(), shared);
+  twice.crossings.insert(twice.crossings.end(), start, tilted.crossings.end());
+  twice.crossings.insert(twice.crossings.end(), tilted.crossings.begin(), start);
+  twice.crossings.insert(twice.crossings.end(), shared, straight.end());
+  const Separator_overlaps overlaps(m_tube, {tube_section(m_tube, 2), twice});
+  EXPECT_FALSE(overlaps.crosses_itself(0));
+  EXPECT_TRUE(overlaps.crosses_itself(1));
+}
+
+} // namespace

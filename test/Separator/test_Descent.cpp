@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ways to the source end there, whatever the field is like.
+
+#include "Cut_locus/to_open_triangulation.h"
+#include "support/shapes.h"
+#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Separator/Descent.h>
+#include <CSCD/Separator/Edge_step.h>
+#include <CSCD/Traits/Open_triangulation.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <set>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::Cut_measures;
+using CSCD::internal::Descent;
+using CSCD::internal::Edge_steps;
+using CSCD::internal::Index;
+using CSCD::internal::Open_triangulation;
+using CSCD::internal::Tangent_frames;
+using CSCD::test::Triple;
+
+/// Whether `path` leads from `begin` to `end` and passes no vertex twice.
+bool is_simple_path(const Open_triangulation& surface, const Edge_steps& path, Index begin, Index end)
+{
+  std::set<Index> passed{begin};
+  Index at = begin;
+  for (const auto& step : path) {
+    if (begin_of(surface, step) != at || !passed.insert(end_of(surface, step)).second) {
+      return false;
+    }
+    at = end_of(surface, step);
+  }
+  return at == end;
+}
+
+TEST(Descent, leads_straight_down_a_good_field)
+{
+  const CSCD::test::Shape grid = CSCD::test::flat_grid(20, 20, 1);
+  const Open_triangulation surface = CSCD::test::to_open_triangulation(grid);
+  const Tangent_frames<Open_triangulation> frames(surface);
+  const std::vector<double> distances =
+      CSCD::test::sampled(grid, [](const Triple& p) { return std::hypot(p[0], p[1]); });
+  const Cut_measures<Open_triangulation> measures(frames, distances);
+  Descent<Open_triangulation> descent(frames);
+  for (Index v = 0; v < surface.number_of_vertices(); ++v) {
+    Edge_steps path;
+    ASSERT_TRUE(descent(measures, v, 0, path));
+    EXPECT_TRUE(is_simple_path(surface, path, v, 0));
+    for (const auto& step : path) {
+      EXPECT_LT(distances[end_of(surface, step)], distances[begin_of(surface, step)]);
+    }
+  }
+  EXPECT_EQ(descent.number_of_minima(), 0u);
+}
+
+TEST(Descent, leaves_minima)
+{
+  // A basin between the source and everything else: going to the least neighbor alone would stay in it for ever.
+  const CSCD::test::Shape grid = CSCD::test::flat_grid(20, 3, 1);
+  const Open_triangulation surface = CSCD::test::to_open_triangulation(grid);
+  const Tangent_frames<Open_triangulation> frames(surface);
+  const std::vector<double> distances =
+      CSCD::test::sampled(grid, [](const Triple& p) { return p[0] - 6 * std::exp(-(p[0] - 10) * (p[0] - 10)); });
+  const Cut_measures<Open_triangulation> measures(frames, distances);
+  Descent<Open_triangulation> descent(frames);
+  for (Index v = 0; v < surface.number_of_vertices(); ++v) {
+    Edge_steps path;
+    ASSERT_TRUE(descent(measures, v, 0, path));
+    EXPECT_TRUE(is_simple_path(surface, path, v, 0));
+  }
+  EXPECT_GT(descent.number_of_minima(), 0u);
+}
+
+TEST(Descent, ends_at_the_source_of_any_field)
+{
+  const CSCD::test::Shape torus = CSCD::test::torus(3, 1, 12);
+  const Open_triangulation surface = CSCD::test::to_open_triangulation(torus);
+  const Tangent_frames<Open_triangulation> frames(surface);
+  Descent<Open_triangulation> descent(frames);
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 20; ++i) {
+    const std::vector<double> distances =
+        CSCD::test::sampled(torus, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
+    const Cut_measures<Open_triangulation> measures(frames, distances);
+    for (Index v = 0; v < surface.number_of_vertices(); v += 11) {
+      Edge_steps path;
+      ASSERT_TRUE(descent(measures, v, 5, path));
+      EXPECT_TRUE(is_simple_path(surface, path, v, 5));
+    }
+  }
+  const std::vector<double> level(surface.number_of_vertices(), 1.);
+  const Cut_measures<Open_triangulation> measures(frames, level);
+  Edge_steps path;
+  EXPECT_TRUE(descent(measures, 100, 5, path));
+  EXPECT_TRUE(is_simple_path(surface, path, 100, 5));
+}
+
+TEST(Descent, says_when_there_is_no_way)
+{
+  const CSCD::test::Shape two =
+      CSCD::test::merged("", {CSCD::test::sphere(1), CSCD::test::translated(CSCD::test::sphere(1), {5, 0, 0})});
+  const Open_triangulation surface = CSCD::test::to_open_triangulation(two);
+  const Tangent_frames<Open_triangulation> frames(surface);
+  const std::vector<double> distances = CSCD::test::sampled(two, [](const Triple& p) { return p[0]; });
+  const Cut_measures<Open_triangulation> measures(frames, distances);
+  Descent<Open_triangulation> descent(frames);
+  Edge_steps path;
+  EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));
+}
+
+} // namespace

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Separators from whole distance fields.
+
+#include "Separator/is_closed_curve.h"
+#include "Traits/to_surface.h"
+#include "support/shapes.h"
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Separator/Cut_loop_outcome.h>
+#include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using CSCD::Cut_loop_outcome;
+using CSCD::Target_rule;
+using CSCD::internal::Field_search_result;
+using CSCD::internal::Field_separator_finder;
+using CSCD::internal::Index;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vector_3;
+using CSCD::test::pi;
+
+/// A surface with all that separators are found with.
+class Searched_surface
+{
+public:
+  explicit Searched_surface(const CSCD::test::Shape& shape, Target_rule rule = Target_rule::nearest_in_space)
+      : m_surface(CSCD::test::to_surface(shape)), m_frames(m_surface), m_heat(delaunay(m_surface)),
+        m_finder(m_surface, m_frames, rule)
+  {
+  }
+
+  const Triangulated_surface& surface() const { return m_surface; }
+
+  /// The separator of the vertex nearest to `point`.
+  Field_search_result find(const Vector_3& point)
+  {
+    const Index source = CSCD::test::nearest_vertex(m_surface, point);
+    CSCD::internal::Heat_field field;
+    m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, m_workspace);
+    Field_search_result result;
+    m_finder(source, field.distances, result);
+    if (result.has_separator()) {
+      EXPECT_TRUE(CSCD::test::is_closed_curve(m_surface, result.separator.crossings));
+      EXPECT_EQ(result.separator.source, source);
+    }
+    return result;
+  }
+
+private:
+  static CSCD::internal::Intrinsic_triangulation<Triangulated_surface> delaunay(const Triangulated_surface& surface)
+  {
+    CSCD::internal::Intrinsic_triangulation<Triangulated_surface> result(surface);
+    result.make_delaunay();
+    return result;
+  }
+
+  Triangulated_surface m_surface;
+  CSCD::internal::Tangent_frames<Triangulated_surface> m_frames;
+  CSCD::internal::Heat_method m_heat;
+  CSCD::internal::Heat_method::Workspace m_workspace;
+  Field_separator_finder m_finder;
+};
+
+TEST(Field_separator_finder, goes_around_a_tube)
+{
+  Searched_surface searched(CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat));
+  for (double x : {3., 5., 6.5}) {
+    for (double angle : {0., 1., 2.5, 4.}) {
+      const Field_search_result result = searched.find({x, std::cos(angle), std::sin(angle)});
+      ASSERT_TRUE(result.has_separator());
+      EXPECT_NEAR(result.separator.length, 2 * pi, 0.05 * 2 * pi);
+      EXPECT_NEAR(result.separator.center.x(), x, 0.3);
+      EXPECT_NEAR(std::hypot(result.separator.center.y(), result.separator.center.z()), 0, 0.05);
+    }
+  }
+}
+
+TEST(Field_separator_finder, goes_around_the_tube_of_a_torus_not_around_its_hole)
+{
+  Searched_surface searched(CSCD::test::torus(3, 1, 32));
+  for (const Vector_3& point : {Vector_3(4, 0, 0), Vector_3(0, 2, 0), Vector_3(-3, 0, 1)}) {
+    const Field_search_result result = searched.find(point);
+    ASSERT_TRUE(result.has_separator());
+    EXPECT_NEAR(result.separator.length, 2 * pi, 0.1 * 2 * pi);
+    EXPECT_NEAR(result.separator.center.norm(), 3, 0.1);
+  }
+}
+
+/// A wide flat box: through the body to the other side it is near, along the surface far.
+TEST(Field_separator_finder, takes_the_target_that_the_rule_says)
+{
+  const CSCD::test::Shape shape = CSCD::test::midpoint_subdivided(CSCD::test::box("slab", {8, 4, 1}), 5);
+  Searched_surface in_space(shape);
+  Searched_surface along_surface(shape, Target_rule::nearest_along_surface);
+  const Vector_3 middle(4, 2, 1);
+  const Field_search_result first = in_space.find(middle);
+  const Field_search_result second = along_surface.find(middle);
+  ASSERT_TRUE(first.has_separator());
+  ASSERT_TRUE(second.has_separator());
+  EXPECT_NEAR(first.separator.length, 10, 0.5);
+  EXPECT_NEAR(second.separator.length, 10, 0.5);
+}
+
+TEST(Field_separator_finder, answers_again_as_before)
+{
+  Searched_surface searched(CSCD::test::y_tube(0.15));
+  const Field_search_result first = searched.find({1, 0, 0.3});
+  searched.find({0, 1, 0.3});
+  const Field_search_result again = searched.find({1, 0, 0.3});
+  ASSERT_TRUE(first.has_separator());
+  EXPECT_EQ(first.separator.length, again.separator.length);
+  EXPECT_EQ(first.separator.crossings.size(), again.separator.crossings.size());
+}
+
+TEST(Field_separator_finder, says_when_there_is_no_target)
+{
+  // Nothing is farther than a few edges.
+  Searched_surface searched(CSCD::test::tetrahedron());
+  const Field_search_result result = searched.find({0, 0, 0});
+  EXPECT_EQ(result.outcome, Cut_loop_outcome::no_cut_point);
+  EXPECT_FALSE(result.has_separator());
+}
+
+} // namespace

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How regions touch: along closed curves, or around junctions.
+
+#include "Traits/to_surface.h"
+#include "support/shapes.h"
+#include <CSCD/Skeleton/Quotient_graph.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace {
+
+using CSCD::internal::Index;
+using CSCD::internal::Quotient_graph;
+using CSCD::internal::Triangulated_surface;
+using CSCD::internal::Vector_3;
+using Meetings = std::vector<std::vector<Index>>;
+
+/// The regions that `region(point)` makes of the vertices.
+template <class Region>
+Meetings meetings(const Triangulated_surface& surface, const Region& region)
+{
+  const Quotient_graph graph(surface, [&](Index vertex) { return region(surface.point(vertex)); });
+  Meetings result = graph.meetings();
+  for (std::vector<Index>& meeting : result) {
+    std::sort(meeting.begin(), meeting.end());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Quotient_graph, of_one_region_is_empty)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 16));
+  EXPECT_TRUE(meetings(surface, [](const Vector_3&) { return Index(0); }).empty());
+}
+
+TEST(Quotient_graph, of_slices_of_a_tube_is_a_path)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 16, CSCD::test::Tube_end::flat));
+  const auto slice = [](const Vector_3& point) { return Index(std::clamp(point.x() / 2.5, 0., 3.)); };
+  EXPECT_EQ(meetings(surface, slice), (Meetings{{0, 1}, {1, 2}, {2, 3}}));
+}
+
+TEST(Quotient_graph, of_slices_of_a_torus_is_a_cycle_even_of_two)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 24));
+  const auto sector = [](int number) {
+    return [number](const Vector_3& point) {
+      return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * number * 0.999));
+    };
+  };
+  EXPECT_EQ(meetings(surface, sector(2)), (Meetings{{0, 1}, {0, 1}}));
+  EXPECT_EQ(meetings(surface, sector(3)), (Meetings{{0, 1}, {0, 2}, {1, 2}})) << "no junction: they meet in no face";
+}
+
+TEST(Quotient_graph, of_sectors_of_a_ball_is_one_junction)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(4));
+  const auto sector = [](const Vector_3& point) {
+    return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * 3 * 0.999));
+  };
+  EXPECT_EQ(meetings(surface, sector), (Meetings{{0, 1, 2}}));
+}
+
+TEST(Quotient_graph, counts_a_region_for_each_of_its_border_cycles)
+{
+  // Four sectors around a torus with a disc cut out of one of them at the border of two: all meet the junction once but
+  // the ring beyond, which is no part of it.
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 48));
+  const auto region = [](const Vector_3& point) {
+    if ((point - Vector_3(4, 0, 0)).norm() < 0.7) {
+      return Index(3);
+    }
+    const double turn = (std::atan2(point.y(), point.x()) / CSCD::test::pi + 2.);
+    return Index(std::fmod(turn, 2.) * 1.499);
+  };
+  EXPECT_EQ(meetings(surface, region), (Meetings{{0, 1}, {0, 2, 3}, {1, 2}}));
+}
+
+/// On a sphere everything is planar: whatever the regions, the graph is a tree.
+TEST(Quotient_graph, of_any_regions_of_a_sphere_is_a_tree)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(4));
+  std::mt19937 random(1);
+  for (unsigned number_of_colors : {2U, 3U, 7U}) {
+    for (int trial = 0; trial < 20; ++trial) {
+      std::vector<unsigned> color(surface.number_of_vertices());
+      std::generate(color.begin(), color.end(), [&] { return unsigned(random()) % number_of_colors; });
+      // The parts of one color that are connected are the regions.
+      CSCD::internal::Disjoint_sets regions(color.size());
+      std::size_t number_of_regions = color.size();
+      for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+        const Index a = surface.origin(h);
+        const Index b = surface.target(h);
+        number_of_regions -= color[a] == color[b] && regions.join(a, b) ? 1 : 0;
+      }
+      const Quotient_graph graph(surface, [&](Index vertex) { return regions.find(vertex); });
+      const Index number_of_meetings = Index(graph.meetings().size());
+      CSCD::internal::Disjoint_sets joined(color.size() + number_of_meetings);
+      for (Index i = 0; i < number_of_meetings; ++i) {
+        EXPECT_GE(graph.meetings()[i].size(), 2u);
+        for (Index region : graph.meetings()[i]) {
+          EXPECT_TRUE(joined.join(region, Index(color.size()) + i)) << "a cycle";
+          --number_of_regions;
+        }
+      }
+      EXPECT_EQ(number_of_regions + number_of_meetings, 1u) << "not connected";
+    }
+  }
+}
+
+} // namespace

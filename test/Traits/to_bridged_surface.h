@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A test shape with borders, compiled with them bridged but without any other change.
+
+#ifndef CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H
+#define CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H
+
+#include "Traits/to_indexed_triangles.h"
+#include "support/Shape.h"
+#include <CSCD/Traits/Halfedge_pairing.h>
+#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/bridge_borders.h>
+
+#include <utility>
+
+namespace CSCD::test {
+
+inline CSCD::internal::Triangulated_surface to_bridged_surface(const Shape& shape)
+{
+  CSCD::internal::Indexed_triangles triangles = to_indexed_triangles(shape);
+  CSCD::internal::bridge_borders(triangles, CSCD::internal::Halfedge_pairing(triangles.faces, triangles.points.size()));
+  return CSCD::internal::Triangulated_surface(std::move(triangles));
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The published method, end to end.
+
+#include "support/Allow_threads.h"
+#include "support/Inside_count.h"
+#include "support/Skeleton_comparison.h"
+#include "support/invariants.h"
+#include "support/name_of_shape.h"
+#include "support/shapes.h"
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Published_policies.h>
+#include <CSCD/Separator/Shortening_rule.h>
+#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <numeric>
+#include <string>
+
+namespace {
+
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+using Policies = CSCD::Published_policies<Traits>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
+using Skeleton = Skeletonization::Skeleton;
+using CSCD::Skeletonization_report;
+using CSCD::test::Shape_maker;
+
+constexpr std::size_t number_of_sources = 200;
+/// Enough for what must hold whatever is found.
+constexpr std::size_t few_sources = 32;
+
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+Skeletonization_report skeletonize(const Mesh& mesh, Skeleton& skeleton, unsigned seed = 0,
+                                   unsigned number_of_threads = 1, const Policies& policies = Policies(),
+                                   std::size_t most_sources = number_of_sources)
+{
+  const Traits traits(mesh);
+  Skeletonization skeletonization(traits, policies);
+  skeletonization.set_random_seed(seed)
+      .set_number_of_threads(number_of_threads)
+      .set_maximum_number_of_sources(most_sources);
+  return skeletonization.operator()<ConcurrencyTag>(skeleton);
+}
+
+TEST(Published_policies, are_a_model)
+{
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits>));
+}
+
+class Published_method : public testing::TestWithParam<Shape_maker>
+{
+};
+
+TEST_P(Published_method, keeps_the_invariants)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(GetParam().make());
+  Skeleton skeleton;
+  const Skeletonization_report report = skeletonize(mesh, skeleton);
+  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
+    ADD_FAILURE() << violation;
+  }
+  EXPECT_EQ(report.betti_number, report.genus);
+  EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, 0u);
+  EXPECT_EQ(report.number_of_sources,
+            report.number_of_separators + report.number_of_sources_without_cut + report.number_of_collapsed_loops);
+  EXPECT_EQ(std::accumulate(report.number_of_rejections.begin(), report.number_of_rejections.end(), std::size_t(0)),
+            report.number_of_sources_without_cut);
+}
+
+INSTANTIATE_TEST_SUITE_P(Known, Published_method, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
+                         CSCD::test::name_of_shape);
+
+TEST(Published_policies, find_the_tips_of_limbs)
+{
+  Skeleton skeleton;
+  const auto tips = [&](const CSCD::test::Shape& shape) {
+    return skeletonize(CSCD::test::to_mesh<Mesh>(shape), skeleton).number_of_tips;
+  };
+  EXPECT_EQ(tips(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat)), 2u);
+  EXPECT_EQ(tips(CSCD::test::y_tube(0.15)), 3u);
+  EXPECT_EQ(tips(CSCD::test::star(5, 3, 0.35, 0.12)), 5u);
+  EXPECT_EQ(tips(CSCD::test::torus(3, 1, 24)), 0u);
+}
+
+TEST(Published_policies, answer_the_same_for_any_number_of_threads)
+{
+  const CSCD::test::Allow_threads allow(3);
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::noisy(CSCD::test::y_tube(0.2), 0.05, 1));
+  Skeleton sequential;
+  skeletonize(mesh, sequential, 5);
+  const CSCD::test::Plain_skeleton expected = CSCD::test::plain(mesh, sequential);
+  for (unsigned number_of_threads : {1U, 2U, 3U}) {
+    Skeleton parallel;
+    skeletonize<CGAL::Parallel_if_available_tag>(mesh, parallel, 5, number_of_threads);
+    EXPECT_TRUE(CSCD::test::plain(mesh, parallel) == expected);
+  }
+  Skeleton of_another_seed;
+  skeletonize(mesh, of_another_seed, 6);
+  EXPECT_FALSE(CSCD::test::plain(mesh, of_another_seed) == expected);
+}
+
+TEST(Published_policies, work_with_the_nearest_target_along_the_surface)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::double_torus(0.15));
+  Skeleton skeleton;
+  const Skeletonization_report report =
+      skeletonize(mesh, skeleton, 0, 1, Policies(CSCD::Target_rule::nearest_along_surface));
+  EXPECT_EQ(report.betti_number, 2u);
+  EXPECT_EQ(report.number_of_skeleton_components, 1u);
+}
+
+TEST(Published_policies, work_with_the_variational_shortening)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
+  Skeleton skeleton;
+  const Policies policies(CSCD::Target_rule::nearest_in_space, CSCD::Shortening_rule::variational);
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, policies);
+  EXPECT_EQ(report.number_of_tips, 3u);
+  EXPECT_EQ(report.number_of_junctions, 1u);
+  EXPECT_GT(report.number_of_separators, number_of_sources / 2);
+}
+
+TEST(Published_policies, draw_as_many_sources_as_published_unless_told_otherwise)
+{
+  // So few vertices that all are drawn many times over.
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(6, 1, 12, CSCD::test::Tube_end::flat));
+  const Traits traits(mesh);
+  Skeletonization skeletonization(traits);
+  skeletonization.find_separators();
+  EXPECT_EQ(skeletonization.report().number_of_sources, Policies::default_number_of_sources);
+}
+
+/// Whatever the sources find, and if it is nothing.
+class Published_method_on_hard_shapes : public Published_method
+{
+};
+
+TEST_P(Published_method_on_hard_shapes, keeps_the_invariants)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(GetParam().make());
+  Skeleton skeleton;
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(), few_sources);
+  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
+    ADD_FAILURE() << violation;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Closed, Published_method_on_hard_shapes, testing::ValuesIn(CSCD::test::hard_closed_shapes()),
+                         CSCD::test::name_of_shape);
+INSTANTIATE_TEST_SUITE_P(Open, Published_method_on_hard_shapes, testing::ValuesIn(CSCD::test::open_shapes()),
+                         CSCD::test::name_of_shape);
+
+struct Stopping_visitor : CSCD::Default_skeletonization_visitor
+{
+  void progress(double fraction) { m_fraction = fraction; }
+  bool go_further() const { return m_fraction < 0.3; }
+  double m_fraction = 0;
+};
+
+TEST(Published_policies, can_be_stopped)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  const Traits traits(mesh);
+  CSCD::Curve_skeletonization<Traits, Policies, Stopping_visitor> skeletonization(traits);
+  EXPECT_THROW(skeletonization.find_separators(), CSCD::Cancelled_error);
+  EXPECT_LT(skeletonization.report().number_of_sources, Policies::default_number_of_sources / 2);
+}
+
+} // namespace
