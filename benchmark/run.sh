@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
-# doc/performance.md, doc/points.md, doc/geodesics.md and README.md. Takes a quarter of an hour.
+# doc/performance.md, doc/points.md, doc/geodesics.md, doc/published.md and README.md. Takes half an hour.
 # Usage: benchmark/run.sh [REPETITIONS [PROGRAM...]], by default 3 and all programs.
 
 set -euo pipefail
@@ -13,7 +13,8 @@ build_dir=$source_dir/build
 repetitions=${1:-3}
 programs=("${@:2}")
 if [[ ${#programs[@]} -eq 0 ]]; then
-  programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics)
+  programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics
+    benchmark_published)
 fi
 
 # shellcheck source=cmake/install_packages.sh

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Writes the tables of doc/performance.md, doc/points.md and README.md from what the benchmarks measured.
+"""Writes the tables of doc/performance.md, doc/points.md, doc/published.md and README.md from measurements.
 
-Usage: write_tables.py REPETITIONS FILE..., of benchmark_skeletonization.json, benchmark_stages.json and
-benchmark_points.json.
+Usage: write_tables.py REPETITIONS FILE..., of benchmark_skeletonization.json, benchmark_stages.json,
+benchmark_points.json and benchmark_published.json.
 Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
 """
 
@@ -193,6 +193,71 @@ def growing_cloud_table(medians):
     return markdown(["points", "CPU s", "MB"], rows)
 
 
+def runs_of(medians, kind):
+    """The runs named `kind`/mesh/variant, by mesh and variant."""
+    runs = {}
+    for name, run in medians.items():
+        if name.startswith(kind + "/"):
+            _, mesh, variant = name.split("/", 2)
+            runs.setdefault(mesh, {})[variant] = run
+    return runs
+
+
+def topology(run):
+    cells = f"{count(run['components'])}, {count(run['betti_number'])}"
+    return f"{cells if is_right(run) else f'**{cells}**'}; {count(run['tips'])}"
+
+
+def method_quality_table(medians):
+    """One row for each mesh: error and topology of the skeletons of all methods; then the means."""
+    meshes = runs_of(medians, "method")
+    methods = list(next(iter(meshes.values())))
+    rows = [[mesh, *(f"{1000 * runs[method]['error']:.2f}: {topology(runs[method])}" for method in methods)]
+            for mesh, runs in meshes.items()]
+    rows.append(["mean error"] + [f"{1000 * statistics.fmean(runs[method]['error'] for runs in meshes.values()):.2f}"
+                                  for method in methods])
+    return markdown(["mesh", *methods], rows)
+
+
+def method_time_table(medians):
+    meshes = runs_of(medians, "method")
+    methods = list(next(iter(meshes.values())))
+    rows = [[mesh, count(next(iter(runs.values()))["vertices"]), *(f"{seconds(runs[method]):.2f}" for method in methods)]
+            for mesh, runs in meshes.items()]
+    return markdown(["mesh", "vertices", *methods], rows)
+
+
+def sources_table(medians):
+    meshes = runs_of(medians, "sources")
+    rows = []
+    for number in next(iter(meshes.values())):
+        cells = []
+        for runs in meshes.values():
+            run = runs[number]
+            cells += [count(run["packed"]), f"{1000 * run['error']:.2f}: {topology(run)}", f"{seconds(run):.2f}"]
+        rows.append([count(int(number)), *cells])
+    head = ["sources"]
+    for mesh in meshes:
+        head += [f"{mesh}: packed", "error", "CPU s"]
+    return markdown(head, rows)
+
+
+def two_methods_table(medians, kind, label):
+    """One row for each strength of what is done to the mesh: errors and topology of both methods on every mesh."""
+    meshes = runs_of(medians, kind)
+    rows = []
+    for strength in dict.fromkeys(variant.split("/")[0] for variant in next(iter(meshes.values()))):
+        row = [label(strength)]
+        for runs in meshes.values():
+            row += [f"{1000 * runs[f'{strength}/{method}']['error']:.2f}: {topology(runs[f'{strength}/{method}'])}"
+                    for method in ("local", "published")]
+        rows.append(row)
+    head = [""]
+    for mesh in meshes:
+        head += [f"{mesh}: local", f"{mesh}: published"]
+    return markdown(head, rows)
+
+
 def circumstances(context, repetitions):
     """When, where and how the numbers were made."""
     def output(*command):
@@ -233,6 +298,15 @@ TABLES_OF_PROGRAM = {
         "clouds": cloud_table(medians),
         "growing_cloud": growing_cloud_table(medians),
     },
+    "benchmark_published": lambda made, medians: {
+        "circumstances_of_methods": made,
+        "methods": method_quality_table(medians),
+        "method_times": method_time_table(medians),
+        "numbers_of_sources": sources_table(medians),
+        "noise": two_methods_table(medians, "noise", lambda percent: f"{int(percent) / 100:.1f} edges"),
+        "resolution": two_methods_table(medians, "resolution",
+                                        lambda part: "all vertices" if part == "1" else f"1/{part} of them"),
+    },
 }
 
 
@@ -242,7 +316,8 @@ def main():
     for file in files:
         context, medians = read_medians(file)
         tables.update(TABLES_OF_PROGRAM[pathlib.Path(file).stem](circumstances(context, repetitions), medians))
-    for path in (ROOT / "doc" / "performance.md", ROOT / "doc" / "points.md", ROOT / "README.md"):
+    documents = [ROOT / "doc" / name for name in ("performance.md", "points.md", "published.md")]
+    for path in [*documents, ROOT / "README.md"]:
         replace_between_markers(path, tables)
         print(path)
 

@@ -41,5 +41,5 @@ show() {
 
 mkdir -p "$figures"
 show camel 100 0
-show elephant 100 200
+show elephant 100 330
 show armadillo 100 180

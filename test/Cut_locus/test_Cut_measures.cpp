@@ -78,11 +78,13 @@ TEST(Cut_measures, where_two_fronts_meet_or_part)
       const Index on_ridge = 4 * 9 + 4;
       const Measured_shape ridge(grid, distance(1));
       EXPECT_NEAR(ridge->convergence(on_ridge), 2 * a, 1e-6);
+      EXPECT_NEAR(ridge->convergence_of_neighbors(on_ridge, ridge->gradients()), 2 * a, 1e-6);
       // Squares have the dual area 1; the mean edge is longer than their side.
       EXPECT_NEAR(ridge->laplacian(on_ridge), -2 * std::sin(a) * ridge->frames().mean_edge_length() / size, 1e-6);
       EXPECT_EQ(ridge->is_cut(on_ridge, Cut_criterion()), a >= pi / 6);
       const Measured_shape valley(grid, distance(-1));
       EXPECT_NEAR(valley->convergence(on_ridge), 0, 1e-6);
+      EXPECT_NEAR(valley->convergence_of_neighbors(on_ridge, valley->gradients()), 0, 1e-6);
       EXPECT_GT(valley->laplacian(on_ridge), 0);
     }
   }
@@ -109,6 +111,7 @@ TEST(Cut_measures, of_distances_that_are_not_known)
   for (Index v = 0; v < measured.size(); ++v) {
     EXPECT_TRUE(std::isfinite(measured->laplacian(v)));
     EXPECT_TRUE(std::isfinite(measured->convergence(v)));
+    EXPECT_TRUE(std::isfinite(measured->convergence_of_neighbors(v, measured->gradients())));
     EXPECT_TRUE(measured.point(v).x() < 2.5 || !measured->is_cut(v, Cut_criterion()));
   }
 }

@@ -119,7 +119,7 @@ private:
 
 TEST(Cut_loop_finder, goes_around_a_tube)
 {
-  for (const std::size_t around : {16, 24, 33}) {
+  for (const std::size_t around : {16u, 24u, 33u}) {
     Tube<Triangulated_surface> tube(
         CSCD::test::to_surface(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat)));
     for (Index source = 0; source < tube.surface().number_of_vertices(); source += 7) {

@@ -126,7 +126,7 @@ private:
       }
       const std::complex<double> local = m_measures.face_direction(h) / corner.turn;
       const Vector_3 x = (surface.point(surface.target(h)) - surface.point(vertex)) / corner.length;
-      const Index last = surface.previous(h);
+      const Index last = Open_triangulation::previous(h);
       const Vector_3 spoke = surface.point(surface.origin(last)) - surface.point(vertex);
       const Vector_3 y = (spoke - spoke.dot(x) * x).normalized();
       sum += local.real() * x + local.imag() * y;

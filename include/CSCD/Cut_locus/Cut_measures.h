@@ -84,6 +84,17 @@ public:
     return weight > 0 ? sum / weight : Complex(0);
   }
 
+  /// The gradients of all vertices; linear.
+  std::vector<Complex> gradients() const
+  {
+    std::vector<Complex> result;
+    result.reserve(m_distances.size());
+    for (Index vertex = 0; vertex < m_distances.size(); ++vertex) {
+      result.push_back(gradient(vertex));
+    }
+    return result;
+  }
+
   /// The Laplacian times the spacing: that of the vertices around `vertex` or, if it is larger, the mean edge length,
   /// over which a heat method smooths its distances.
   double laplacian(Index vertex) const
@@ -110,31 +121,49 @@ public:
   {
     Sectors sectors;
     collect_sectors(vertex, sectors);
-    const std::size_t stride = (sectors.size() + most_sectors - 1) / most_sectors;
-    double least_cosine = 1;
-    for (std::size_t i = 0; i < sectors.size(); i += stride) {
-      for (std::size_t j = i + stride; j < sectors.size(); j += stride) {
-        const double cosine = dot(sectors[i].gradient, sectors[j].gradient);
-        if (cosine < least_cosine && are_converging(sectors[i], sectors[j])) {
-          least_cosine = cosine;
-        }
-      }
-    }
-    return std::acos(std::clamp(least_cosine, -1., 1.));
+    return greatest_convergence(sectors);
   }
 
-  /// Whether `vertex` is a point of the cut locus.
+  /// The same of the mean gradients of two neighbors of `vertex`, carried to its frame: they see farther, to where a
+  /// heat method does not round off a ridge any more.
+  /// \param gradients those of all vertices, as `gradient()` gives them
+  double convergence_of_neighbors(Index vertex, const std::vector<Complex>& gradients) const
+  {
+    // Gradients that are shorter are those of ridges and sources, and have no direction.
+    constexpr double least_gradient = 0.1;
+    Sectors sectors;
+    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      const double norm = std::abs(gradients[neighbor]);
+      if (norm > least_gradient) {
+        const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
+        const double angle = is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h);
+        const Complex transport = m_frames.transport_to_origin(h);
+        sectors.push_back(
+            {h, std::polar(1., angle), (is_outgoing ? transport : std::conj(transport)) * gradients[neighbor] / norm});
+      }
+    });
+    return greatest_convergence(sectors);
+  }
+
+  /// Whether `vertex` is a point of the cut locus, by the faces around it.
   bool is_cut(Index vertex, const Cut_criterion& criterion) const
   {
     return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
            convergence(vertex) >= criterion.angle_threshold;
   }
 
-  /// A face around a vertex: where it lies, and its gradient.
+  /// Whether `vertex` is a point of the cut locus, by its neighbors.
+  bool is_cut(Index vertex, const Cut_criterion& criterion, const std::vector<Complex>& gradients) const
+  {
+    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
+           convergence_of_neighbors(vertex, gradients) >= criterion.angle_threshold;
+  }
+
+  /// A face around a vertex, or a neighbor: where it lies, and its gradient.
   struct Sector
   {
     Index halfedge;
-    Complex direction; ///< from the vertex to the middle of the face, of length 1
+    Complex direction; ///< from the vertex to there, of length 1
     Complex gradient;  ///< of length 1
   };
 
@@ -160,8 +189,23 @@ public:
 private:
   /// The dual area of a vertex of a regular triangulation with edges of length 1.
   static constexpr double area_of_unit_spacing = 0.8660254037844386;
-  /// Faces around a vertex that are compared pair by pair.
+  /// Faces or neighbors around a vertex that are compared pair by pair.
   static constexpr std::size_t most_sectors = 32;
+
+  static double greatest_convergence(const Sectors& sectors)
+  {
+    const std::size_t stride = (sectors.size() + most_sectors - 1) / most_sectors;
+    double least_cosine = 1;
+    for (std::size_t i = 0; i < sectors.size(); i += stride) {
+      for (std::size_t j = i + stride; j < sectors.size(); j += stride) {
+        const double cosine = dot(sectors[i].gradient, sectors[j].gradient);
+        if (cosine < least_cosine && are_converging(sectors[i], sectors[j])) {
+          least_cosine = cosine;
+        }
+      }
+    }
+    return std::acos(std::clamp(least_cosine, -1., 1.));
+  }
 
   static bool are_converging(const Sector& a, const Sector& b)
   {

@@ -21,17 +21,18 @@ namespace CSCD::internal {
 
 /// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: filtered by `policy`, its loops
 /// closed, made one vertex wide, without short branches. O(n log n) for n vertices.
-/// \param least_branch_length relative to the distance of the farthest vertex; branches of less than two mean edge
-///        lengths, which the triangulation alone can make, are dropped anyway
+/// \param least_branch_length relative to the distance of the farthest vertex; branches of less than three mean
+///        edge lengths, which the triangulation alone can make, are dropped anyway
 template <class Triangulation, class CutLocusPolicy>
 Cut_tree find_cut_tree(const Cut_measures<Triangulation>& measures, const Org_tree& tree,
                        const std::vector<Index>& sources, const Cut_criterion& criterion, const CutLocusPolicy& policy,
                        double least_branch_length)
 {
-  constexpr double least_edges_of_branch = 2;
+  constexpr double least_edges_of_branch = 3;
   const Tangent_frames<Triangulation>& frames = measures.frames();
   Cut_tree cut(tree);
-  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion); }, cut);
+  const auto gradients = measures.gradients();
+  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion, gradients); }, cut);
   close_loops(measures, sources, cut);
   thin_branches(frames, cut);
   double greatest_distance = 0;

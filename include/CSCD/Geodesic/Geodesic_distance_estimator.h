@@ -42,7 +42,7 @@ namespace CSCD {
 
 /// Geodesic distances on a triangle mesh by the heat method (K. Crane, C. Weischedel, M. Wardetzky, "Geodesics in
 /// heat", 2013) on its intrinsic Delaunay triangulation. The mesh is prepared once; then every set of sources costs two
-/// pairs of triangular solves, and eight sets together hardly more than two alone.
+/// pairs of triangular solves, and eight sets together as much as three alone.
 ///
 /// An estimate is exact to a few tenths of the mean edge length where the surface is smooth, and rounded off over two
 /// or three edges where shortest paths from different sides meet; doc/geodesics.md has figures. Distances of any number

@@ -23,10 +23,10 @@ namespace CSCD::internal {
 /// Geodesic distance from any number of sources, on a triangulation given by its edge lengths: factored once, asked
 /// often.
 ///
-/// A distance is exact to about the length of an edge near its sources, and to about a percent elsewhere, if the
-/// triangulation is Delaunay; on ridges, where several shortest paths meet, it is rounded off over an edge or two.
-/// It comes through far more edges than a number can follow the heat (see `Heat_batch`).
-/// All members are const and may be called by several threads at once, each with its own workspace.
+/// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
+/// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
+/// be made Delaunay first. Distances of any number of edges are right (see `Heat_batch`). All members are const and may
+/// be called by several threads at once, each with its own workspace.
 class Heat_method
 {
 public:

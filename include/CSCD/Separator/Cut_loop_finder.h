@@ -63,14 +63,19 @@ public:
     loop.outcome = Cut_loop_outcome::no_cut_point;
     loop.steps.clear();
     loop.number_of_candidates = {};
-    collect_candidates(measures, source, rule);
-    while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
-      std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
-      const Index vertex = m_candidates.back().second;
-      m_candidates.pop_back();
-      if (is_cut(vertex)) {
-        loop.outcome = try_target(measures, source, vertex, loop);
-        ++loop.number_of_candidates[std::size_t(loop.outcome)];
+    double begin = 0;
+    double end = first_shell * m_frames.mean_edge_length();
+    bool has_more = true;
+    for (; has_more && begin < end && loop.outcome != Cut_loop_outcome::found; begin = std::exchange(end, 2 * end)) {
+      has_more = collect_candidates(measures, source, rule, begin, end);
+      while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found) {
+        std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+        const Index vertex = m_candidates.back().second;
+        m_candidates.pop_back();
+        if (is_cut(vertex)) {
+          loop.outcome = try_target(measures, source, vertex, loop);
+          ++loop.number_of_candidates[std::size_t(loop.outcome)];
+        }
       }
     }
   }
@@ -86,6 +91,9 @@ public:
   }
 
 private:
+  /// Candidates are ordered shell by shell, each twice as thick as all before; the first one, in mean edge lengths, has
+  /// the targets of limbs of usual meshes.
+  static constexpr double first_shell = 16;
   /// A target is farther from its source than this many mean edge lengths: nearer, the heat method's field is wrong.
   static constexpr double least_distance = 4;
   /// The least distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
@@ -97,19 +105,26 @@ private:
   /// ... or to the mean edge length: ways along edges join a few edges before the source, wherever they come from.
   static constexpr double most_edges_of_stem = 3;
 
-  /// Makes a heap of all vertices that are far enough from the source, by what the rule says.
-  void collect_candidates(const Measures& measures, Index source, Target_rule rule)
+  /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.
+  /// \return whether there are vertices at `end` or beyond
+  bool collect_candidates(const Measures& measures, Index source, Target_rule rule, double begin, double end)
   {
     m_candidates.clear();
+    bool has_more = false;
     const double least = least_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (measures.is_reached(vertex) && measures.distance(vertex) >= least) {
-        m_candidates.emplace_back(rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_points[source]).norm()
-                                                                        : measures.distance(vertex),
-                                  vertex);
+      if (!(measures.is_reached(vertex) && measures.distance(vertex) >= least)) {
+        continue;
+      }
+      const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_points[source]).norm()
+                                                               : measures.distance(vertex);
+      has_more = has_more || key >= end;
+      if (key >= begin && key < end) {
+        m_candidates.emplace_back(key, vertex);
       }
     }
     std::make_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
+    return has_more;
   }
 
   /// Traces the loop of `source` through `target`.

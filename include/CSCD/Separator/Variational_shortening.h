@@ -99,7 +99,7 @@ private:
   /// The curve has converged where no gradient is longer than this; a side pulls by 2 e.
   static constexpr double least_gradient = 1e-4 * 5.4;
   /// Or where so many iterations together lower the energy by less than this, relative to it.
-  static constexpr double least_decrease = 1e-5;
+  static constexpr double least_decrease = 1e-4;
   static constexpr int patience = 10;
   /// Armijo's condition: the part of the decrease promised by the gradient that a step has to bring.
   static constexpr double sufficient_decrease = 1e-4;
