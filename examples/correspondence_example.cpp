@@ -36,6 +36,7 @@ CGAL::IO::Color branch_color(std::size_t branch)
   return color;
 }
 
+//! [Colour by branch]
 /// Colours the mesh by branch. \return the number of branches
 std::size_t color_by_branch(const Skeleton& skeleton, Mesh& mesh)
 {
@@ -52,6 +53,7 @@ std::size_t color_by_branch(const Skeleton& skeleton, Mesh& mesh)
   }
   return branches.size();
 }
+//! [Colour by branch]
 
 } // namespace
 

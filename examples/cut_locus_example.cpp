@@ -67,10 +67,12 @@ try {
   }
   const Vertex source{Mesh::size_type(number)};
 
+  //! [The cut locus of a vertex]
   Cut_locus cut_locus;
   CSCD::extract_cut_locus(mesh, source, cut_locus);
 
   CSCD::write_file("cut_locus.polylines.txt", [&](std::ostream& out) { CSCD::write_polylines(out, cut_locus); });
+  //! [The cut locus of a vertex]
   if (!CSCD::three_js_source().empty()) {
     write_page("cut_locus.html", mesh, source, cut_locus);
   }

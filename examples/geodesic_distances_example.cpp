@@ -50,9 +50,11 @@ int main(int argc, char** argv)
 try {
   Mesh mesh;
   CSCD::read_triangle_mesh(argc > 1 ? argv[1] : CGAL::data_file_path("meshes/elephant.off"), mesh);
+  //! [Distances from a vertex]
   const Vertex source = *mesh.vertices().begin();
   auto distance = mesh.add_property_map<Vertex, double>("v:distance").first;
   CSCD::estimate_geodesic_distances(mesh, source, distance);
+  //! [Distances from a vertex]
 
   const double farthest = eccentricity(mesh, distance);
   constexpr double number_of_bands = 30;

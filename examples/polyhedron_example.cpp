@@ -45,10 +45,12 @@ try {
     return 1;
   }
 
+  //! [In the place of CGAL's function]
   Skeleton skeleton;
   CSCD::extract_curve_skeleton(mesh, skeleton); // not CGAL::extract_mean_curvature_flow_skeleton()
 
   CSCD::write_skeleton("skeleton.polylines.txt", skeleton);
+  //! [In the place of CGAL's function]
   write_correspondence(mesh, skeleton, "correspondence.polylines.txt");
   std::cout << "Number of vertices of the skeleton: " << num_vertices(skeleton) << '\n'
             << "Number of edges of the skeleton: " << num_edges(skeleton) << '\n';

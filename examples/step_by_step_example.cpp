@@ -27,6 +27,7 @@ namespace {
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 
+//! [A weight of one's own]
 /// Prefers separators that are short and round: of two that overlap, the lighter one is packed.
 struct Short_and_round_weight
 {
@@ -38,7 +39,9 @@ struct Short_and_round_weight
     return separator.length * isoperimetric_ratio;
   }
 };
+//! [A weight of one's own]
 
+//! [A visitor]
 /// Names the stages as they begin and end, and stops the work after some seconds.
 class Impatient_visitor : public CSCD::Default_skeletonization_visitor
 {
@@ -65,6 +68,7 @@ private:
   double m_told = 0;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
+//! [A visitor]
 
 using Policies = CSCD::Local_policies<Traits, Short_and_round_weight>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies, Impatient_visitor>;
@@ -104,6 +108,7 @@ try {
 
   Mesh mesh;
   CSCD::read_triangle_mesh(filename, mesh);
+  //! [Step by step]
   const Traits traits(mesh);
 
   Skeletonization skeletonization(traits, Policies(), Impatient_visitor(most_seconds));
@@ -114,6 +119,7 @@ try {
 
   Skeletonization::Skeleton skeleton;
   skeletonization.convert_to_skeleton(skeleton);
+  //! [Step by step]
   print(skeletonization.report());
 } catch (const std::exception& error) { // Cancelled_error is one of them
   std::cerr << error.what() << '\n';

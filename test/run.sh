@@ -11,7 +11,8 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$source_dir"
 # shellcheck source=cmake/install_packages.sh
 source cmake/install_packages.sh
-install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format clang-tidy ccache
+install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format clang-tidy ccache \
+  doxygen python3
 jobs=$(number_of_jobs)
 
 declare -A seconds=()

@@ -52,7 +52,10 @@ class Curve_skeletonization
 public:
   /// \name Types
   /// @{
+
+  /// The points of the input.
   using Point = typename Traits::Point;
+  /// What identifies a site of the input: a vertex of a mesh, or the index of a point.
   using Site_descriptor = typename Traits::Site_descriptor;
   /// The skeleton type that holds everything the pipeline computes.
   using Skeleton = Skeleton_graph<Point, Site_descriptor>;
@@ -85,6 +88,8 @@ public:
   /// \name Parameters
   /// Each setter returns the object, so that calls chain.
   /// @{
+
+  /// The seed of the order in which sources are tried.
   unsigned random_seed() const { return m_settings.random_seed; }
   /// Sets the seed of the order in which sources are tried. Default 0.
   Curve_skeletonization& set_random_seed(unsigned seed)
@@ -92,6 +97,7 @@ public:
     m_settings.random_seed = seed;
     return *this;
   }
+  /// The bound on the number of sources.
   std::size_t maximum_number_of_sources() const { return m_settings.maximum_number_of_sources; }
   /// Bounds the number of sources. By default there is no bound: the shape decides.
   Curve_skeletonization& set_maximum_number_of_sources(std::size_t number)
@@ -99,6 +105,7 @@ public:
     m_settings.maximum_number_of_sources = number;
     return *this;
   }
+  /// The number of threads for `CGAL::Parallel_tag`.
   unsigned number_of_threads() const { return m_settings.number_of_threads; }
   /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
@@ -110,6 +117,7 @@ public:
 
   /// \name Stages
   /// @{
+
   /// Finds separators all over the surface. The answer does not depend on `ConcurrencyTag` nor on the number of
   /// threads. \return their number \throw Cancelled_error if the visitor wants to stop
   template <class ConcurrencyTag = CGAL::Sequential_tag>
@@ -177,6 +185,8 @@ public:
 
   /// \name Inspection
   /// @{
+
+  /// What is known by now: counts, times and warnings of the stages that have been run.
   const Skeletonization_report& report() const { return m_report; }
   /// All separators that were found, and those added around handles that no source had found.
   const std::vector<Separator>& separators() const { return m_separators; }

@@ -37,6 +37,7 @@ public:
   /// The packed separators, and the surface cut along them.
   using Packing = internal::Separator_packing;
 
+  /// Prepares with the default weight of separators.
   Local_policies() : Local_policies(SeparatorWeight()) {}
   /// \param weight of two separators that overlap, the one of lesser weight is packed
   explicit Local_policies(SeparatorWeight weight) : m_weight(std::move(weight))
@@ -46,6 +47,7 @@ public:
     check_separator_finder<SeparatorFinder, Traits>();
   }
 
+  /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
   template <class ConcurrencyTag, class Progress>
   std::vector<Separator> find_separators(const Traits& traits, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const
@@ -63,6 +65,7 @@ public:
     return packing;
   }
 
+  /// Builds the skeleton of the cut graph.
   Embedded_skeleton build_skeleton(const Traits& traits, const std::vector<Separator>& separators,
                                    const Packing& packing, Skeletonization_report& report) const
   {

@@ -22,6 +22,7 @@ namespace CSCD {
 /// The tags of the library's own named parameters; those of CGAL's are in `CGAL::internal_np`.
 namespace internal_np {
 
+#ifndef DOXYGEN_RUNNING
 #define CSCD_add_named_parameter(X, Y, Z)                                                                              \
   enum X                                                                                                               \
   {                                                                                                                    \
@@ -29,6 +30,7 @@ namespace internal_np {
   };
 #include <CSCD/internal/parameters_interface.h>
 #undef CSCD_add_named_parameter
+#endif
 
 } // namespace internal_np
 
@@ -38,10 +40,16 @@ namespace internal_np {
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
+  /// What CGAL's macros call this type.
   using self = Named_parameters;
 
   using CGAL::Named_function_parameters<T, Tag, Base>::Named_function_parameters;
 
+#ifdef DOXYGEN_RUNNING
+  /// prolongs the chain by one parameter. There is a function of this kind for each parameter, CGAL's included.
+  template <class K>
+  Named_parameters<K, parameter_tag, Named_parameters> parameter_name(const K& value) const;
+#else
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   template <class K>                                                                                                   \
   Named_parameters<K, CGAL::internal_np::X, self> Z(const K& value) const                                              \
@@ -59,6 +67,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
 #include <CSCD/internal/parameters_interface.h>
 #undef CSCD_add_named_parameter
+#endif
 };
 
 } // namespace CSCD
@@ -173,6 +182,11 @@ inline Default_named_parameters default_values()
   return {};
 }
 
+#ifdef DOXYGEN_RUNNING
+/// begins a chain with one parameter. There is a function of this kind for each parameter, CGAL's included.
+template <class K>
+Named_parameters<K, parameter_tag> parameter_name(const K& value);
+#else
 #define CGAL_add_named_parameter(X, Y, Z)                                                                              \
   template <class K>                                                                                                   \
   Named_parameters<K, CGAL::internal_np::X> Z(const K& value)                                                          \
@@ -190,6 +204,7 @@ inline Default_named_parameters default_values()
   }
 #include <CSCD/internal/parameters_interface.h>
 #undef CSCD_add_named_parameter
+#endif
 
 /// joins chains of named parameters, those begun by `CGAL::parameters` included. The result can be prolonged.
 /// A parameter may stand in one of the chains only: this is checked at compile time.
@@ -199,6 +214,7 @@ auto combine(const NamedParameters& np)
   return internal::prepend_named_parameters(static_cast<const typename NamedParameters::base&>(np), default_values());
 }
 
+/// joins two chains or more.
 template <class NamedParameters, class... MoreNamedParameters>
 auto combine(const NamedParameters& np, const MoreNamedParameters&... more)
 {

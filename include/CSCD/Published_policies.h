@@ -56,12 +56,14 @@ public:
     return search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);
   }
 
+  /// Drops separators by weight, inside test and overlap, and gives each vertex to the nearest that remains.
   Packing pack_separators(const Traits& traits, const std::vector<Separator>& separators,
                           Skeletonization_report& report) const
   {
     return Packing(traits, separators, report);
   }
 
+  /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch.
   Embedded_skeleton build_skeleton(const Traits& traits, const std::vector<Separator>& /* separators */,
                                    const Packing& packing, Skeletonization_report& report) const
   {

@@ -53,14 +53,14 @@ struct Skeletonization_report
 
   /// \name Skeleton
   /// @{
-  std::size_t number_of_nodes = 0;
-  std::size_t number_of_edges = 0;
-  std::size_t number_of_skeleton_components = 0;
-  std::size_t betti_number = 0;            ///< first Betti number: edges - nodes + components
-  std::size_t number_of_tips = 0;          ///< nodes of degree 1
-  std::size_t number_of_junctions = 0;     ///< nodes of degree 3 or more
-  std::size_t number_of_nodes_outside = 0; ///< nodes that are not inside the (bridged) surface
-  std::size_t number_of_edges_outside = 0; ///< edges of which a sample is not inside
+  std::size_t number_of_nodes = 0;               ///< vertices of the graph
+  std::size_t number_of_edges = 0;               ///< edges of the graph
+  std::size_t number_of_skeleton_components = 0; ///< connected components, as many as of the surface
+  std::size_t betti_number = 0;                  ///< first Betti number: edges - nodes + components
+  std::size_t number_of_tips = 0;                ///< nodes of degree 1
+  std::size_t number_of_junctions = 0;           ///< nodes of degree 3 or more
+  std::size_t number_of_nodes_outside = 0;       ///< nodes that are not inside the (bridged) surface
+  std::size_t number_of_edges_outside = 0;       ///< edges of which a sample is not inside
   /// @}
 
   /// Number of threads that the parallel part may have used.

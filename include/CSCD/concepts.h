@@ -231,7 +231,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 } // namespace expressions
 } // namespace internal
 
-/// \name SkeletonizationTraits
+#ifdef DOXYGEN_RUNNING
 /// A surface as the skeletonization sees it: sites `0` to `n - 1`, triangles over them, and the way back to the input.
 /// All functions take constant time, are const, and may be called by several threads at once. Positions and lengths are
 /// normalized (unit area, centroid at the origin), so that the skeleton depends on the shape alone.
@@ -258,7 +258,15 @@ using go_further = decltype(std::declval<T&>().go_further());
 ///
 /// If there is `t.reconstruction_report()`, a `Reconstruction_report`, the report of the skeletonization holds it.
 ///
-/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
+/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalArchetype{Skeletonization_traits_archetype.h}
+/// \cgalConcept
+class SkeletonizationTraits
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -345,7 +353,7 @@ constexpr void check_skeletonization_traits()
 
 /// @}
 
-/// \name MultiresolutionSkeletonizationTraits
+#ifdef DOXYGEN_RUNNING
 /// A surface in levels of detail, which is all that `Local_separator_finder` asks for. The reference that it gives to
 /// them must hold as long as the object lives.
 ///
@@ -353,7 +361,15 @@ constexpr void check_skeletonization_traits()
 /// |---|---|
 /// | `t.levels()` | a `const internal::Surface_levels&`; the sites are the vertices of the finest level |
 ///
-/// Models: `Triangle_mesh_traits`.
+/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalArchetype{Multiresolution_traits_archetype.h}
+/// \cgalConcept
+class MultiresolutionSkeletonizationTraits
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// Whether `T` is a model of `MultiresolutionSkeletonizationTraits`.
@@ -372,7 +388,7 @@ constexpr void check_multiresolution_skeletonization_traits()
 
 /// @}
 
-/// \name SolidSkeletonizationTraits
+#ifdef DOXYGEN_RUNNING
 /// A `MultiresolutionSkeletonizationTraits` whose surface bounds a body: what the steps ask for that keep loops and
 /// nodes inside. All functions are const, and may be called by several threads at once; references hold as long as the
 /// object lives.
@@ -383,10 +399,18 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
 /// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p`, and its `face` |
 /// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
-/// | `t.crossings(p, q, v)` | fills the vector `v` with the distances, ascending, at which the segment `p` `q` meets it
-/// |
+/// | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
 ///
-/// Models: `Triangle_mesh_traits`, `Point_set_traits`.
+/// \cgalRefines{`MultiresolutionSkeletonizationTraits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalArchetype{Solid_traits_archetype.h}
+/// \cgalConcept
+class SolidSkeletonizationTraits
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -435,10 +459,20 @@ constexpr void check_solid_skeletonization_traits()
 
 /// @}
 
-/// \name SeparatorWeight
+#ifdef DOXYGEN_RUNNING
 /// Weighs separators: of two that overlap, the one of lesser weight is packed. A function object `w` that can be
 /// copied, with `w(separator)` const and convertible to double; equal weights are ordered by when the separators were
-/// found. Models: `Length_and_planarity_weight`.
+/// found.
+///
+/// \cgalHasModels{`Length_and_planarity_weight`}
+/// \cgalArchetype{Separator_weight_archetype.h}
+/// \cgalConcept
+class SeparatorWeight
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// Whether `T` is a model of `SeparatorWeight`.
@@ -457,12 +491,22 @@ constexpr void check_separator_weight()
 
 /// @}
 
-/// \name SeparatorFinder
+#ifdef DOXYGEN_RUNNING
 /// Finds the separator of one source after the other; one object serves one thread. `F(t)` makes one for the surface
 /// `t`, an object of type `T`, in any thread. `f(source, level_hint, result)` seeks the separator of `source`, a vertex
 /// of the finest level, preferably on the level `level_hint`, and writes all members of `result`, a `Search_result&`
 /// that may hold an earlier answer. What it writes depends on its arguments alone, not on earlier calls: else the
-/// answer would not be the same for every number of threads. Models: `Local_separator_finder`.
+/// answer would not be the same for every number of threads.
+///
+/// \cgalHasModels{`Local_separator_finder`}
+/// \cgalArchetype{Policies_archetype.h}
+/// \cgalConcept
+class SeparatorFinder
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// Whether `F` is a model of `SeparatorFinder` for surfaces of type `T`.
@@ -482,21 +526,32 @@ constexpr void check_separator_finder()
 
 /// @}
 
-/// \name SkeletonizationPolicies
+#ifdef DOXYGEN_RUNNING
 /// The algorithms of the pipeline's stages, for surfaces of type `T`. All functions are const.
 ///
 /// | expression | value |
 /// |---|---|
-/// | `p.template find_separators<Tag>(t, settings, report, progress)` | a `std::vector<Separator>` on the finest level
-/// of `t`, by the `Search_settings`; calls `progress(fraction)` often, which may throw | | `P::Packing` | which
-/// separators are packed, and what else follows from them; can be moved | | `p.pack_separators(t, separators, report)`
-/// | a `P::Packing` of those found, to which more may be appended | | `packing.packed()` | the packed ones, as
-/// positions in the list: a `const std::vector<unsigned>&` | | `p.build_skeleton(t, separators, packing, report)` | an
-/// `Embedded_skeleton` |
+/// | `P::Packing` | which separators are packed, and what else follows from them; can be moved |
+/// | `packing.packed()` | the packed ones, as positions in the list: a `const std::vector<unsigned>&` |
+/// | `p.template find_separators<Tag>(t, settings, report, progress)` | a `std::vector<Separator>` |
+/// | `p.pack_separators(t, separators, report)` | a `P::Packing` of `separators`, to which more may be appended |
+/// | `p.build_skeleton(t, separators, packing, report)` | an `Embedded_skeleton` |
 ///
+/// Separators lie on the finest level of `t`. They are sought by the `Search_settings`, with frequent calls of
+/// `progress(fraction)`, which may throw.
 /// `Tag` is one of CGAL's concurrency tags; the answer must not depend on it, nor on the number of threads. In the
 /// `Skeletonization_report` each function fills in what it knows: the numbers of sources and of separators that were
-/// not taken, of handle cuts, of nodes and edges outside. Policies can be moved. Models: `Local_policies`.
+/// not taken, of handle cuts, of nodes and edges outside. Policies can be moved.
+///
+/// \cgalHasModels{`Local_policies`, `Published_policies`}
+/// \cgalArchetype{Policies_archetype.h}
+/// \cgalConcept
+class SkeletonizationPolicies
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -540,10 +595,21 @@ constexpr void check_skeletonization_policies()
 
 /// @}
 
-/// \name TriangleMesh
+#ifdef DOXYGEN_RUNNING
 /// CGAL's `FaceListGraph`, of which all faces are triangles. Of its functions these are used, found by
 /// argument-dependent look-up: `vertices(g)`, `faces(g)`, `num_halfedges(g)`, `halfedge(f, g)`, `next(h, g)` and
-/// `target(h, g)`. Models: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, and all others of CGAL's.
+/// `target(h, g)`.
+///
+/// \cgalRefines{CGAL's `FaceListGraph`}
+/// \cgalHasModels{`CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, and all others of CGAL's}
+/// \cgalArchetype{Triangle_mesh_archetype.h}
+/// \cgalConcept
+class TriangleMesh
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// Whether `T` looks like a `FaceListGraph`; may be asked of any type.
@@ -577,11 +643,21 @@ constexpr void check_triangle_mesh()
 
 /// @}
 
-/// \name CurveSkeletonGraph
+#ifdef DOXYGEN_RUNNING
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
 /// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of the sites of
-/// the input, which are appended by `push_back()`, and perhaps a `radius`. Models: `Skeleton_graph`,
-/// `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`.
+/// the input, which are appended by `push_back()`, and perhaps a `radius`.
+///
+/// \cgalRefines{Boost's `VertexListGraph`, `EdgeListGraph`, `MutableGraph`}
+/// \cgalHasModels{`Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`}
+/// \cgalArchetype{Skeleton_archetype.h}
+/// \cgalConcept
+class CurveSkeletonGraph
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// The requirements of the concept, one by one.
@@ -622,7 +698,7 @@ constexpr void check_curve_skeleton_graph()
 
 /// @}
 
-/// \name SkeletonizationVisitor
+#ifdef DOXYGEN_RUNNING
 /// Hears of the progress of a skeletonization and can stop it. All calls come from the thread that runs the pipeline.
 ///
 /// | expression | when, and what it means |
@@ -631,7 +707,17 @@ constexpr void check_curve_skeleton_graph()
 /// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |
 /// | `v.go_further()` | after each call of `progress()`: false stops the work by a `Cancelled_error` |
 ///
-/// What it throws is passed on. Models: `Default_skeletonization_visitor`.
+/// What it throws is passed on.
+///
+/// \cgalHasModels{`Default_skeletonization_visitor`}
+/// \cgalArchetype{Visitor_archetype.h}
+/// \cgalConcept
+class SkeletonizationVisitor
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
 /// @{
 
 /// The requirements of the concept, one by one.

@@ -55,7 +55,10 @@ class Geodesic_distance_estimator
 public:
   /// \name Types
   /// @{
+
+  /// The vertices of the mesh.
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  /// The faces of the mesh.
   using Face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
   /// A point of a face by barycentric coordinates, as in CGAL's package Polygon Mesh Processing: those of the source
   /// and the target of `halfedge(face, mesh)`, and of the third vertex.

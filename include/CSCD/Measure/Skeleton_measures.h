@@ -24,7 +24,7 @@ struct Reconstruction_error
   /// Mean distance from the reconstruction to the input, by area: what swells or hangs outside. To the faces of a mesh;
   /// to the nearest of the points, so that their spacing counts, if the input is a point cloud.
   double reverse_mean = undefined_measure;
-  double reverse_maximum = undefined_measure;
+  double reverse_maximum = undefined_measure;     ///< of the distances from the reconstruction to the input
   double unresolved_fraction = undefined_measure; ///< of the skeleton's length, which is too thin for the lattice
   double cell_size = undefined_measure;           ///< of the lattice
   std::size_t number_of_faces = 0;                ///< of the reconstruction; if 0, the distances are undefined
@@ -33,14 +33,14 @@ struct Reconstruction_error
 /// Counts and lengths of a skeleton alone.
 struct Skeleton_counts
 {
-  std::size_t number_of_nodes = 0;
-  std::size_t number_of_edges = 0;
-  std::size_t number_of_components = 0;
-  std::size_t betti_number = 0;        ///< the number of independent cycles
-  std::size_t number_of_tips = 0;      ///< nodes with one edge
-  std::size_t number_of_junctions = 0; ///< nodes with three edges or more
-  std::size_t number_of_isolated_nodes = 0;
-  double length = 0; ///< of all edges, relative to the diagonal
+  std::size_t number_of_nodes = 0;          ///< vertices of the graph
+  std::size_t number_of_edges = 0;          ///< edges of the graph, loops and parallel ones included
+  std::size_t number_of_components = 0;     ///< connected components
+  std::size_t betti_number = 0;             ///< the number of independent cycles
+  std::size_t number_of_tips = 0;           ///< nodes with one edge
+  std::size_t number_of_junctions = 0;      ///< nodes with three edges or more
+  std::size_t number_of_isolated_nodes = 0; ///< nodes without edges
+  double length = 0;                        ///< of all edges, relative to the diagonal
   /// Turning angle for each local radius that is gone along the branches, in radians: of a circle, the radius of the
   /// body over that of the circle.
   double mean_turning = undefined_measure;
@@ -50,12 +50,12 @@ struct Skeleton_counts
 /// How a skeleton lies in the body.
 struct Position_measures
 {
-  std::size_t number_of_surface_components = 0;
-  std::size_t genus = 0; ///< of the surface, its borders closed by discs, over all components
-  std::size_t number_of_borders = 0;
-  double fraction_of_nodes_inside = undefined_measure;
-  double fraction_of_length_inside = undefined_measure;
-  double largest_distance_outside = undefined_measure; ///< of nodes and samples; relative to the diagonal
+  std::size_t number_of_surface_components = 0; ///< connected components of the surface
+  std::size_t genus = 0;                        ///< of the surface, its borders closed by discs, over all components
+  std::size_t number_of_borders = 0;            ///< border cycles of the surface
+  double fraction_of_nodes_inside = undefined_measure;  ///< of all nodes
+  double fraction_of_length_inside = undefined_measure; ///< of the length of all edges, by samples
+  double largest_distance_outside = undefined_measure;  ///< of nodes and samples; relative to the diagonal
   /// From rays across the skeleton to the surface: the standard deviation of their lengths over their mean. 0 in the
   /// centre of a round section, never 0 in one that is not round. The mean over nodes with one or two edges.
   double deviation_at_nodes = undefined_measure;
@@ -63,7 +63,7 @@ struct Position_measures
   /// Likewise: the length of the mean of the rays' end points, as seen from the node, over the mean length. 0 in the
   /// centre of any section that is symmetric about a point.
   double offset_at_nodes = undefined_measure;
-  double offset_by_length = undefined_measure;
+  double offset_by_length = undefined_measure; ///< the mean over the length of the edges
 };
 
 /// How good a skeleton is, for the input that it was evaluated with.
@@ -71,10 +71,10 @@ struct Skeleton_measures
 {
   std::size_t number_of_points = 0; ///< of the input: vertices with a face, or points
   double diagonal = 0;              ///< of the bounding box of the input, in its unit
-  Skeleton_counts counts;
-  Position_measures position; ///< undefined if the input is a point cloud
-  Reconstruction_error convolution;
-  Reconstruction_error round_cones;
+  Skeleton_counts counts;           ///< of the skeleton alone
+  Position_measures position;       ///< undefined if the input is a point cloud
+  Reconstruction_error convolution; ///< of the convolution surface, if it was asked for
+  Reconstruction_error round_cones; ///< of the union of round cones, if it was asked for
   /// The mean of |signed distance| of the input's points from the round cones, without triangulation: exact outside, a
   /// lower bound inside. Relative to the diagonal.
   double mean_distance_from_round_cones = undefined_measure;

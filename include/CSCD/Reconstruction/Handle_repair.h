@@ -8,9 +8,9 @@
 
 #include <CSCD/Reconstruction/Local_handle_search.h>
 #include <CSCD/Reconstruction/Loop_flood.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>
 

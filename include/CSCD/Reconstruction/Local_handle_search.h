@@ -6,9 +6,9 @@
 #ifndef CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
 #define CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
 
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>

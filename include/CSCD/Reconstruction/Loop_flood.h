@@ -6,8 +6,8 @@
 #ifndef CSCD_RECONSTRUCTION_LOOP_FLOOD_H
 #define CSCD_RECONSTRUCTION_LOOP_FLOOD_H
 
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>
 

@@ -22,7 +22,7 @@ struct Reconstruction_repair
 /// Counts and measures of the reconstruction of a surface from points. Lengths are in the unit of the input.
 struct Reconstruction_report
 {
-  std::size_t number_of_points = 0;
+  std::size_t number_of_points = 0;        ///< points of the input
   std::size_t number_of_duplicates = 0;    ///< points that are at the place of another one
   std::size_t number_of_neighbors = 0;     ///< the k of the neighborhoods
   double spacing = 0;                      ///< median over the points of the mean distance to the nearest six

@@ -6,9 +6,9 @@
 #ifndef CSCD_RECONSTRUCTION_CUT_ALONG_LOOPS_H
 #define CSCD_RECONSTRUCTION_CUT_ALONG_LOOPS_H
 
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <cstddef>

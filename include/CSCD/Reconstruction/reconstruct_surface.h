@@ -15,12 +15,12 @@
 #include <CSCD/Reconstruction/cut_along_loops.h>
 #include <CSCD/Reconstruction/fit_quadrics.h>
 #include <CSCD/Reconstruction/split_pinched_vertices.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/Surface_components.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/Traits/bridge_borders.h>
 #include <CSCD/Traits/canonical_order.h>
 #include <CSCD/Traits/collect_triangles.h>

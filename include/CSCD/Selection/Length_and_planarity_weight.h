@@ -17,6 +17,7 @@ struct Length_and_planarity_weight
   /// Weight of the relative deviation from a plane: one of a quarter of the length counts as twice the length.
   static constexpr double planarity_factor = 4;
 
+  /// The weight of `separator`, a length.
   double operator()(const Separator& separator) const
   {
     return separator.length * (1 + planarity_factor * separator.planarity);

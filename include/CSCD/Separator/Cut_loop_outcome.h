@@ -23,6 +23,7 @@ enum class Cut_loop_outcome
   narrow                ///< the ways to the source stay close together: they go around a bump
 };
 
+/// Number of values of `Cut_loop_outcome`.
 inline constexpr std::size_t number_of_cut_loop_outcomes = std::size_t(Cut_loop_outcome::narrow) + 1;
 
 } // namespace CSCD

@@ -39,8 +39,8 @@ enum class Search_outcome
 /// The result of the search for the separator of one source.
 struct Search_result
 {
-  Search_outcome outcome = Search_outcome::no_cut;
-  Separator separator;       ///< where one was found
+  Search_outcome outcome = Search_outcome::no_cut; ///< how the search ended
+  Separator separator;                             ///< where one was found
   bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
   internal::Index level = 0; ///< the level of detail that decided
   double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
@@ -59,6 +59,7 @@ class Local_separator_finder
   using Vector_3 = internal::Vector_3;
 
 public:
+  /// Prepares the working memory; `traits` is referred to and must outlive this object.
   explicit Local_separator_finder(const Traits& traits)
       : m_levels(traits.levels()), m_workspaces(m_levels.size()), m_projection(m_levels),
         m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)

@@ -9,6 +9,7 @@
 #include <CSCD/Geodesic/Polar_front.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Vertex_loop.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// The vertices of a simple closed curve along edges, in order; the last one and the first are neighbors.
-using Vertex_loop = std::vector<Index>;
 
 /// Writes to `loop` the closed curve from the source of `front` to `first`, across the edge to `second`, and back.
 /// Where both arms leave the source by the same path, that path is left out.

@@ -97,6 +97,7 @@ public:
   /// \name The body
   /// The body is bounded by the surface, bridged borders included. The first query builds a search structure.
   /// @{
+
   /// The surface that answers the queries and that their faces belong to: the finest level of at most 60000 vertices.
   /// From there on, coarser faces differ from the finest ones by less than the skeleton is exact.
   const Triangulated_surface& solid_surface() const

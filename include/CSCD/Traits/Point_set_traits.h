@@ -78,7 +78,10 @@ class Point_set_traits : public internal::Compiled_surface_traits<typename boost
 public:
   /// \name Types
   /// @{
+
+  /// The points of the input.
   using Point = typename Base::Point;
+  /// The number of a site.
   using Index = typename Base::Index;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
@@ -93,7 +96,11 @@ public:
   {
     compile(points, point_map, internal::No_normals());
   }
+  /// The same, with the point map of a `CGAL::Point_set_3`; of other ranges the elements are the points.
   explicit Point_set_traits(const PointRange& points) : Point_set_traits(points, internal::default_point_map(points)) {}
+  /// The same for points with normals.
+  /// \param points the points
+  /// \param point_map maps the elements of `points` to points
   /// \param normal_map a readable map from the elements of `points` to vectors with coordinates `x()`, `y()`, `z()`,
   ///        of any length and of either orientation: surfaces are not made across them
   template <class NormalMap>
@@ -107,6 +114,7 @@ public:
 
   /// \name Sites of the input
   /// @{
+
   /// The points of the input for which the site stands; none for an inserted site.
   CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const
   {
@@ -114,6 +122,7 @@ public:
   }
   /// The number of points of the input.
   std::size_t number_of_input_sites() const { return m_descriptors.size(); }
+  /// None: every point belongs to a site.
   std::size_t number_of_isolated_vertices() const { return 0; }
   /// @}
 

@@ -44,7 +44,10 @@ class Triangle_mesh_traits
 public:
   /// \name Types
   /// @{
+
+  /// The points of the input.
   using Point = typename Base::Point;
+  /// The number of a site.
   using Index = typename Base::Index;
   /// What identifies a site of the input.
   using Site_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
@@ -59,6 +62,7 @@ public:
     compile(mesh, point_map);
     m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
+  /// The same, with the point map of `mesh`.
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
   /// The descriptors of the sites would refer to a mesh that is gone.
   explicit Triangle_mesh_traits(TriangleMesh&&) = delete;
@@ -70,6 +74,7 @@ public:
 
   /// \name Sites of the input
   /// @{
+
   /// Whether the site is a vertex of the input, not an inserted one.
   bool is_input_site(Index site) const { return Base::input_point(site) != internal::no_index; }
   /// The vertex of the input that the site is.

@@ -1,0 +1,6 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Links from Markdown to the examples lead to their folder on a host of Git: makes them lead to pages of the manual.
+s,\[([^]]*)\]\((\.\./)?examples/([a-z_]+\.cpp)\),\\ref \3 "\1",g
+s,\((\.\./)?examples/\),(examples.html),g
