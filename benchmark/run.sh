@@ -19,7 +19,7 @@ fi
 
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
-install_packages "${library_packages[@]}" libbenchmark-dev python3
+install_packages "${library_packages[@]}" libbenchmark-dev python3 gnuplot-nox
 
 # In a build folder that has the tests or examples, they stay.
 configure=(cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON)

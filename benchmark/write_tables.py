@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Writes the tables of doc/performance.md, doc/points.md, doc/published.md and README.md from measurements.
+"""Writes the tables of doc/performance.md, doc/points.md, doc/published.md and README.md, and plots.
 
 Usage: write_tables.py REPETITIONS FILE..., of benchmark_skeletonization.json, benchmark_stages.json,
 benchmark_points.json and benchmark_published.json.
@@ -15,6 +15,8 @@ import re
 import statistics
 import subprocess
 import sys
+
+from plot import draw
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -258,6 +260,25 @@ def two_methods_table(medians, kind, label):
     return markdown(head, rows)
 
 
+def plot_published(medians):
+    """Draws the errors of the tables about the published method."""
+    def thousandths(run):
+        return 1000 * run["error"]
+
+    label = "mean error, 1/1000 of the diagonal"
+    figures = ROOT / "doc" / "fig"
+    draw(figures / "error_against_sources.png", "sources", label, {
+        mesh: [(int(number), thousandths(run)) for number, run in runs.items()]
+        for mesh, runs in runs_of(medians, "sources").items()}, logarithmic=True)
+    for kind, x_label, unit in (("noise", "noise, mean edge lengths", 0.01), ("resolution", "one vertex of", 1)):
+        curves = {}
+        for mesh, runs in runs_of(medians, kind).items():
+            for variant, run in runs.items():
+                strength, method = variant.split("/")
+                curves.setdefault(f"{mesh}, {method}", []).append((unit * int(strength), thousandths(run)))
+        draw(figures / f"error_against_{kind}.png", x_label, label, curves, logarithmic=kind == "resolution")
+
+
 def circumstances(context, repetitions):
     """When, where and how the numbers were made."""
     def output(*command):
@@ -315,7 +336,10 @@ def main():
     tables = {}
     for file in files:
         context, medians = read_medians(file)
-        tables.update(TABLES_OF_PROGRAM[pathlib.Path(file).stem](circumstances(context, repetitions), medians))
+        program = pathlib.Path(file).stem
+        tables.update(TABLES_OF_PROGRAM[program](circumstances(context, repetitions), medians))
+        if program == "benchmark_published":
+            plot_published(medians)
     documents = [ROOT / "doc" / name for name in ("performance.md", "points.md", "published.md")]
     for path in [*documents, ROOT / "README.md"]:
         replace_between_markers(path, tables)

@@ -45,6 +45,9 @@ private:
   static constexpr double inward_part = 1e-3;
   /// A walk that has gone on for this many times its length has missed its point.
   static constexpr double longest_walk = 2;
+  /// So has one that crosses so many edges: it goes round and round something small. Polygons as they are traced here
+  /// have sides of half an edge or so.
+  static constexpr std::size_t most_crossings = 1000;
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-6;
 
@@ -64,6 +67,7 @@ private:
     const Vector_3 way = to.point - from.point;
     const Vector_3 plane_normal = way.cross(normal(from.face) + normal(to.face));
     const auto height = [&](Index vertex) { return (m_surface.point(vertex) - from.point).dot(plane_normal); };
+    const std::size_t end = crossings.size() + most_crossings;
     Index face = from.face;
     while (face != to.face) {
       Index exit = no_index;
@@ -73,7 +77,7 @@ private:
           exit = h;
         }
       }
-      if (exit == no_index) {
+      if (exit == no_index || crossings.size() == end) {
         return false;
       }
       const double right = height(m_surface.origin(exit));
