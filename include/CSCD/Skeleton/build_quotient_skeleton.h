@@ -119,8 +119,8 @@ private:
   }
 
   /// For each node, the median by area of the distances of its sites; what the draft has where a node has no sites.
-  template <class Node_of_region>
-  std::vector<double> radii(const Node_of_region& node_of_region, const Skeleton_draft& draft) const
+  template <class NodeOfRegion>
+  std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_draft& draft) const
   {
     std::vector<std::vector<std::pair<double, double>>> distances(draft.size());
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
