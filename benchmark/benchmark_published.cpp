@@ -122,7 +122,7 @@ void add(const std::string& name, const std::string& path, const Variant& varian
 
 void add_methods(const std::vector<std::string>& paths)
 {
-  // The variational flow takes ten times as long as edge flips: fewer sources must do to compare the two.
+  // The variational flow takes several times as long as edge flips: fewer sources must do to compare the two.
   constexpr std::size_t few = 500;
   for (const std::string& path : paths) {
     const std::string prefix = "method/" + std::filesystem::path(path).stem().string() + '/';
