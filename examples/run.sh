@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the program cscd and the examples, skeletonizes a real mesh, and
-# names the files to open. Takes no arguments; may be run again.
+# Installs what is missing (Debian, Ubuntu), builds the program cscd and the examples, skeletonizes a real mesh and
+# a real point set, and names the files to open. Takes no arguments; may be run again.
 
 set -euo pipefail
 
@@ -12,6 +12,9 @@ build_dir=$source_dir/build
 output_dir=$build_dir/examples-output
 # Of libcgal-demo: 2775 vertices, four legs and a trunk.
 mesh=$build_dir/cgal_data/data/meshes/elephant.off
+# Of libcgal-demo, too: 5210 points of a kitten.
+archive=/usr/share/doc/libcgal-dev/data.tar.gz
+points=data/points_3/kitten.xyz
 
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
@@ -32,6 +35,11 @@ mkdir -p "$output_dir"
   --output "$output_dir/elephant.graph" --output "$output_dir/elephant.obj" \
   --report "$output_dir/elephant.json" --html "$output_dir/elephant.html"
 
+echo "Skeletonizing $points of CGAL's data"
+tar --extract --gzip --file "$archive" --directory "$output_dir" --strip-components 2 "$points"
+"$build_dir/bin/cscd" skeletonize "$output_dir/kitten.xyz" \
+  --output "$output_dir/kitten.graph" --html "$output_dir/kitten.html"
+
 cat <<END
 
 Done. Look at
@@ -39,5 +47,6 @@ Done. Look at
   $output_dir/elephant.graph   the skeleton: lines "n x y z" and "c i j"
   $output_dir/elephant.obj     the skeleton as polylines, for Blender or MeshLab
   $output_dir/elephant.json    counts and timings
+  $output_dir/kitten.html      the points, the surface made of them, and its skeleton
   $build_dir/bin               the program cscd and the examples
 END
