@@ -40,7 +40,7 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"number_of_inserted_vertices", r.number_of_inserted_vertices},
           {"number_of_degenerate_faces", r.number_of_degenerate_faces},
           {"number_of_levels", r.number_of_levels},
-          {"genus", r.genus}};
+          {"genus", r.genus ? Json(*r.genus) : Json()}};
 }
 
 /// Why sources have no cut point that is accepted.
@@ -150,8 +150,11 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   constexpr int digits = 3; // of the time
   out << options.input << ": " << report.number_of_sites << (report.reconstruction ? " points, " : " vertices, ")
       << report.number_of_surface_components
-      << (report.number_of_surface_components == 1 ? " component" : " components") << ", genus " << report.genus
-      << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
+      << (report.number_of_surface_components == 1 ? " component" : " components");
+  if (report.genus) {
+    out << ", genus " << *report.genus;
+  }
+  out << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
       << report.number_of_skeleton_components
       << (report.number_of_skeleton_components == 1 ? " component" : " components") << ", " << report.betti_number
       << (report.betti_number == 1 ? " cycle, " : " cycles, ") << report.number_of_tips

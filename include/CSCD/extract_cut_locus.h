@@ -185,9 +185,7 @@ private:
     graph = Graph(m_points.size());
     for (Index i = 0; i < m_points.size(); ++i) {
       const Face_point& at = m_points[i];
-      const Vector_3 position = m_normalization.to_input(walk.position(at));
-      using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-      graph[i].point = Point(Coordinate(position.x()), Coordinate(position.y()), Coordinate(position.z()));
+      graph[i].point = to_input_point<Point>(m_normalization, walk.position(at));
       // Triangles are collected from the target of the face's halfedge on.
       graph[i].location = {face_descriptors[at.face], {at.weights[2], at.weights[0], at.weights[1]}};
       double distance = 0;

@@ -6,10 +6,11 @@
 #ifndef CSCD_SKELETON_QUOTIENT_GRAPH_H
 #define CSCD_SKELETON_QUOTIENT_GRAPH_H
 
-#include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CSCD::internal {
@@ -27,13 +28,16 @@ class Quotient_graph
 public:
   /// Computes the graph; near linear.
   /// \param region a function that returns the region of a vertex
-  template <class Region>
-  Quotient_graph(const Triangulated_surface& surface, const Region& region)
+  template <class Surface, class Region>
+  Quotient_graph(const Surface& surface, const Region& region)
       : m_networks(surface.number_of_halfedges()), m_cycles(surface.number_of_halfedges())
   {
     const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      join_at_corner(surface, is_between, h);
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      const std::array<Index, 3> sides = surface.face_halfedges(face);
+      for (std::size_t k = 0; k < 3; ++k) {
+        join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
+      }
     }
     collect(surface, region, is_between);
   }
@@ -43,13 +47,11 @@ public:
   const std::vector<std::vector<Index>>& meetings() const { return m_meetings; }
 
 private:
-  /// Joins what is connected within the face of `h`, at the corner that `h` leaves. The border cycle of a region has a
+  /// Joins what is connected within a face, at the corner that its side `h` leaves. The border cycle of a region has a
   /// point on every halfedge that leaves the region, named after it.
-  template <class Predicate>
-  void join_at_corner(const Triangulated_surface& surface, const Predicate& is_between, Index h)
+  template <class Surface, class Predicate>
+  void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
   {
-    const Index before = Triangulated_surface::previous(h);
-    const Index after = Triangulated_surface::next(h);
     if (is_between(h) && is_between(before)) {
       m_networks.join(surface.edge(h), surface.edge(before));
       m_cycles.join(h, surface.twin(before));
@@ -60,8 +62,8 @@ private:
     }
   }
 
-  template <class Region, class Predicate>
-  void collect(const Triangulated_surface& surface, const Region& region, const Predicate& is_between)
+  template <class Surface, class Region, class Predicate>
+  void collect(const Surface& surface, const Region& region, const Predicate& is_between)
   {
     std::vector<Index> meeting_of_network(surface.number_of_halfedges(), no_index);
     for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
