@@ -9,8 +9,10 @@
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -21,8 +23,9 @@ namespace CSCD::internal {
 /// a region on either side, which an edge joins. Where curves meet, at faces that have corners in three regions, all
 /// regions around that part of the network meet, and a junction joins them in place of a clique of edges. A region
 /// counts for every one of its border cycles: three regions around a thin handle, which meet in three separate curves,
-/// stay a cycle. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number
-/// of the graph is the genus of the surface.
+/// stay a cycle. Where the surface has a hole, all that ends there goes on as if it was a point. If all regions, and
+/// the neighborhoods of all parts of the network, are planar, the first Betti number of the graph is the genus of the
+/// surface.
 class Quotient_graph
 {
 public:
@@ -39,6 +42,7 @@ public:
         join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
       }
     }
+    join_at_holes(surface, region, is_between);
     collect(surface, region, is_between);
   }
 
@@ -58,6 +62,40 @@ private:
       if (!is_between(after)) {
         // The corner lies alone in its region; the other two are on the other side.
         m_cycles.join(surface.twin(h), before);
+      }
+    }
+  }
+
+  /// Joins what ends at the same hole, or at holes that touch.
+  template <class Surface, class Region, class Predicate>
+  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
+  {
+    std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      for (const Index h : surface.face_halfedges(face)) {
+        ++number_of_faces[surface.edge(h)];
+      }
+    }
+    Disjoint_sets holes(surface.number_of_vertices());
+    std::vector<Index> ends; // of curves of the network: the halfedges where they are
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (number_of_faces[surface.edge(h)] == 1) {
+        holes.join(surface.origin(h), surface.target(h));
+        if (is_between(h)) {
+          ends.push_back(h);
+        }
+      }
+    }
+    const auto place = [&](Index h) {
+      return std::make_pair(holes.find(surface.origin(h)), region(surface.origin(h)));
+    };
+    std::stable_sort(ends.begin(), ends.end(), [&](Index a, Index b) { return place(a) < place(b); });
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      if (place(ends[i - 1]).first == place(ends[i]).first) {
+        m_networks.join(surface.edge(ends[i - 1]), surface.edge(ends[i]));
+      }
+      if (place(ends[i - 1]) == place(ends[i])) {
+        m_cycles.join(ends[i - 1], ends[i]);
       }
     }
   }
