@@ -7,6 +7,7 @@
 
 #include "Progress_visitor.h"
 #include "compute_mesh_skeleton.h"
+#include "compute_point_cloud_skeleton.h"
 #include "compute_point_skeleton.h"
 #include <CSCD/Skeletonization_visitor.h>
 
@@ -16,8 +17,11 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
 {
   Progress_visitor visitor(bar);
   visitor.on_stage_begin(CSCD::Skeletonization_stage::compile_surface);
-  return input.is_point_set ? compute_point_skeleton(input, options, visitor)
-                            : compute_mesh_skeleton(input, options, visitor);
+  if (!input.is_point_set) {
+    return compute_mesh_skeleton(input, options, visitor);
+  }
+  return options.method == published_method ? compute_point_cloud_skeleton(input, options, visitor)
+                                            : compute_point_skeleton(input, options, visitor);
 }
 
 } // namespace cscd

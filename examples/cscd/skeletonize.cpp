@@ -104,6 +104,9 @@ void skeletonize(const Skeletonize_options& options)
   for (const std::string& sentence : input.repairs.sentences()) {
     say(options, sentence);
   }
+  if (input.is_point_set && options.shortening == flip_shortening) {
+    throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
+  }
   const Skeletonization_result result = compute(input, options);
   for (const std::string& warning : result.report.warnings) {
     say(options, warning);

@@ -50,8 +50,7 @@ class Points_of_sites
 {
 public:
   /// The index of a point in a `CGAL::Point_set_3`, else its number in the order of iteration.
-  using Descriptor =
-      std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
+  using Descriptor = std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
 
   /// None.
   Points_of_sites() = default;
