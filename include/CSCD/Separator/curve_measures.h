@@ -17,6 +17,7 @@
 namespace CSCD::internal {
 
 /// The point where `crossing` lies.
+/// \tparam Surface a `Triangulated_surface` or a `Point_complex`
 template <class Surface>
 Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
 {
@@ -34,7 +35,7 @@ void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& c
   }
 }
 
-/// Writes the points of the curve of `separator` to `points`, which is reused.
+/// Writes the points of the curve of `separator` to `points`, which is reused: its own, or else those of its crossings.
 template <class Surface>
 void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector_3>& points)
 {
