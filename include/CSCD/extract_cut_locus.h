@@ -7,11 +7,13 @@
 #define CSCD_EXTRACT_CUT_LOCUS_H
 
 #include <CSCD/Cut_locus/Cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_smoothing.h>
 #include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/Pruning_policy.h>
+#include <CSCD/Cut_locus/Surface_ground.h>
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
@@ -46,16 +48,6 @@
 
 namespace CSCD {
 namespace internal {
-
-/// How a cut locus is found; scale-free.
-struct Cut_locus_settings
-{
-  Cut_criterion criterion;
-  /// Relative to the distance of the farthest point. Found by eye on a dozen meshes: less leaves thorns, more takes
-  /// fingers.
-  double minimum_branch_length = 0.03;
-  int number_of_iterations = 10;
-};
 
 /// Finds the cut locus of sources on a mesh; see `extract_cut_locus()`.
 template <class TriangleMesh, class VertexPointMap>
@@ -129,7 +121,8 @@ public:
         find_cut_tree(measures, tree, m_sources, settings.criterion, policy, settings.minimum_branch_length);
     collect_points(cut);
     const Cut_measures<Open_triangulation> surface_measures(m_surface_frames, m_distances);
-    Cut_locus_smoothing smoothing(surface_measures);
+    const Surface_ground ground(surface_measures);
+    Cut_locus_smoothing<Surface_ground> smoothing(ground);
     smoothing(m_points, m_edges, settings.number_of_iterations);
     fill(graph);
   }

@@ -6,7 +6,7 @@
 #ifndef CSCD_CUT_LOCUS_FIND_CUT_TREE_H
 #define CSCD_CUT_LOCUS_FIND_CUT_TREE_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/close_loops.h>
@@ -23,13 +23,12 @@ namespace CSCD::internal {
 /// closed, made one vertex wide, without short branches. O(n log n) for n vertices.
 /// \param least_branch_length relative to the distance of the farthest vertex; branches of less than three mean
 ///        edge lengths, which the triangulation alone can make, are dropped anyway
-template <class Triangulation, class CutLocusPolicy>
-Cut_tree find_cut_tree(const Cut_measures<Triangulation>& measures, const Org_tree& tree,
-                       const std::vector<Index>& sources, const Cut_criterion& criterion, const CutLocusPolicy& policy,
-                       double least_branch_length)
+template <class Measures, class CutLocusPolicy>
+Cut_tree find_cut_tree(const Measures& measures, const Org_tree& tree, const std::vector<Index>& sources,
+                       const Cut_criterion& criterion, const CutLocusPolicy& policy, double least_branch_length)
 {
   constexpr double least_edges_of_branch = 3;
-  const Tangent_frames<Triangulation>& frames = measures.frames();
+  const auto& frames = measures.frames();
   Cut_tree cut(tree);
   const auto gradients = measures.gradients();
   policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion, gradients); }, cut);
@@ -41,7 +40,7 @@ Cut_tree find_cut_tree(const Cut_measures<Triangulation>& measures, const Org_tr
   }
   const double least_length =
       std::max(least_branch_length * greatest_distance, least_edges_of_branch * frames.mean_edge_length());
-  drop_short_branches(cut, least_length, [&](Index halfedge) { return frames.corner(halfedge).length; });
+  drop_short_branches(cut, least_length, [&](Index halfedge) { return frames.length(halfedge); });
   return cut;
 }
 
