@@ -55,6 +55,7 @@ public:
 
   Vector_3 operator()(const Vector_3& point) const { return m_scale * (m_rotation * (point - m_centroid)); }
   Vector_3 turn(const Vector_3& direction) const { return m_rotation * direction; }
+  Vector_3 turn_back(const Vector_3& direction) const { return m_rotation.transpose() * direction; }
   double scale() const { return m_scale; }
 
 private:

@@ -45,6 +45,22 @@ public:
     }
   }
 
+  /// The table of the `number` nearest neighbors of each point, or as many as there are; linear.
+  Neighbor_table nearest(Index number) const
+  {
+    Neighbor_table result;
+    result.m_number = std::min(number, m_number);
+    for (std::size_t begin = 0; begin < m_neighbors.size(); begin += m_number) {
+      const auto append = [&](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin() + std::ptrdiff_t(begin),
+                  from.begin() + std::ptrdiff_t(begin + result.m_number));
+      };
+      append(result.m_neighbors, m_neighbors);
+      append(result.m_distances, m_distances);
+    }
+    return result;
+  }
+
   /// The number of neighbors of each point.
   Index number() const { return m_number; }
   /// The neighbors of `point`, the nearest first.
@@ -64,7 +80,9 @@ public:
   double reach(Index point) const { return m_distances[(std::size_t(point) + 1) * m_number - 1]; }
 
 private:
-  Index m_number;
+  Neighbor_table() = default;
+
+  Index m_number = 0;
   std::vector<Index> m_neighbors;
   std::vector<double> m_distances;
 };

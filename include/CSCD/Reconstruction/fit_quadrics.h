@@ -22,8 +22,9 @@ namespace CSCD::internal {
 /// What a quadratic height field, fitted by least squares over the plane of a neighborhood, says of its central point.
 struct Quadric_fit
 {
-  Vector_3 normal = Vector_3::Zero();     ///< of the plane: of unit length and either orientation
-  Vector_3 projection = Vector_3::Zero(); ///< the point, moved along the normal to the fitted surface
+  Vector_3 normal = Vector_3::Zero();         ///< of the plane: of unit length and either orientation
+  Vector_3 projection = Vector_3::Zero();     ///< the point, moved along the normal to the fitted surface
+  Vector_3 surface_normal = Vector_3::Zero(); ///< of the fitted surface next to the point, to the side of `normal`
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
@@ -46,6 +47,7 @@ inline Quadric_fit fit_quadric(const std::vector<Vector_3>& points, const Neighb
   frame.computeDirect(moments - mean * mean.transpose());
   Quadric_fit result;
   result.normal = frame.eigenvectors().col(0);
+  result.surface_normal = result.normal;
   result.projection = points[point];
   if (neighbors.number() < 2 * number_of_coefficients) {
     return result;
@@ -71,6 +73,9 @@ inline Quadric_fit fit_quadric(const std::vector<Vector_3>& points, const Neighb
   const double squared_error = squared_heights - coefficients.dot(right_side);
   if (std::isfinite(squared_error) && std::abs(coefficients[0]) <= 1) {
     result.projection += unit * coefficients[0] * result.normal;
+    result.surface_normal =
+        (result.normal - coefficients[1] * frame.eigenvectors().col(1) - coefficients[2] * frame.eigenvectors().col(2))
+            .normalized();
     result.deviation = unit * std::sqrt(std::max(0., squared_error) / (size - double(number_of_coefficients)));
   }
   return result;

@@ -6,6 +6,7 @@
 #ifndef CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 #define CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 
+#include <CSCD/Reconstruction/Cloud_sampling.h>
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Reconstruction/Handle_repair.h>
 #include <CSCD/Reconstruction/Neighbor_table.h>
@@ -13,7 +14,7 @@
 #include <CSCD/Reconstruction/advance_front.h>
 #include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Reconstruction/cut_along_loops.h>
-#include <CSCD/Reconstruction/fit_quadrics.h>
+#include <CSCD/Reconstruction/pseudo_random_vector.h>
 #include <CSCD/Reconstruction/split_pinched_vertices.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
@@ -34,8 +35,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
-#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,18 +56,20 @@ class Surface_reconstruction
 {
 public:
   explicit Surface_reconstruction(const Point_cloud& cloud)
-      : m_cloud(cloud), m_neighbors(cloud.points, number_of_neighbors)
+      : m_cloud(cloud), m_neighbors(cloud.points, Cloud_sampling::number_of_neighbors),
+        m_sampling(cloud.points, m_neighbors)
   {
     m_result.report.number_of_points = cloud.input_point.size();
     m_result.report.number_of_duplicates = cloud.number_of_duplicates();
     m_result.report.number_of_neighbors = m_neighbors.number();
+    m_result.report.spacing = m_sampling.spacing() * cloud.normalization.unit;
+    m_result.report.noise = m_sampling.noise();
+    m_result.report.is_smoothed = m_sampling.is_smoothed();
+    m_result.report.number_of_outliers = m_sampling.number_of_outliers();
   }
 
   Reconstructed_surface operator()()
   {
-    measure_spacing();
-    reduce_noise();
-    find_outliers();
     triangulate();
     join_fragments();
     close();
@@ -78,111 +79,28 @@ public:
   }
 
 private:
-  /// The size of neighborhoods: fewer points do not show the direction of a surface that is sampled at random, more
-  /// reach over to the next limb.
-  static constexpr Index number_of_neighbors = 16;
-  /// The neighbors of which the mean distance is the spacing at a point: about as many as an even sampling has around.
-  static constexpr Index spacing_neighbors = 6;
   /// The longest edge of a triangle, relative to how far the neighborhood of its ends reaches.
   static constexpr double longest_edge = 2;
   /// How far points are moved, for the triangulation only, relative to the reach of their neighborhoods: far more than
   /// rounding, far less than matters.
   static constexpr double jitter = 1e-6;
-  /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
-  static constexpr double outlier_reach = 4;
   /// With more border edges than this for each vertex there is no surface: curves have about one.
   static constexpr double most_border_edges = 0.6;
-  /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
-  static constexpr double noise_quantile = 0.25;
-  /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
-  /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
-  static constexpr double largest_noise = 0.19;
-
-  void measure_spacing()
-  {
-    const Index number = std::min(spacing_neighbors, m_neighbors.number());
-    std::vector<double> spacing;
-    spacing.reserve(m_cloud.points.size());
-    for (Index point = 0; point < m_cloud.points.size(); ++point) {
-      const double* first = m_neighbors.distances(point).begin();
-      spacing.push_back(std::accumulate(first, first + number, 0.) / number);
-    }
-    m_spacing = quantile(std::move(spacing), 0.5);
-    m_result.report.spacing = m_spacing * m_cloud.normalization.unit;
-  }
-
-  /// Estimates the noise, and takes it out of the points if it is so large that triangles between them would fold.
-  void reduce_noise()
-  {
-    const std::vector<Quadric_fit> fits = fit_quadrics(m_cloud.points, m_neighbors);
-    std::vector<double> deviations;
-    deviations.reserve(fits.size());
-    for (const Quadric_fit& fit : fits) {
-      deviations.push_back(fit.deviation);
-    }
-    const double noise = quantile(std::move(deviations), noise_quantile) / m_spacing;
-    m_result.report.noise = noise;
-    m_result.report.is_smoothed = noise > largest_noise;
-    m_points = m_cloud.points;
-    if (m_result.report.is_smoothed) {
-      for (Index point = 0; point < m_points.size(); ++point) {
-        m_points[point] = fits[point].projection;
-      }
-    }
-  }
-
-  /// Marks points that are far from all others, compared with how far those are from each other.
-  void find_outliers()
-  {
-    m_is_outlier.assign(m_points.size(), 0);
-    std::vector<double> reaches;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      reaches.clear();
-      for (Index neighbor : m_neighbors.neighbors(point)) {
-        reaches.push_back(m_neighbors.reach(neighbor));
-      }
-      if (m_neighbors.reach(point) > outlier_reach * quantile(reaches, 0.5)) {
-        m_is_outlier[point] = 1;
-        ++m_result.report.number_of_outliers;
-      }
-    }
-  }
-
-  /// The value that the part `fraction` of `values` does not exceed.
-  static double quantile(std::vector<double> values, double fraction)
-  {
-    const auto place = values.begin() + std::ptrdiff_t(fraction * double(values.size()));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-  }
-
-  /// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
-  static Vector_3 pseudo_random_vector(Index point)
-  {
-    std::minstd_rand random(point + 1);
-    random.discard(2); // the first numbers of neighboring seeds are alike
-    Vector_3 result = Vector_3::Zero();
-    for (double& coordinate : result) {
-      coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
-    }
-    return result;
-  }
-
   void triangulate()
   {
     // What the front does must not hang on the pose, nor, among equal triangles, on the addresses of their points.
-    std::vector<Vector_3> posed(m_points.size());
-    std::vector<Front_limit> limits(m_points.size());
-    for (Index point = 0; point < m_points.size(); ++point) {
+    std::vector<Vector_3> posed(m_sampling.points().size());
+    std::vector<Front_limit> limits(m_sampling.points().size());
+    for (Index point = 0; point < m_sampling.points().size(); ++point) {
       const double reach = m_cloud.pose.scale() * m_neighbors.reach(point);
-      posed[point] = m_cloud.pose(m_points[point]) + jitter * reach * pseudo_random_vector(point);
-      limits[point].longest_edge = m_is_outlier[point] != 0 ? 0 : longest_edge * reach;
+      posed[point] = m_cloud.pose(m_sampling.points()[point]) + jitter * reach * pseudo_random_vector(point);
+      limits[point].longest_edge = m_sampling.is_outlier(point) ? 0 : longest_edge * reach;
       if (!m_cloud.normals.empty()) {
         limits[point].normal = m_cloud.pose.turn(m_cloud.normals[point]);
       }
     }
     Indexed_triangles& triangles = m_result.triangles;
-    triangles.points = m_points;
+    triangles.points = m_sampling.points();
     triangles.faces = advance_front(posed, limits);
     if (triangles.faces.empty()) {
       throw Input_error("no surface could be made of the points: they do not sample one densely enough");
@@ -316,9 +234,7 @@ private:
 
   const Point_cloud& m_cloud;
   Neighbor_table m_neighbors;
-  double m_spacing = 0;           // in the unit of the cloud
-  std::vector<Vector_3> m_points; // without noise
-  std::vector<char> m_is_outlier; // of every point
+  Cloud_sampling m_sampling;
   Reconstructed_surface m_result;
   std::size_t m_number_of_components = 0;
 };

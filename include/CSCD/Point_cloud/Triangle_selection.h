@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Of the triangles that neighborhoods propose, those that do not overlap.
+
+#ifndef CSCD_POINT_CLOUD_TRIANGLE_SELECTION_H
+#define CSCD_POINT_CLOUD_TRIANGLE_SELECTION_H
+
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A triangle that is Delaunay in the tangent planes of some of its vertices.
+struct Local_triangle
+{
+  std::array<Index, 3> vertices{}; ///< ascending
+  Index votes = 1;                 ///< in how many tangent planes
+  double size = 0;                 ///< the squared radius of its circumcircle
+};
+
+/// Takes the triangles of most votes first, among those the smallest, and each only if it overlaps none of those taken
+/// before in the tangent planes of its vertices. So what is taken covers the directions around a vertex at most once,
+/// and no edge has more than two triangles.
+class Triangle_selection
+{
+public:
+  /// \param points, normals the normals of either orientation
+  /// \param triangles no two have the same vertices
+  Triangle_selection(const std::vector<Vector_3>& points, const std::vector<Vector_3>& normals,
+                     std::vector<Local_triangle>&& triangles)
+      : m_points(points), m_normals(normals), m_triangles(std::move(triangles))
+  {
+    std::sort(m_triangles.begin(), m_triangles.end(), [](const Local_triangle& a, const Local_triangle& b) {
+      return std::make_tuple(b.votes, a.size, a.vertices) < std::make_tuple(a.votes, b.size, b.vertices);
+    });
+    lay_out_sectors();
+  }
+
+  /// The triangles taken. O(n log n) in all for bounded degrees.
+  std::vector<std::array<Index, 3>> operator()()
+  {
+    std::vector<std::array<Index, 3>> result;
+    for (const Local_triangle& triangle : m_triangles) {
+      if (is_free(triangle)) {
+        result.push_back(triangle.vertices);
+        cover(triangle);
+      }
+    }
+    return result;
+  }
+
+private:
+  /// The directions around a vertex from that of an edge to that of the next one counterclockwise.
+  struct Sector
+  {
+    Index neighbor;
+    double begin;
+    bool is_covered;
+  };
+
+  void lay_out_sectors()
+  {
+    std::vector<std::pair<Index, Index>> pairs; // of neighbors
+    pairs.reserve(6 * m_triangles.size());
+    for (const Local_triangle& triangle : m_triangles) {
+      const auto [a, b, c] = triangle.vertices;
+      pairs.insert(pairs.end(), {{a, b}, {b, a}, {b, c}, {c, b}, {c, a}, {a, c}});
+    }
+    std::sort(pairs.begin(), pairs.end());
+    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    m_sectors.reserve(pairs.size());
+    m_begin.assign(m_points.size() + 1, 0);
+    for (const auto& [vertex, neighbor] : pairs) {
+      m_sectors.push_back({neighbor, direction(vertex, neighbor), false});
+      ++m_begin[vertex + 1];
+    }
+    for (std::size_t v = 0; v < m_points.size(); ++v) {
+      m_begin[v + 1] += m_begin[v];
+      std::sort(m_sectors.begin() + m_begin[v], m_sectors.begin() + m_begin[v + 1],
+                [](const Sector& a, const Sector& b) {
+                  return std::make_pair(a.begin, a.neighbor) < std::make_pair(b.begin, b.neighbor);
+                });
+    }
+  }
+
+  /// The angle of the edge in the tangent plane of `vertex`.
+  double direction(Index vertex, Index neighbor) const
+  {
+    const Vector_3& normal = m_normals[vertex];
+    const Vector_3 x = normal.unitOrthogonal();
+    const Vector_3 edge = m_points[neighbor] - m_points[vertex];
+    return std::atan2(normal.cross(x).dot(edge), x.dot(edge));
+  }
+
+  /// Calls `function(sector)` for those between the sides of the triangle at `vertex` until it returns false.
+  /// \return whether it never did, and there is an angle between the sides
+  template <class Function>
+  bool for_each_sector(Index vertex, Index neighbor_1, Index neighbor_2, const Function& function)
+  {
+    const Index begin = m_begin[vertex];
+    const Index end = m_begin[vertex + 1];
+    const auto find = [&](Index neighbor) {
+      return Index(std::find_if(m_sectors.begin() + begin, m_sectors.begin() + end,
+                                [&](const Sector& sector) { return sector.neighbor == neighbor; }) -
+                   m_sectors.begin());
+    };
+    Index from = find(neighbor_1);
+    Index to = find(neighbor_2);
+    using boost::math::double_constants::pi;
+    double turn = m_sectors[to].begin - m_sectors[from].begin;
+    turn += turn < 0 ? 2 * pi : 0;
+    if (turn > pi) {
+      std::swap(from, to);
+    }
+    if (turn == 0) {
+      return false;
+    }
+    for (Index sector = from; sector != to; sector = sector + 1 == end ? begin : sector + 1) {
+      if (!function(m_sectors[sector])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  bool is_free(const Local_triangle& triangle)
+  {
+    const auto is_not_covered = [](const Sector& sector) { return !sector.is_covered; };
+    const auto [a, b, c] = triangle.vertices;
+    return for_each_sector(a, b, c, is_not_covered) && for_each_sector(b, c, a, is_not_covered) &&
+           for_each_sector(c, a, b, is_not_covered);
+  }
+
+  void cover(const Local_triangle& triangle)
+  {
+    const auto cover_sector = [](Sector& sector) { return sector.is_covered = true; };
+    const auto [a, b, c] = triangle.vertices;
+    for_each_sector(a, b, c, cover_sector);
+    for_each_sector(b, c, a, cover_sector);
+    for_each_sector(c, a, b, cover_sector);
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const std::vector<Vector_3>& m_normals;
+  std::vector<Local_triangle> m_triangles;
+  std::vector<Sector> m_sectors; // vertex by vertex, counterclockwise
+  std::vector<Index> m_begin;    // of the sectors of every vertex, and the end of all
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINT_CLOUD_TRIANGLE_SELECTION_H

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a cloud to the triangles that its neighborhoods agree on.
+
+#ifndef CSCD_POINT_CLOUD_BUILD_POINT_COMPLEX_H
+#define CSCD_POINT_CLOUD_BUILD_POINT_COMPLEX_H
+
+#include <CSCD/Point_cloud/Delaunay_star.h>
+#include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Point_cloud/Triangle_selection.h>
+#include <CSCD/Point_cloud/orient_normals.h>
+#include <CSCD/Reconstruction/Cloud_sampling.h>
+#include <CSCD/Reconstruction/Neighbor_table.h>
+#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Reconstruction/pseudo_random_vector.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Makes the complex of a cloud, step by step (supplement, appendix G.2: the neighborhoods of the points, pruned of
+/// what connects regions that are not connected).
+class Point_complex_builder
+{
+public:
+  explicit Point_complex_builder(const Point_cloud& cloud)
+      : m_cloud(cloud), m_neighbors(cloud.points, number_of_neighbors),
+        m_sampling(cloud.points, m_neighbors.nearest(Cloud_sampling::number_of_neighbors))
+  {
+  }
+
+  Point_complex operator()()
+  {
+    pose_points();
+    take_normals();
+    std::vector<std::array<Index, 3>> triangles = Triangle_selection(m_points, m_normals, propose_triangles())();
+    if (triangles.empty()) {
+      throw Input_error("no triangle could be made between the points: they do not sample a surface densely enough");
+    }
+    orient_normals(m_points, m_normals, triangles);
+    orient(triangles);
+    turn_outwards(triangles);
+    for (Vector_3& normal : m_normals) {
+      normal = m_cloud.pose.turn_back(normal);
+    }
+    return {std::vector<Vector_3>(m_sampling.points()), std::move(m_normals), triangles};
+  }
+
+private:
+  /// The size of neighborhoods: around a point on the border of a hole in a random sample, the points on the other side
+  /// are among them.
+  static constexpr Index number_of_neighbors = 24;
+  /// How far points are moved, to tell triangles alone, relative to the reach of their neighborhoods: far more than
+  /// rounding, far less than matters.
+  static constexpr double jitter = 1e-6;
+
+  /// The sine of the angle between an edge and the tangent plane of an end: an edge that is steeper at both ends leads
+  /// to another sheet.
+  static constexpr double largest_slope = 0.7;
+  /// Up to this slope, an edge is taken whatever the normals say.
+  static constexpr double least_doubtful_slope = 0.25;
+  /// By how much the cosine between the normals may exceed that on a circular arc.
+  static constexpr double arc_tolerance = 0.2;
+  /// Heights over a tangent plane that noise makes, relative to its deviation.
+  static constexpr double noise_height = 3;
+
+  void pose_points()
+  {
+    m_points.reserve(m_sampling.points().size());
+    for (Index point = 0; point < m_sampling.points().size(); ++point) {
+      const double reach = m_cloud.pose.scale() * m_neighbors.reach(point);
+      m_points.push_back(m_cloud.pose(m_sampling.points()[point]) + jitter * reach * pseudo_random_vector(point));
+    }
+  }
+
+  void take_normals()
+  {
+    m_normals.reserve(m_points.size());
+    for (Index point = 0; point < m_points.size(); ++point) {
+      const bool is_known = !m_cloud.normals.empty() && m_cloud.normals[point] != Vector_3::Zero();
+      m_normals.push_back(
+          m_cloud.pose.turn(is_known ? m_cloud.normals[point] : m_sampling.fits()[point].surface_normal));
+    }
+  }
+
+  /// Whether two points are on different sheets that are near each other.
+  bool are_two_sheets(Index p, Index q) const
+  {
+    const Vector_3 edge = m_points[q] - m_points[p];
+    const double slope = std::min(std::abs(edge.dot(m_normals[p])), std::abs(edge.dot(m_normals[q]))) / edge.norm();
+    const double height = slope * edge.norm();
+    if (slope <= least_doubtful_slope ||
+        height < noise_height * m_sampling.noise() * m_sampling.spacing() * m_cloud.pose.scale()) {
+      return false;
+    }
+    return slope > largest_slope || std::abs(m_normals[p].dot(m_normals[q])) > 1 - 2 * slope * slope + arc_tolerance;
+  }
+
+  std::vector<Local_triangle> propose_triangles() const
+  {
+    std::vector<Local_triangle> proposals;
+    proposals.reserve(7 * m_points.size());
+    Delaunay_star star;
+    for (Index p = 0; p < m_points.size(); ++p) {
+      if (m_sampling.is_outlier(p)) {
+        continue;
+      }
+      const Vector_3 x = m_normals[p].unitOrthogonal();
+      const Vector_3 y = m_normals[p].cross(x);
+      star.clear();
+      for (const Index q : m_neighbors.neighbors(p)) {
+        if (!m_sampling.is_outlier(q) && !are_two_sheets(p, q)) {
+          const Vector_3 edge = m_points[q] - m_points[p];
+          star.add({x.dot(edge), y.dot(edge)}, q);
+        }
+      }
+      star();
+      const std::vector<Index>& ring = star.neighbors();
+      for (std::size_t i = star.is_closed() ? 0 : 1; i < ring.size(); ++i) {
+        proposals.push_back(proposal(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]));
+      }
+    }
+    return count_votes(std::move(proposals));
+  }
+
+  Local_triangle proposal(Index p, Index q, Index r) const
+  {
+    const Vector_3 a = m_points[q] - m_points[p];
+    const Vector_3 b = m_points[r] - m_points[p];
+    Local_triangle result;
+    result.vertices = {p, q, r};
+    std::sort(result.vertices.begin(), result.vertices.end());
+    result.size = a.squaredNorm() * b.squaredNorm() * (a - b).squaredNorm() / (4 * a.cross(b).squaredNorm());
+    return result;
+  }
+
+  static std::vector<Local_triangle> count_votes(std::vector<Local_triangle>&& proposals)
+  {
+    std::sort(proposals.begin(), proposals.end(),
+              [](const Local_triangle& a, const Local_triangle& b) { return a.vertices < b.vertices; });
+    std::vector<Local_triangle> result;
+    for (const Local_triangle& proposal : proposals) {
+      if (!result.empty() && result.back().vertices == proposal.vertices) {
+        ++result.back().votes;
+      } else {
+        result.push_back(proposal);
+      }
+    }
+    return result;
+  }
+
+  /// Turns triangles as the normals say, and drops those of which the normals do not agree: they join two sheets.
+  void orient(std::vector<std::array<Index, 3>>& triangles) const
+  {
+    const auto is_contradictory = [&](std::array<Index, 3>& triangle) {
+      const auto [a, b, c] = triangle;
+      const Vector_3 normal = (m_points[b] - m_points[a]).cross(m_points[c] - m_points[a]);
+      const std::array<double, 3> sides{normal.dot(m_normals[a]), normal.dot(m_normals[b]), normal.dot(m_normals[c])};
+      if (sides[0] < 0) {
+        std::swap(triangle[1], triangle[2]);
+      }
+      const auto is_negative = [](double side) { return side < 0; };
+      return std::any_of(sides.begin(), sides.end(), is_negative) &&
+             !std::all_of(sides.begin(), sides.end(), is_negative);
+    };
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(), is_contradictory), triangles.end());
+  }
+
+  /// Turns components that enclose a negative volume.
+  void turn_outwards(std::vector<std::array<Index, 3>>& triangles)
+  {
+    Disjoint_sets sets(m_points.size());
+    for (const auto& [a, b, c] : triangles) {
+      sets.join(a, b);
+      sets.join(a, c);
+    }
+    std::vector<Vector_3> center(m_points.size(), Vector_3::Zero()); // sums of corners, of every root
+    std::vector<double> count(m_points.size(), 0);
+    for (const auto& triangle : triangles) {
+      const Index root = sets.find(triangle[0]);
+      for (const Index vertex : triangle) {
+        center[root] += m_points[vertex];
+        ++count[root];
+      }
+    }
+    std::vector<double> volume(m_points.size(), 0); // of every root
+    for (const auto& [a, b, c] : triangles) {
+      const Index root = sets.find(a);
+      const Vector_3 origin = center[root] / count[root];
+      volume[root] += (m_points[a] - origin).dot((m_points[b] - origin).cross(m_points[c] - origin));
+    }
+    for (auto& triangle : triangles) {
+      if (volume[sets.find(triangle[0])] < 0) {
+        std::swap(triangle[1], triangle[2]);
+      }
+    }
+    for (Index v = 0; v < m_points.size(); ++v) {
+      if (volume[sets.find(v)] < 0) {
+        m_normals[v] = -m_normals[v];
+      }
+    }
+  }
+
+  const Point_cloud& m_cloud;
+  Neighbor_table m_neighbors;
+  Cloud_sampling m_sampling;
+  std::vector<Vector_3> m_points;  // in the canonical pose, jittered
+  std::vector<Vector_3> m_normals; // in the canonical pose
+};
+
+/// Makes the complex of `cloud`: its vertices are the points of the cloud, in the same order; where these are noisy,
+/// they are moved to a surface fitted to them. Outliers and points that nothing fits to have no edges. O(n log n).
+/// \throw Input_error if no triangle can be made
+inline Point_complex build_point_complex(const Point_cloud& cloud)
+{
+  return Point_complex_builder(cloud)();
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINT_CLOUD_BUILD_POINT_COMPLEX_H
