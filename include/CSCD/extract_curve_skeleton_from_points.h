@@ -9,6 +9,7 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/Traits/point_range.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -17,20 +18,6 @@
 #include <type_traits>
 
 namespace CSCD {
-namespace internal {
-
-/// The point map that `np` gives, else that of the range.
-template <class PointRange, class NamedParameters>
-auto point_map(const PointRange& points, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
-    return default_point_map(points);
-  } else {
-    return parameters::get_parameter(np, CGAL::internal_np::point_map);
-  }
-}
-
-} // namespace internal
 
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
@@ -98,16 +85,9 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
                                    internal_np::separator_weight_t>();
-  const auto point_map = internal::point_map(points, np);
-  using Traits = Point_set_traits<PointRange, std::decay_t<decltype(point_map)>>;
+  using Traits = Point_set_traits<PointRange, decltype(internal::point_map(points, np))>;
   const auto make_traits = [&] {
-    if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
-      return Traits(points, point_map, parameters::get_parameter(np, CGAL::internal_np::normal_map));
-    } else if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      return points.has_normal_map() ? Traits(points, point_map, points.normal_map()) : Traits(points, point_map);
-    } else {
-      return Traits(points, point_map);
-    }
+    return internal::with_maps(points, np, [](const auto&... maps) { return Traits(maps...); });
   };
   return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, skeleton, np);
 }
