@@ -9,16 +9,15 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Traits/Point_set_traits.h>
-#include <CSCD/Traits/point_range.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/tags.h>
 
 #include <type_traits>
 
 namespace CSCD {
-
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
 /// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton
@@ -85,9 +84,11 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
                                    internal_np::separator_weight_t>();
-  using Traits = Point_set_traits<PointRange, decltype(internal::point_map(points, np))>;
+  const auto point_map = internal::point_map(points, np);
+  using Traits = Point_set_traits<PointRange, std::decay_t<decltype(point_map)>>;
   const auto make_traits = [&] {
-    return internal::with_maps(points, np, [](const auto&... maps) { return Traits(maps...); });
+    return internal::with_normal_map(
+        points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });
   };
   return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, skeleton, np);
 }

@@ -27,10 +27,10 @@
 #include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/Reconstruction/collect_points.h>
-#include <CSCD/Traits/point_range.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/number_utils.h>
 
@@ -283,7 +283,9 @@ void extract_cut_locus(const PointRange& points, const std::vector<internal::Poi
                                    internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
   using Extraction = internal::Point_cut_locus_extraction<internal::Point_descriptor<PointRange>>;
   const auto settings = internal::cut_locus_settings(np, internal::Point_cut_measures::default_criterion());
-  Extraction extraction = internal::with_maps(points, np, [](const auto&... maps) { return Extraction(maps...); });
+  const auto point_map = internal::point_map(points, np);
+  Extraction extraction = internal::with_normal_map(
+      points, np, [&](const auto&... normal_map) { return Extraction(points, point_map, normal_map...); });
   extraction.set_sources(sources);
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::point_distance_map_t>::value) {
     extraction.estimate_distances();

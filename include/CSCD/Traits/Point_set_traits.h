@@ -12,8 +12,8 @@
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/compile_surface.h>
-#include <CSCD/Traits/point_range.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
 

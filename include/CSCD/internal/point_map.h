@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What ranges of points have in common: vectors of points, of structures with a point, and CGAL's point sets.
+// What a range of points is made of, and where its points are.
 
-#ifndef CSCD_TRAITS_POINT_RANGE_H
-#define CSCD_TRAITS_POINT_RANGE_H
+#ifndef CSCD_INTERNAL_POINT_MAP_H
+#define CSCD_INTERNAL_POINT_MAP_H
 
 #include <CSCD/Named_parameters.h>
 
@@ -61,21 +61,21 @@ auto point_map(const PointRange& points, const NamedParameters& np)
   }
 }
 
-/// Calls `function(points, point_map)`, or `function(points, point_map, normal_map)` if `np` gives normals or the range
-/// has them, and returns what it returns.
+/// Calls `function(map...)` with the normal map that `np` gives, else with that of the range, if it has one, else
+/// without arguments. \return what the function returns, in all cases of the same type
 template <class PointRange, class NamedParameters, class Function>
-auto with_maps(const PointRange& points, const NamedParameters& np, const Function& function)
+auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]] const NamedParameters& np,
+                     const Function& function)
 {
-  const auto map = point_map(points, np);
   if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
-    return function(points, map, parameters::get_parameter(np, CGAL::internal_np::normal_map));
+    return function(parameters::get_parameter(np, CGAL::internal_np::normal_map));
   } else if constexpr (Is_range_of_indices<PointRange>::value) {
-    return points.has_normal_map() ? function(points, map, points.normal_map()) : function(points, map);
+    return points.has_normal_map() ? function(points.normal_map()) : function();
   } else {
-    return function(points, map);
+    return function();
   }
 }
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TRAITS_POINT_RANGE_H
+#endif // CSCD_INTERNAL_POINT_MAP_H
