@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 #define CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 
+#include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Separator/Cut_loop.h>
@@ -76,7 +77,7 @@ public:
 private:
   const Tangent_frames<Triangulated_surface>& m_frames;
   Target_rule m_target_rule;
-  Cut_loop_finder<Triangulated_surface> m_loop_finder;
+  Cut_loop_finder<Cut_measures<Triangulated_surface>> m_loop_finder;
   Separator_flip_shortening m_flips;
   std::optional<Separator_variational_shortening> m_flow;
   Cut_loop m_loop;

@@ -14,8 +14,8 @@
 #include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/Points_of_sites.h>
-#include <CSCD/Traits/default_point_map.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -59,7 +59,7 @@ public:
   using Vector_3 = internal::Vector_3;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
-  using Site_descriptor = typename internal::Points_of_sites<PointRange>::Descriptor;
+  using Site_descriptor = internal::Point_descriptor<PointRange>;
   /// @}
 
   /// Joins `points`, which are not referred to later, with their neighbors; O(n log n).

@@ -12,8 +12,8 @@
 #include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/Points_of_sites.h>
 #include <CSCD/Traits/compile_surface.h>
-#include <CSCD/Traits/default_point_map.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -51,7 +51,7 @@ public:
   using Index = typename Base::Index;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
-  using Site_descriptor = typename internal::Points_of_sites<PointRange>::Descriptor;
+  using Site_descriptor = internal::Point_descriptor<PointRange>;
   /// @}
 
   /// Makes a surface of `points`, which are not referred to later; O(n log n).

@@ -8,14 +8,13 @@
 
 #include <CSCD/Reconstruction/Point_tree.h>
 #include <CSCD/Reconstruction/collect_points.h>
-#include <CSCD/Traits/default_point_map.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <cstddef>
 #include <numeric>
-#include <type_traits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -49,8 +48,7 @@ template <class PointRange>
 class Points_of_sites
 {
 public:
-  /// The index of a point in a `CGAL::Point_set_3`, else its number in the order of iteration.
-  using Descriptor = std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
+  using Descriptor = Point_descriptor<PointRange>;
 
   /// None.
   Points_of_sites() = default;

@@ -14,6 +14,7 @@ CSCD_add_named_parameter(reconstruction_method_t, reconstruction_method, reconst
 CSCD_add_named_parameter(match_distance_t, match_distance, match_distance)
 CSCD_add_named_parameter(time_step_factor_t, time_step_factor, time_step_factor)
 CSCD_add_named_parameter(vertex_distance_map_t, vertex_distance_map, vertex_distance_map)
+CSCD_add_named_parameter(point_distance_map_t, point_distance_map, point_distance_map)
 CSCD_add_named_parameter(cut_locus_policy_t, cut_locus_policy, cut_locus_policy)
 CSCD_add_named_parameter(laplacian_threshold_t, laplacian_threshold, laplacian_threshold)
 CSCD_add_named_parameter(angle_threshold_t, angle_threshold, angle_threshold)
