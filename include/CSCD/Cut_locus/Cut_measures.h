@@ -28,6 +28,10 @@ class Cut_measures
 public:
   using Frames = Tangent_frames<Triangulation>;
   using Complex = typename Frames::Complex;
+  using Basis = Frames; ///< what these are made of
+
+  static constexpr Cut_criterion default_criterion() { return {}; }
+  static const Frames& frames_of(const Basis& basis) { return basis; }
 
   /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
   ///        referred to and must outlive this object

@@ -31,6 +31,9 @@ class Point_cut_measures
 public:
   using Frames = Point_frames;
   using Complex = Frames::Complex;
+  using Basis = Point_derivatives; ///< what these are made of
+
+  static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
 
   /// When a vertex of a cloud counts as a point of the cut locus. Less is asked than on a mesh, since means over
   /// neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,

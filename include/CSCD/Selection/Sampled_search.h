@@ -12,8 +12,8 @@
 #include <CSCD/Selection/Distance_sampling.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>
+#include <CSCD/Separator/Field_search_result.h>
 #include <CSCD/Separator/Field_search_space.h>
-#include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>

@@ -6,10 +6,12 @@
 #ifndef CSCD_SEPARATOR_FIELD_SEARCH_SPACE_H
 #define CSCD_SEPARATOR_FIELD_SEARCH_SPACE_H
 
+#include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Traits/Solid_queries.h>
@@ -30,7 +32,7 @@ template <>
 class Field_search_space<Triangulated_surface>
 {
 public:
-  using Finder = Field_separator_finder;
+  using Finder = Field_separator_finder<Cut_measures<Triangulated_surface>, Separator_shortening>;
 
   static constexpr Shortening_rule default_shortening_rule = Shortening_rule::edge_flips;
 
@@ -49,7 +51,7 @@ public:
   /// Makes a finder, which refers to this object.
   Finder make_finder(Target_rule target_rule) const
   {
-    return Finder(m_surface, m_frames, target_rule, m_queries ? &*m_queries : nullptr);
+    return Finder(m_frames, m_surface.points(), target_rule, m_surface, m_queries ? &*m_queries : nullptr);
   }
 
 private:
