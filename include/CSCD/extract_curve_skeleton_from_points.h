@@ -11,27 +11,13 @@
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/tags.h>
 
 #include <type_traits>
 
 namespace CSCD {
-namespace internal {
-
-/// The point map that `np` gives, else that of the range.
-template <class PointRange, class NamedParameters>
-auto point_map(const PointRange& points, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
-    return default_point_map(points);
-  } else {
-    return parameters::get_parameter(np, CGAL::internal_np::point_map);
-  }
-}
-
-} // namespace internal
-
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
 /// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton
@@ -101,13 +87,8 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   const auto point_map = internal::point_map(points, np);
   using Traits = Point_set_traits<PointRange, std::decay_t<decltype(point_map)>>;
   const auto make_traits = [&] {
-    if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
-      return Traits(points, point_map, parameters::get_parameter(np, CGAL::internal_np::normal_map));
-    } else if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      return points.has_normal_map() ? Traits(points, point_map, points.normal_map()) : Traits(points, point_map);
-    } else {
-      return Traits(points, point_map);
-    }
+    return internal::with_normal_map(
+        points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });
   };
   return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, skeleton, np);
 }

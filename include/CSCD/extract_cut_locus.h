@@ -21,6 +21,7 @@
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Intrinsic/Edge_trace.h>
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/Traits/Normalization.h>
@@ -72,9 +73,8 @@ public:
       : m_mesh(mesh), m_collected(collect_triangles(mesh, point_map)),
         m_normalization(normalize_extent(m_collected.triangles.points)),
         m_surface(std::move(m_collected.triangles), std::move(m_collected.pairing)), m_surface_frames(m_surface),
-        m_triangulation(m_surface)
+        m_triangulation(make_intrinsic_delaunay(m_surface))
   {
-    m_triangulation.make_delaunay();
     auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
     for (const Vertex_descriptor vertex : vertices(mesh)) {
       put(numbers, vertex, no_index);

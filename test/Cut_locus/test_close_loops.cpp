@@ -14,6 +14,7 @@
 #include <CSCD/Cut_locus/close_loops.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
 #include <CSCD/Cut_locus/find_loop_vertices.h>
+#include <CSCD/internal/Triangle_halfedges.h>
 
 #include <gtest/gtest.h>
 
@@ -39,14 +40,11 @@ using CSCD::internal::Triangulated_surface;
 using CSCD::test::Triple;
 
 /// The unit square with opposite sides glued: two faces, one vertex, three edges from it to itself.
-struct One_vertex_torus
+struct One_vertex_torus : CSCD::internal::Triangle_halfedges
 {
   static Index number_of_vertices() { return 1; }
   static Index number_of_halfedges() { return 6; }
   static Index number_of_faces() { return 2; }
-  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  static Index face(Index h) { return h / 3; }
   static Index origin(Index) { return 0; }
   static Index target(Index) { return 0; }
   static Index twin(Index h) { return h < 3 ? h + 3 : h - 3; }

@@ -52,7 +52,7 @@ TEST(Separator_regions, are_of_the_nearest_separator)
   const Surface_level level = level_of(CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat));
   const std::vector<Separator> separators{tube_section(level.surface, 8), tube_section(level.surface, 5),
                                           tube_section(level.surface, 2)};
-  const Separator_regions regions(level, separators, {2, 0});
+  const Separator_regions regions(level.surface, separators, {2, 0});
   ASSERT_EQ(regions.size(), 2u);
   for (Index vertex = 0; vertex < level.surface.number_of_vertices(); ++vertex) {
     const double x = level.surface.point(vertex).x();
@@ -73,7 +73,7 @@ TEST(Separator_regions, are_connected_and_not_empty_however_close_the_separators
   }
   const std::vector<Index> packed =
       CSCD::internal::pack_by_overlap(CSCD::internal::Separator_overlaps(level.surface, separators), weights);
-  const Separator_regions regions(level, separators, packed);
+  const Separator_regions regions(level.surface, separators, packed);
   ASSERT_EQ(regions.size(), packed.size());
   EXPECT_GT(regions.size(), 8u);
   std::set<Index> found;
@@ -91,13 +91,13 @@ TEST(Separator_regions, of_a_component_without_separators_are_one)
                                                      CSCD::test::translated(CSCD::test::cube(), {0, 5, 0}),
                                                      CSCD::test::translated(CSCD::test::cube(), {0, 9, 0})}));
   const std::vector<Separator> separators{tube_section(level.surface, 5)};
-  const Separator_regions regions(level, separators, {0});
+  const Separator_regions regions(level.surface, separators, {0});
   EXPECT_EQ(regions.size(), 3u);
   EXPECT_EQ(number_of_parts(level, regions), 3u);
   for (Index vertex = 0; vertex < level.surface.number_of_vertices(); ++vertex) {
     EXPECT_EQ(regions[vertex] == 0, level.surface.point(vertex).y() < 3);
   }
-  EXPECT_EQ(Separator_regions(level, separators, {}).size(), 3u);
+  EXPECT_EQ(Separator_regions(level.surface, separators, {}).size(), 3u);
 }
 
 } // namespace

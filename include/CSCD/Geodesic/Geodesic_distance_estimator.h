@@ -9,7 +9,7 @@
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
@@ -151,14 +151,13 @@ private:
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
   using Face_number_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index>>::const_type;
   using Collected_triangles = internal::Collected_triangles<Vertex_descriptor>;
-  using Delaunay_triangulation = internal::Intrinsic_triangulation<internal::Triangulated_surface>;
 
   Geodesic_distance_estimator(const TriangleMesh& mesh, Collected_triangles&& collected, double time_step_factor)
       : m_mesh(&mesh), m_vertex_numbers(get(CGAL::dynamic_vertex_property_t<Index>(), mesh)),
         m_face_numbers(get(CGAL::dynamic_face_property_t<Index>(), mesh)),
         m_normalization(internal::normalize_extent(collected.triangles.points)),
         m_surface(closed(std::move(collected.triangles), collected.pairing)),
-        m_method(delaunay_triangulation(m_surface), time_step_factor)
+        m_method(internal::make_intrinsic_delaunay(m_surface, m_surface.first_bridging_face()), time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
     for (const Vertex_descriptor vertex : vertices(mesh)) {
@@ -178,13 +177,6 @@ private:
   {
     internal::bridge_borders(triangles, pairing);
     return internal::Triangulated_surface(std::move(triangles));
-  }
-
-  static Delaunay_triangulation delaunay_triangulation(const internal::Triangulated_surface& surface)
-  {
-    Delaunay_triangulation result(surface, surface.first_bridging_face());
-    result.make_delaunay();
-    return result;
   }
 
   template <class SourceRange>

@@ -8,6 +8,7 @@
 
 #include <CSCD/Geodesic/Geodesic_distance_estimator.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/concepts.h>
 
 #include <array>
 #include <type_traits>
@@ -33,7 +34,8 @@ namespace CSCD {
 /// \throw Input_error if `mesh` cannot be computed with, or a source is not in its face; the message names the element
 ///        and the remedy
 template <class TriangleMesh, class Sources, class VertexDistanceMap,
-          class NamedParameters = parameters::Default_named_parameters>
+          class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
 void estimate_geodesic_distances(const TriangleMesh& mesh, const Sources& sources, VertexDistanceMap distances,
                                  const NamedParameters& np = parameters::default_values())
 {

@@ -10,6 +10,7 @@
 #include <CSCD/Intrinsic/Flat_diamond.h>
 #include <CSCD/Intrinsic/Flat_triangle.h>
 #include <CSCD/Intrinsic/Normal_coordinates.h>
+#include <CSCD/internal/Triangle_halfedges.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -30,17 +31,13 @@ namespace CSCD::internal {
 /// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
 ///         (`no_index` on a border) and `length()`
 template <class Triangulation>
-class Intrinsic_halfedges
+class Intrinsic_halfedges : public Triangle_halfedges
 {
 public:
   /// \name Combinatorics
   /// @{
   Index number_of_halfedges() const { return Index(m_halfedges.size()); }
   Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
-
-  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
-  static Index face(Index halfedge) { return halfedge / 3; }
 
   Index origin(Index halfedge) const { return m_halfedges[halfedge].origin; }
   Index target(Index halfedge) const { return m_halfedges[next(halfedge)].origin; }

@@ -9,6 +9,7 @@
 #include <CSCD/Point_cloud/Delaunay_star.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Triangle_selection.h>
+#include <CSCD/Point_cloud/close_small_gaps.h>
 #include <CSCD/Point_cloud/orient_normals.h>
 #include <CSCD/Reconstruction/Cloud_sampling.h>
 #include <CSCD/Reconstruction/Neighbor_table.h>
@@ -44,12 +45,17 @@ public:
   {
     pose_points();
     take_normals();
-    std::vector<std::array<Index, 3>> triangles = Triangle_selection(m_points, m_normals, propose_triangles())();
+    std::vector<std::array<Index, 3>> triangles = select_triangles();
+    orient_normals(m_points, m_normals, triangles);
+    // Once orientations are known, they tell more sheets apart.
+    m_is_oriented = true;
+    triangles = select_triangles();
+    orient_normals(m_points, m_normals, triangles);
+    orient(triangles);
+    close_small_gaps(m_points, m_normals, triangles);
     if (triangles.empty()) {
       throw Input_error("no triangle could be made between the points: they do not sample a surface densely enough");
     }
-    orient_normals(m_points, m_normals, triangles);
-    orient(triangles);
     turn_outwards(triangles);
     for (Vector_3& normal : m_normals) {
       normal = m_cloud.pose.turn_back(normal);
@@ -72,16 +78,29 @@ private:
   static constexpr double least_doubtful_slope = 0.25;
   /// By how much the cosine between the normals may exceed that on a circular arc.
   static constexpr double arc_tolerance = 0.2;
+  /// The least cosine between oriented normals, of which one is carried over along an arc.
+  static constexpr double least_agreement = 0;
   /// Heights over a tangent plane that noise makes, relative to its deviation.
-  static constexpr double noise_height = 3;
+  static constexpr double noise_height = 2;
 
+  /// Triangles are found between points that are moved to the surfaces fitted to them, but not farther than noise can
+  /// have moved them: where limbs are thin, the surfaces do not fit.
   void pose_points()
   {
+    const double farthest = noise_height * m_sampling.noise() * m_sampling.spacing();
     m_points.reserve(m_sampling.points().size());
     for (Index point = 0; point < m_sampling.points().size(); ++point) {
+      const Vector_3 offset = m_sampling.fits()[point].projection - m_cloud.points[point];
+      const double part = std::min(1., farthest / std::max(farthest, offset.norm()));
       const double reach = m_cloud.pose.scale() * m_neighbors.reach(point);
-      m_points.push_back(m_cloud.pose(m_sampling.points()[point]) + jitter * reach * pseudo_random_vector(point));
+      m_points.push_back(m_cloud.pose(m_cloud.points[point] + part * offset) +
+                         jitter * reach * pseudo_random_vector(point));
     }
+  }
+
+  std::vector<std::array<Index, 3>> select_triangles() const
+  {
+    return Triangle_selection(m_points, m_normals, propose_triangles())();
   }
 
   void take_normals()
@@ -100,6 +119,9 @@ private:
     const Vector_3 edge = m_points[q] - m_points[p];
     const double slope = std::min(std::abs(edge.dot(m_normals[p])), std::abs(edge.dot(m_normals[q]))) / edge.norm();
     const double height = slope * edge.norm();
+    if (m_is_oriented && mirrored_normal(m_normals[p], edge).dot(m_normals[q]) < least_agreement) {
+      return true;
+    }
     if (slope <= least_doubtful_slope ||
         height < noise_height * m_sampling.noise() * m_sampling.spacing() * m_cloud.pose.scale()) {
       return false;
@@ -217,6 +239,7 @@ private:
   Cloud_sampling m_sampling;
   std::vector<Vector_3> m_points;  // in the canonical pose, jittered
   std::vector<Vector_3> m_normals; // in the canonical pose
+  bool m_is_oriented = false;      // the normals
 };
 
 /// Makes the complex of `cloud`: its vertices are the points of the cloud, in the same order; where these are noisy,

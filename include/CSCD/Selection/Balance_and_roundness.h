@@ -8,6 +8,7 @@
 
 #include <CSCD/Selection/Separator_sides.h>
 #include <CSCD/Selection/span_inside_share.h>
+#include <CSCD/Separator/Bump_test.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/internal/Vector_3.h>
@@ -46,9 +47,10 @@ public:
     weight = 0;
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
-    const Separator_sides::Side left = m_sides.measure(separator, true, width, least_area_ratio * squared_length);
-    const Separator_sides::Side right = m_sides.measure(separator, false, width, least_area_ratio * squared_length);
-    if (std::min(left.area, right.area) < least_area_ratio * squared_length) {
+    const double least_area = Bump_test::least_area_ratio * squared_length;
+    const Separator_sides::Side left = m_sides.measure(separator, true, width, least_area);
+    const Separator_sides::Side right = m_sides.measure(separator, false, width, least_area);
+    if (std::min(left.area, right.area) < least_area) {
       return Verdict::bump;
     }
     crossing_points(m_traits.levels().finest().surface, separator.crossings, m_points);
@@ -65,9 +67,6 @@ public:
 private:
   /// Width of the bands, relative to the length of the separator.
   static constexpr double band_width = 1. / 8;
-  /// Least area on the smaller side of a separator over its squared length: between a flat disc (0.080) and a
-  /// hemisphere (0.159), as for local separators.
-  static constexpr double least_area_ratio = 0.11;
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
   static constexpr double least_inside_share = 0.7;
 

@@ -27,7 +27,7 @@ public:
   /// \tparam Traits a model of `SolidSkeletonizationTraits`
   template <class Traits>
   Region_packing(const Traits& traits, const std::vector<Separator>& separators, Skeletonization_report& report)
-      : m_packed(pack(traits, separators, report)), m_regions(traits.levels().finest(), separators, m_packed)
+      : m_packed(pack(traits, separators, report)), m_regions(traits.levels().finest().surface, separators, m_packed)
   {
   }
 

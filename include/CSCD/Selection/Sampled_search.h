@@ -10,7 +10,7 @@
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Selection/Distance_sampling.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>
@@ -47,7 +47,7 @@ public:
   Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule,
                  Shortening_rule shortening_rule)
       : m_surface(traits.levels().finest().surface), m_frames(m_surface),
-        m_queries(queries_for(shortening_rule, m_surface)), m_heat(delaunay(m_surface)),
+        m_queries(queries_for(shortening_rule, m_surface)), m_heat(make_intrinsic_delaunay(m_surface)),
         m_sampling(areas(m_surface), settings.random_seed),
         m_for_each(
             [this, target_rule] {
@@ -95,13 +95,6 @@ private:
     std::vector<Heat_field> fields;
     Field_separator_finder finder;
   };
-
-  static Intrinsic_triangulation<Triangulated_surface> delaunay(const Triangulated_surface& surface)
-  {
-    Intrinsic_triangulation<Triangulated_surface> result(surface);
-    result.make_delaunay();
-    return result;
-  }
 
   static std::optional<Solid_queries> queries_for(Shortening_rule rule, const Triangulated_surface& surface)
   {

@@ -8,10 +8,8 @@
 
 #include <CSCD/Selection/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Distance_front.h>
+#include <CSCD/Traits/Edge_crossing.h>
+#include <CSCD/internal/Labeled_front.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <vector>
@@ -25,22 +23,27 @@ class Separator_regions
 {
 public:
   /// Computes the regions of the separators `packed` of the list `separators`; O(n log n).
-  /// \param level the finest level \pre no two of the packed separators overlap, as `Separator_overlaps` has it
-  Separator_regions(const Surface_level& level, const std::vector<Separator>& separators,
-                    const std::vector<Index>& packed)
-      : m_region(level.surface.number_of_vertices(), no_index), m_size(Index(packed.size()))
+  /// \param surface whose edges the separators cross
+  /// \pre no two of the packed separators overlap, as `Separator_overlaps` has it
+  template <class Surface>
+  Separator_regions(const Surface& surface, const std::vector<Separator>& separators, const std::vector<Index>& packed)
+      : m_front(surface.number_of_vertices()), m_size(Index(packed.size()))
   {
-    Distance_front front(m_region.size());
+    const auto for_each_neighbor = [&surface](Index vertex, const auto& visit) {
+      for (const Index halfedge : surface.outgoing(vertex)) {
+        visit(surface.target(halfedge), float(surface.length(halfedge)));
+      }
+    };
     for (Index i = 0; i < packed.size(); ++i) {
       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
-        reach(nearest_vertex(level.surface, crossing), 0, i, front);
+        m_front.reach(nearest_vertex(surface, crossing), 0, i);
       }
     }
-    spread(level.corners, front);
-    for (Index vertex = 0; vertex < m_region.size(); ++vertex) {
-      if (m_region[vertex] == no_index) {
-        reach(vertex, 0, m_size++, front);
-        spread(level.corners, front);
+    m_front.spread(for_each_neighbor);
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      if (m_front.label(vertex) == no_index) {
+        m_front.reach(vertex, 0, m_size++);
+        m_front.spread(for_each_neighbor);
       }
     }
   }
@@ -48,26 +51,10 @@ public:
   /// The number of regions: first those of the packed separators, in their order, then those of components without any.
   Index size() const { return m_size; }
   /// The region of `vertex`.
-  Index operator[](Index vertex) const { return m_region[vertex]; }
+  Index operator[](Index vertex) const { return m_front.label(vertex); }
 
 private:
-  void reach(Index vertex, float distance, Index region, Distance_front& front)
-  {
-    if (front.reach(vertex, distance)) {
-      m_region[vertex] = region;
-    }
-  }
-
-  void spread(const Corner_table& corners, Distance_front& front)
-  {
-    front.spread([&](Index vertex, float distance) {
-      for (const Corner& corner : corners.neighbors(vertex)) {
-        reach(corner.neighbor, distance + corner.length, m_region[vertex], front);
-      }
-    });
-  }
-
-  std::vector<Index> m_region;
+  Labeled_front m_front;
   Index m_size;
 };
 

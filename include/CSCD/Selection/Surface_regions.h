@@ -9,10 +9,9 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Traits/Corner_table.h>
 #include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Distance_front.h>
+#include <CSCD/internal/Labeled_front.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <limits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -32,7 +31,7 @@ public:
   Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
                   const std::vector<Index>& packed, Index most_vertices)
       : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(most_vertices)]),
-        m_separator(m_level.surface.number_of_vertices(), no_index), m_front(m_level.surface.number_of_vertices())
+        m_front(m_level.surface.number_of_vertices())
   {
     for (Index i = 0; i < packed.size(); ++i) {
       for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
@@ -42,18 +41,19 @@ public:
         reach_from(point, m_finest.surface.target(crossing.halfedge), i);
       }
     }
-    spread();
+    m_front.spread([this](Index vertex, const auto& visit) {
+      for (const Corner& corner : m_level.corners.neighbors(vertex)) {
+        visit(corner.neighbor, corner.length);
+      }
+    });
   }
 
   /// The level that the regions live on.
   const Surface_level& level() const { return m_level; }
   /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
-  Index separator(Index vertex) const { return m_separator[vertex]; }
+  Index separator(Index vertex) const { return m_front.label(vertex); }
   /// The distance from it, infinite where there is none.
-  float distance(Index vertex) const
-  {
-    return m_front.is_reached(vertex) ? m_front.distance(vertex) : std::numeric_limits<float>::infinity();
-  }
+  float distance(Index vertex) const { return m_front.distance(vertex); }
 
 private:
   const Vector_3& position(Index finest_vertex) const { return m_finest.surface.point(finest_vertex); }
@@ -61,29 +61,12 @@ private:
   void reach_from(const Vector_3& point, Index finest_vertex, Index separator)
   {
     const Index vertex = m_level.from_finest(finest_vertex);
-    reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator);
-  }
-
-  void reach(Index vertex, float distance, Index separator)
-  {
-    if (m_front.reach(vertex, distance)) {
-      m_separator[vertex] = separator;
-    }
-  }
-
-  void spread()
-  {
-    m_front.spread([&](Index vertex, float distance) {
-      for (const Corner& corner : m_level.corners.neighbors(vertex)) {
-        reach(corner.neighbor, distance + corner.length, m_separator[vertex]);
-      }
-    });
+    m_front.reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator);
   }
 
   const Surface_level& m_finest;
   const Surface_level& m_level;
-  std::vector<Index> m_separator;
-  Distance_front m_front;
+  Labeled_front m_front;
 };
 
 } // namespace CSCD::internal

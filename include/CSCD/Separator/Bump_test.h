@@ -25,6 +25,10 @@ namespace CSCD::internal {
 class Bump_test
 {
 public:
+  /// The least ratio of what separates: between a flat disc and a hemisphere. A higher value loses good loops at tips
+  /// and keeps tilted ones.
+  static constexpr double least_area_ratio = 0.11;
+
   explicit Bump_test(const Triangulated_surface& surface)
       : m_surface(surface), m_edges(surface.number_of_halfedges()), m_faces(surface.number_of_faces())
   {

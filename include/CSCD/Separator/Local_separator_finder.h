@@ -78,7 +78,7 @@ public:
     }
     measure_vertex_loop(result);
     Workspace& workspace = workspace_of(result.level);
-    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < least_area_ratio) {
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < internal::Bump_test::least_area_ratio) {
       result.outcome = Search_outcome::bump;
       return;
     }
@@ -93,11 +93,8 @@ private:
   /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `least_loop_size` edges
   /// is about its square; found by experiment on 27 meshes.
   static constexpr std::size_t most_visits = std::size_t(1.6 * least_loop_size * least_loop_size);
-  /// Least area on the smaller side of a loop over its squared length: between a flat disc (0.080) and a hemisphere
-  /// (0.159). A higher value loses good loops at tips and keeps tilted ones.
-  static constexpr double least_area_ratio = 0.11;
-  /// Where the measurement of that ratio may stop.
-  static constexpr double bump_limit = 1.01 * least_area_ratio;
+  /// Where the measurement of the area on the smaller side may stop.
+  static constexpr double bump_limit = 1.01 * internal::Bump_test::least_area_ratio;
   /// A section is accepted if its length is within these bounds, relative to the loop's ...
   static constexpr double least_section_length = 0.5;
   static constexpr double most_section_length = 1.35;

@@ -6,6 +6,7 @@
 #ifndef CSCD_TRAITS_HALFEDGE_PAIRING_H
 #define CSCD_TRAITS_HALFEDGE_PAIRING_H
 
+#include <CSCD/internal/Triangle_halfedges.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
@@ -18,8 +19,8 @@
 
 namespace CSCD::internal {
 
-/// The sides of a set of triangles as halfedges: `h` runs along side `h % 3` of face `h / 3`.
-class Halfedge_pairing
+/// The sides of a set of triangles as halfedges.
+class Halfedge_pairing : public Triangle_halfedges
 {
 public:
   Halfedge_pairing() = default;
@@ -32,9 +33,6 @@ public:
   {
     pair(faces, number_of_points);
   }
-
-  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
 
   Index number_of_halfedges() const { return Index(m_twin.size()); }
   /// The oppositely directed halfedge of the same edge; `no_index` on a border.

@@ -8,6 +8,7 @@
 
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/internal/Triangle_halfedges.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -18,9 +19,8 @@
 namespace CSCD::internal {
 
 /// An oriented 2-manifold of triangles with halfedges, with or without borders, immutable, in the coordinates of the
-/// input. Halfedge `h` runs along side `h % 3` of face `h / 3`, as in `Triangulated_surface`; it has no twin where the
-/// surface ends.
-class Open_triangulation
+/// input. A halfedge has no twin where the surface ends.
+class Open_triangulation : public Triangle_halfedges
 {
 public:
   /// Takes over checked triangles; linear.
@@ -39,10 +39,6 @@ public:
   Index number_of_vertices() const { return Index(m_points.size()); }
   Index number_of_halfedges() const { return Index(m_origin.size()); }
   Index number_of_faces() const { return Index(m_origin.size() / 3); }
-
-  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
-  static Index face(Index halfedge) { return halfedge / 3; }
 
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }

@@ -13,54 +13,20 @@
 #include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/compile_surface.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <chrono>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
-
-namespace internal {
-
-/// The elements over which a range iterates.
-template <class Range>
-using Range_value =
-    typename std::iterator_traits<std::decay_t<decltype(std::begin(std::declval<const Range&>()))>>::value_type;
-
-/// Whether the elements of a range are its own indices, as those of `CGAL::Point_set_3`.
-template <class Range, class = void>
-struct Is_range_of_indices : std::false_type
-{
-};
-
-template <class Range>
-struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
-    : std::is_same<typename Range::Index, Range_value<Range>>
-{
-};
-
-/// The map from the elements of a range to points where none is given: that of a `CGAL::Point_set_3`, or the identity.
-template <class PointRange>
-auto default_point_map(const PointRange& points)
-{
-  if constexpr (Is_range_of_indices<PointRange>::value) {
-    return points.point_map();
-  } else {
-    return CGAL::Identity_property_map<const Range_value<PointRange>>();
-  }
-}
-
-} // namespace internal
 
 /// The surface traits of a point set, a model of `SkeletonizationTraits`.
 ///
@@ -85,8 +51,7 @@ public:
   using Index = typename Base::Index;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
-  using Site_descriptor = std::conditional_t<internal::Is_range_of_indices<PointRange>::value,
-                                             internal::Range_value<PointRange>, std::size_t>;
+  using Site_descriptor = internal::Point_descriptor<PointRange>;
   /// @}
 
   /// Makes a surface of `points`, which are not referred to later; O(n log n).

@@ -8,6 +8,7 @@
 
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/internal/Triangle_halfedges.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -25,9 +26,8 @@
 namespace CSCD::internal {
 
 /// A closed, oriented 2-manifold of triangles with halfedges, immutable.
-/// Halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise; `next` and `previous` are index arithmetic.
 /// The outgoing halfedges of a vertex are stored in counterclockwise order.
-class Triangulated_surface
+class Triangulated_surface : public Triangle_halfedges
 {
 public:
   /// An edge that does not have exactly two, oppositely oriented faces, or a vertex whose faces are not one fan.
@@ -66,10 +66,6 @@ public:
   Index number_of_vertices() const { return Index(m_points.size()); }
   Index number_of_halfedges() const { return Index(m_origin.size()); }
   Index number_of_faces() const { return Index(m_origin.size() / 3); }
-
-  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
-  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
-  static Index face(Index halfedge) { return halfedge / 3; }
 
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }

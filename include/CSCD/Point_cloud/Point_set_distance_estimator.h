@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Geodesic distances on a point set: prepared once, asked often.
+
+#ifndef CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
+#define CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
+
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Point_cloud/Tufted_cover.h>
+#include <CSCD/Point_cloud/build_point_complex.h>
+#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Geodesic distances on a surface that is given by points, by the heat method. No surface is reconstructed: the points
+/// are joined by the triangles that are Delaunay in the tangent planes of their corners, and heat flows on the tufted
+/// cover of these triangles (N. Sharp, K. Crane, "A Laplacian for Nonmanifold Triangle Meshes", 2020), which is made
+/// intrinsically Delaunay. Where the surface is not sampled, the triangles leave holes; where two sheets are nearer to
+/// each other than the points, they may be joined.
+///
+/// The points are prepared once; then every set of sources costs two pairs of triangular solves, and eight sets
+/// together as much as three alone. doc/geodesics.md has figures of accuracy. Results do not depend on the order of the
+/// points. The members that estimate are const and may be called by several threads at once.
+/// \tparam PointRange a range over points or over elements that a point map maps to points, or a `CGAL::Point_set_3`
+template <class PointRange>
+class Point_set_distance_estimator
+{
+public:
+  /// \name Types
+  /// @{
+
+  /// What identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of iteration, as
+  /// `std::size_t`.
+  using Point_descriptor = internal::Point_descriptor<PointRange>;
+  /// @}
+
+  /// Prepares `points`, which are not referred to later; O(n^1.5), and usually nearly linear.
+  /// \param points at least four points, not all on a line
+  /// \param np an optional sequence of named parameters
+  ///
+  /// \cgalNamedParamsBegin
+  ///   \cgalParamNBegin{point_map}
+  ///     \cgalParamDescription{the points of the elements of `points`}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+  ///     \cgalParamDefault{`points.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{normal_map}
+  ///     \cgalParamDescription{normals of the surface at the points, of any length and of either orientation: they tell
+  ///                           sheets apart that are near each other}
+  ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+  ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
+  ///   \cgalParamNEnd
+  ///   \cgalParamNBegin{time_step_factor}
+  ///     \cgalParamDescription{for how long heat flows, in squared mean edge lengths: longer is smoother and less exact}
+  ///     \cgalParamType{double, positive}
+  ///     \cgalParamDefault{1}
+  ///   \cgalParamNEnd
+  /// \cgalNamedParamsEnd
+  ///
+  /// \throw Input_error naming the point and the remedy if a coordinate is not finite, or if the points do not sample a
+  ///        surface: fewer than four different ones, all on a line, none of them joined
+  template <class NamedParameters = parameters::Default_named_parameters>
+  explicit Point_set_distance_estimator(const PointRange& points,
+                                        const NamedParameters& np = parameters::default_values())
+      : Point_set_distance_estimator(
+            points, collect(points, np),
+            double(parameters::choose_parameter(parameters::get_parameter(np, internal_np::time_step_factor), 1.)))
+  {
+    internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
+                                     internal_np::time_step_factor_t>();
+  }
+
+  /// Writes the distance of every point from the nearest one of `sources` to `distances`: 0 for sources and duplicates
+  /// of them, infinity for those that no path joins to a source, outliers among them.
+  /// \param sources a range of descriptors of points
+  /// \param distances a model of `WritablePropertyMap` with the descriptor of a point as key, to which `double` can be
+  ///        written
+  /// \pre the sources are descriptors of points
+  template <class SourceRange, class PointDistanceMap>
+  void estimate(const SourceRange& sources, PointDistanceMap distances) const
+  {
+    Heat_method::Workspace workspace;
+    internal::Heat_field field;
+    m_method(collect_sources(sources), field, workspace);
+    write(field, distances);
+  }
+
+  /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
+  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
+  /// \param source_sets a range of ranges of descriptors of points
+  /// \param distance_maps a range of maps
+  /// \pre there are as many maps as sets
+  template <class SourceSetRange, class DistanceMapRange>
+  void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
+  {
+    Heat_method::Workspace workspace;
+    std::vector<internal::Heat_field> fields;
+    std::vector<std::vector<internal::Geodesic_source>> batch;
+    auto sources = std::begin(source_sets);
+    auto map = std::begin(distance_maps);
+    while (sources != std::end(source_sets)) {
+      batch.clear();
+      while (sources != std::end(source_sets) && batch.size() < Heat_method::batch_size) {
+        batch.push_back(collect_sources(*sources++));
+      }
+      m_method(batch, fields, workspace);
+      for (const internal::Heat_field& field : fields) {
+        CGAL_precondition(map != std::end(distance_maps));
+        write(field, *map++);
+      }
+    }
+  }
+
+private:
+  using Index = internal::Index;
+  using Heat_method = internal::Heat_method;
+
+  Point_set_distance_estimator(const PointRange& points, internal::Point_cloud&& cloud, double time_step_factor)
+      : m_unit(cloud.normalization.unit), m_method(prepare(cloud, time_step_factor)),
+        m_vertex(std::move(cloud.input_point))
+  {
+    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
+      m_descriptors.assign(points.begin(), points.end());
+      for (Index i = 0; i < m_descriptors.size(); ++i) {
+        const std::size_t number = m_descriptors[i];
+        m_number.resize(std::max(m_number.size(), number + 1), internal::no_index);
+        m_number[number] = i;
+      }
+    }
+  }
+
+  template <class NamedParameters>
+  static internal::Point_cloud collect(const PointRange& points, const NamedParameters& np)
+  {
+    const auto point_map = internal::point_map(points, np);
+    return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
+      if constexpr (sizeof...(normal_map) == 0) {
+        return internal::collect_points(points, point_map, internal::No_normals());
+      } else {
+        return internal::collect_points(points, point_map, normal_map...);
+      }
+    });
+  }
+
+  static Heat_method prepare(const internal::Point_cloud& cloud, double time_step_factor)
+  {
+    CGAL_precondition(time_step_factor > 0);
+    const internal::Point_complex complex = internal::build_point_complex(cloud);
+    const internal::Tufted_cover cover(complex);
+    return Heat_method(internal::make_intrinsic_delaunay(cover), time_step_factor);
+  }
+
+  /// The number of the point in the order of iteration.
+  Index number(const Point_descriptor& point) const
+  {
+    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
+      CGAL_precondition(std::size_t(point) < m_number.size() && m_number[point] != internal::no_index);
+      return m_number[point];
+    } else {
+      CGAL_precondition(point < m_vertex.size());
+      return Index(point);
+    }
+  }
+
+  template <class SourceRange>
+  std::vector<internal::Geodesic_source> collect_sources(const SourceRange& sources) const
+  {
+    std::vector<internal::Geodesic_source> result;
+    for (const auto& source : sources) {
+      result.push_back(internal::Geodesic_source::at_vertex(m_vertex[number(source)]));
+    }
+    return result;
+  }
+
+  template <class PointDistanceMap>
+  void write(const internal::Heat_field& field, PointDistanceMap distances) const
+  {
+    for (Index i = 0; i < m_vertex.size(); ++i) {
+      const double distance = m_unit * std::max(field.distances[m_vertex[i]], 0.);
+      if constexpr (internal::Is_range_of_indices<PointRange>::value) {
+        put(distances, m_descriptors[i], distance);
+      } else {
+        put(distances, std::size_t(i), distance);
+      }
+    }
+  }
+
+  double m_unit;
+  Heat_method m_method;
+  std::vector<Index> m_vertex; // of the complex, for every point in the order of iteration
+  // Only of a range of indices:
+  std::vector<Point_descriptor> m_descriptors; // in the order of iteration
+  std::vector<Index> m_number;                 // of every index, the place in this order
+};
+
+} // namespace CSCD
+
+#endif // CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
