@@ -27,7 +27,7 @@ public:
   /// O(n log n).
   /// \param complex is referred to and must outlive this object
   explicit Point_body(const Point_complex& complex)
-      : m_complex(complex), m_winding_number(complex.points(), complex.normals(), complex.vertex_areas()),
+      : m_complex(complex), m_winding_number(complex),
         m_tree(complex.points()), m_step(complex.mean_edge_length() / 2)
   {
   }
