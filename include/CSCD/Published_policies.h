@@ -6,6 +6,7 @@
 #ifndef CSCD_PUBLISHED_POLICIES_H
 #define CSCD_PUBLISHED_POLICIES_H
 
+#include <CSCD/Point_cloud/Point_field_search_space.h>
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>

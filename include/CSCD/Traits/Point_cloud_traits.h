@@ -8,7 +8,6 @@
 
 #include <CSCD/Point_cloud/Point_body.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_field_search_space.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/Point_cloud/drop_fragments.h>
 #include <CSCD/Reconstruction/collect_points.h>
