@@ -6,6 +6,7 @@
 #ifndef CSCD_POINT_CLOUD_POINT_COMPLEX_H
 #define CSCD_POINT_CLOUD_POINT_COMPLEX_H
 
+#include <CSCD/Point_cloud/Vertex_neighbors.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -108,29 +109,24 @@ public:
 private:
   void find_neighbors(const std::vector<std::array<Index, 3>>& triangles)
   {
-    std::vector<std::pair<Index, Index>> pairs; // of neighbors
-    pairs.reserve(6 * triangles.size());
-    for (const auto& [a, b, c] : triangles) {
-      pairs.insert(pairs.end(), {{a, b}, {b, a}, {b, c}, {c, b}, {c, a}, {a, c}});
-    }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    m_begin.assign(m_points.size() + 1, 0);
-    m_targets.reserve(pairs.size());
+    Vertex_neighbors neighbors(
+        m_points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
+    m_begin = std::move(neighbors.begin);
+    m_targets.reserve(neighbors.neighbors.size());
+    m_lengths.reserve(neighbors.neighbors.size());
     std::vector<std::pair<double, Index>> around;
-    auto pair = pairs.cbegin();
     for (Index v = 0; v < number_of_vertices(); ++v) {
       around.clear();
-      const auto first = pair;
-      for (; pair != pairs.cend() && pair->first == v; ++pair) {
-        around.emplace_back(pair == first ? 0. : angle(v, first->second, pair->second), pair->second);
+      for (Index i = m_begin[v]; i < m_begin[v + 1]; ++i) {
+        const Index first = neighbors.neighbors[m_begin[v]];
+        const Index neighbor = neighbors.neighbors[i];
+        around.emplace_back(i == m_begin[v] ? 0. : angle(v, first, neighbor), neighbor);
       }
       std::sort(around.begin(), around.end());
       for (const auto& [direction, neighbor] : around) {
         m_targets.push_back(neighbor);
         m_lengths.push_back((m_points[neighbor] - m_points[v]).norm());
       }
-      m_begin[v + 1] = Index(m_targets.size());
     }
   }
 

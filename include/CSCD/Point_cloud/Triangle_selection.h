@@ -6,6 +6,7 @@
 #ifndef CSCD_POINT_CLOUD_TRIANGLE_SELECTION_H
 #define CSCD_POINT_CLOUD_TRIANGLE_SELECTION_H
 
+#include <CSCD/Point_cloud/Vertex_neighbors.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -70,36 +71,22 @@ private:
 
   void lay_out_sectors()
   {
-    std::vector<std::pair<Index, Index>> pairs; // of neighbors
-    pairs.reserve(6 * m_triangles.size());
-    for (const Local_triangle& triangle : m_triangles) {
-      const auto [a, b, c] = triangle.vertices;
-      pairs.insert(pairs.end(), {{a, b}, {b, a}, {b, c}, {c, b}, {c, a}, {a, c}});
+    Vertex_neighbors neighbors(
+        m_points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; });
+    m_begin = std::move(neighbors.begin);
+    m_sectors.reserve(neighbors.neighbors.size());
+    for (Index v = 0; v < m_points.size(); ++v) {
+      const Vector_3 x = m_normals[v].unitOrthogonal();
+      const Vector_3 y = m_normals[v].cross(x);
+      for (Index i = m_begin[v]; i < m_begin[v + 1]; ++i) {
+        const Index neighbor = neighbors.neighbors[i];
+        const Vector_3 edge = m_points[neighbor] - m_points[v];
+        m_sectors.push_back({neighbor, std::atan2(y.dot(edge), x.dot(edge)), false});
+      }
+      std::sort(m_sectors.begin() + m_begin[v], m_sectors.end(), [](const Sector& a, const Sector& b) {
+        return std::make_pair(a.begin, a.neighbor) < std::make_pair(b.begin, b.neighbor);
+      });
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    m_sectors.reserve(pairs.size());
-    m_begin.assign(m_points.size() + 1, 0);
-    for (const auto& [vertex, neighbor] : pairs) {
-      m_sectors.push_back({neighbor, direction(vertex, neighbor), false});
-      ++m_begin[vertex + 1];
-    }
-    for (std::size_t v = 0; v < m_points.size(); ++v) {
-      m_begin[v + 1] += m_begin[v];
-      std::sort(m_sectors.begin() + m_begin[v], m_sectors.begin() + m_begin[v + 1],
-                [](const Sector& a, const Sector& b) {
-                  return std::make_pair(a.begin, a.neighbor) < std::make_pair(b.begin, b.neighbor);
-                });
-    }
-  }
-
-  /// The angle of the edge in the tangent plane of `vertex`.
-  double direction(Index vertex, Index neighbor) const
-  {
-    const Vector_3& normal = m_normals[vertex];
-    const Vector_3 x = normal.unitOrthogonal();
-    const Vector_3 edge = m_points[neighbor] - m_points[vertex];
-    return std::atan2(normal.cross(x).dot(edge), x.dot(edge));
   }
 
   /// Calls `function(sector)` for those between the sides of the triangle at `vertex` until it returns false.

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -65,7 +66,10 @@ private:
     }
   }
 
-  bool has_edge(Index a, Index b) const { return std::binary_search(m_edges.begin(), m_edges.end(), Edge(a, b)); }
+  bool has_edge(Index a, Index b) const
+  {
+    return std::binary_search(m_edges.begin(), m_edges.end(), Edge(a, b)) || m_new_edges.count({a, b}) > 0;
+  }
 
   /// Follows the border from an edge. \return whether it comes back soon
   bool find_loop(Index first, std::vector<Index>& loop) const
@@ -137,6 +141,9 @@ private:
     }
     ears.push_back(ear(polygon, 1));
     m_triangles.insert(m_triangles.end(), ears.begin(), ears.end());
+    for (const auto& [a, b, c] : ears) {
+      m_new_edges.insert({{a, b}, {b, c}, {c, a}});
+    }
   }
 
   /// The corner `i` and its neighbors, counterclockwise: the polygon runs clockwise around the gap.
@@ -167,6 +174,7 @@ private:
   const std::vector<Vector_3>& m_normals;
   std::vector<std::array<Index, 3>>& m_triangles;
   std::vector<Edge> m_edges;  // of the triangles, sorted
+  std::set<Edge> m_new_edges; // of triangles in gaps
   std::vector<Edge> m_border; // those without a triangle on the right, sorted
 };
 

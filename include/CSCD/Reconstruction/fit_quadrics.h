@@ -28,17 +28,21 @@ struct Quadric_fit
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
-/// Fits the plane and the height field through `point` and its neighbors.
-inline Quadric_fit fit_quadric(const std::vector<Vector_3>& points, const Neighbor_table& neighbors, Index point)
+/// Fits the plane and the height field through `point` and `neighbors`.
+/// \param neighbors a range of indices of points, none of them `point`
+/// \param reach the distance of the farthest of them
+template <class Neighbors>
+Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors, double reach)
 {
   using Coefficients = Eigen::Matrix<double, 6, 1>;
   constexpr std::size_t number_of_coefficients = 6;
-  const double size = double(neighbors.number()) + 1;
+  const std::size_t number_of_neighbors = neighbors.size();
+  const double size = double(number_of_neighbors) + 1;
   // Relative to the point and the reach, so that nothing is lost by cancellation.
-  const double unit = neighbors.reach(point);
+  const double unit = reach;
   Vector_3 mean = Vector_3::Zero();
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (Index neighbor : neighbors.neighbors(point)) {
+  for (const Index neighbor : neighbors) {
     const Vector_3 offset = (points[neighbor] - points[point]) / unit;
     mean += offset / size;
     moments += offset * offset.transpose() / size;
@@ -49,7 +53,7 @@ inline Quadric_fit fit_quadric(const std::vector<Vector_3>& points, const Neighb
   result.normal = frame.eigenvectors().col(0);
   result.surface_normal = result.normal;
   result.projection = points[point];
-  if (neighbors.number() < 2 * number_of_coefficients) {
+  if (number_of_neighbors < 2 * number_of_coefficients) {
     return result;
   }
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
@@ -66,7 +70,7 @@ inline Quadric_fit fit_quadric(const std::vector<Vector_3>& points, const Neighb
     squared_heights += height * height;
   };
   add(Vector_3::Zero());
-  for (Index neighbor : neighbors.neighbors(point)) {
+  for (const Index neighbor : neighbors) {
     add((points[neighbor] - points[point]) / unit);
   }
   const Coefficients coefficients = normal_matrix.ldlt().solve(right_side);
@@ -87,7 +91,7 @@ inline std::vector<Quadric_fit> fit_quadrics(const std::vector<Vector_3>& points
   std::vector<Quadric_fit> result;
   result.reserve(points.size());
   for (Index point = 0; point < points.size(); ++point) {
-    result.push_back(fit_quadric(points, neighbors, point));
+    result.push_back(fit_quadric(points, point, neighbors.neighbors(point), neighbors.reach(point)));
   }
   return result;
 }
