@@ -11,27 +11,13 @@
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/tags.h>
 
 #include <type_traits>
 
 namespace CSCD {
-namespace internal {
-
-/// The point map that `np` gives, else that of the range.
-template <class PointRange, class NamedParameters>
-auto point_map(const PointRange& points, const NamedParameters& np)
-{
-  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
-    return default_point_map(points);
-  } else {
-    return parameters::get_parameter(np, CGAL::internal_np::point_map);
-  }
-}
-
-} // namespace internal
-
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
 /// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton

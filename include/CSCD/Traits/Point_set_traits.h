@@ -13,15 +13,14 @@
 #include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/compile_surface.h>
 #include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
 #include <chrono>
 #include <cstddef>
-#include <iterator>
 #include <numeric>
 #include <string>
 #include <type_traits>
@@ -29,38 +28,6 @@
 #include <vector>
 
 namespace CSCD {
-
-namespace internal {
-
-/// The elements over which a range iterates.
-template <class Range>
-using Range_value =
-    typename std::iterator_traits<std::decay_t<decltype(std::begin(std::declval<const Range&>()))>>::value_type;
-
-/// Whether the elements of a range are its own indices, as those of `CGAL::Point_set_3`.
-template <class Range, class = void>
-struct Is_range_of_indices : std::false_type
-{
-};
-
-template <class Range>
-struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
-    : std::is_same<typename Range::Index, Range_value<Range>>
-{
-};
-
-/// The map from the elements of a range to points where none is given: that of a `CGAL::Point_set_3`, or the identity.
-template <class PointRange>
-auto default_point_map(const PointRange& points)
-{
-  if constexpr (Is_range_of_indices<PointRange>::value) {
-    return points.point_map();
-  } else {
-    return CGAL::Identity_property_map<const Range_value<PointRange>>();
-  }
-}
-
-} // namespace internal
 
 /// The surface traits of a point set, a model of `SkeletonizationTraits`.
 ///
@@ -126,6 +93,13 @@ public:
   std::size_t number_of_isolated_vertices() const { return 0; }
   /// @}
 
+  /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
+  /// such are scans of trees, which `extract_tree_skeleton()` is for.
+  bool is_surface_doubtful() const
+  {
+    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+  }
+
   /// What is doubtful about the input or was mended, one sentence each.
   std::vector<std::string> warnings() const
   {
@@ -135,10 +109,12 @@ public:
         result.push_back(std::to_string(count) + ' ' + what);
       }
     };
-    if (double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points)) {
+    if (is_surface_doubtful()) {
       result.emplace_back("the points hardly sample the surface of a body: it has " +
                           std::to_string(m_report.number_of_border_edges) + " border edges for " +
-                          std::to_string(m_report.number_of_points) + " points, and the skeleton may be wrong");
+                          std::to_string(m_report.number_of_points) +
+                          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
+                          "extract_tree_skeleton() is made for it");
     }
     warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
     warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
