@@ -5,19 +5,20 @@
 
 #include "compute_point_skeleton.h"
 
+#include "compute_tree_skeleton.h"
+#include "convert_skeleton.h"
 #include "run_skeletonization.h"
 #include "types.h"
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/exceptions.h>
 
 #include <CGAL/property_map.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -50,21 +51,31 @@ Mesh make_mesh(const std::vector<Point>& points, const Traits& traits)
   return mesh;
 }
 
-/// The same skeleton with numbers of points as vertices of a mesh.
-Skeleton convert(const CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
+/// The surface that is made of the points of `input`.
+Traits make_traits(const Input& input, const Numbers& numbers)
 {
-  Skeleton result;
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    auto& converted = result[add_vertex(result)];
-    converted.point = skeleton[node].point;
-    converted.radius = skeleton[node].radius;
-    for (std::size_t number : skeleton[node].vertices) {
-      converted.vertices.emplace_back(static_cast<Mesh::size_type>(number));
-    }
-  }
-  for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-    add_edge(source(edge, skeleton), target(edge, skeleton), result);
-  }
+  const Point_map point_map = CGAL::make_property_map(std::as_const(input.points));
+  return input.normals.empty() ? Traits(numbers, point_map)
+                               : Traits(numbers, point_map, CGAL::make_property_map(std::as_const(input.normals)));
+}
+
+Skeletonization_result compute_surface_skeleton(Input& input, const Traits& traits, const Skeletonize_options& options,
+                                                Progress_visitor& visitor)
+{
+  CSCD::Skeleton_graph<Point, std::size_t> skeleton;
+  Skeletonization_result result = run_skeletonization(traits, options, visitor, skeleton);
+  result.skeleton = convert_skeleton(skeleton);
+  input.mesh = make_mesh(input.points, traits);
+  return result;
+}
+
+/// The same for points that may be no surface, with the reason in front of the warnings.
+Skeletonization_result compute_recognized_tree_skeleton(Input& input, const Skeletonize_options& options,
+                                                        const std::string& reason)
+{
+  Skeletonization_result result = compute_tree_skeleton(input, options);
+  std::vector<std::string>& warnings = result.tree->warnings;
+  warnings.insert(warnings.begin(), reason + ": taken for a scan of trees; --shape surface or tree decides");
   return result;
 }
 
@@ -73,19 +84,23 @@ Skeleton convert(const CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
 Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_options& options,
                                               Progress_visitor& visitor)
 {
+  if (options.shape == tree_shape) {
+    return compute_tree_skeleton(input, options);
+  }
   Numbers numbers(input.points.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  const Point_map point_map = CGAL::make_property_map(std::as_const(input.points));
-  const auto make_traits = [&] {
-    return input.normals.empty() ? Traits(numbers, point_map)
-                                 : Traits(numbers, point_map, CGAL::make_property_map(std::as_const(input.normals)));
-  };
-  const Traits traits = make_traits();
-  CSCD::Skeleton_graph<Point, std::size_t> skeleton;
-  Skeletonization_result result = run_skeletonization(traits, options, visitor, skeleton);
-  result.skeleton = convert(skeleton);
-  input.mesh = make_mesh(input.points, traits);
-  return result;
+  try {
+    const Traits traits = make_traits(input, numbers);
+    if (options.shape == surface_shape || !traits.is_surface_doubtful()) {
+      return compute_surface_skeleton(input, traits, options, visitor);
+    }
+  } catch (const CSCD::Surface_error&) {
+    if (options.shape == surface_shape) {
+      throw;
+    }
+    return compute_recognized_tree_skeleton(input, options, "the points do not sample a surface");
+  }
+  return compute_recognized_tree_skeleton(input, options, "the points hardly sample the surface of a body");
 }
 
 } // namespace cscd

@@ -11,6 +11,7 @@
 #include <CSCD/Tree/Slice.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -58,6 +59,8 @@ public:
 private:
   /// How far from the axis of its parent a slice is on its bark, relative to the radius.
   static constexpr double bark = 1.25;
+  /// The part of the slices to give away that are on the bark.
+  static constexpr double least_part = 0.75;
   /// How far beyond the end of its parent a slice may be, likewise.
   static constexpr double longest_overhang = 2;
 
@@ -72,34 +75,46 @@ private:
     return result;
   }
 
+  /// Whether a place is on the bark of a section, and not beyond its end.
+  bool is_on_bark(const Vector_3& place, const Section& section) const
+  {
+    const Vector_3 d = place - section.center;
+    return d.cross(section.direction).norm() <= bark * section.radius &&
+           std::abs(d.dot(section.direction)) <= longest_overhang * section.radius;
+  }
+
   void absorb_base(const Limb& parent, Limb& limb)
   {
-    std::size_t at = 0;
-    while (parent.slices[at] != limb.joint) {
-      ++at;
-    }
-    std::size_t number = 0;
-    for (; number < limb.slices.size(); ++number) {
-      const Vector_3& place = m_slices[limb.slices[number]].centroid;
-      at = nearest_slice(parent, at, place);
-      const Section& section = m_sections[parent.slices[at]];
-      const Vector_3 d = place - section.center;
-      const double along = std::abs(d.dot(section.direction));
-      // Beyond the end of the parent there is no bark.
-      if (!section.is_circle() || d.cross(section.direction).norm() > bark * section.radius ||
-          along > longest_overhang * section.radius) {
-        break;
+    auto at = std::size_t(std::find(parent.slices.begin(), parent.slices.end(), limb.joint) - parent.slices.begin());
+    std::vector<Index> hosts;
+    std::size_t number_on_bark = 0;
+    std::size_t number = 0; // of the slices to give away
+    for (Index slice : limb.slices) {
+      at = nearest_slice(parent, at, m_slices[slice].centroid);
+      hosts.push_back(parent.slices[at]);
+      if (is_on_bark(m_slices[slice].centroid, m_sections[parent.slices[at]])) {
+        ++number_on_bark;
+        if (double(number_on_bark) >= least_part * double(hosts.size())) {
+          number = hosts.size();
+        }
       }
-      Slice& from = m_slices[limb.slices[number]];
-      Slice& to = m_slices[parent.slices[at]];
-      to.centroid = (double(to.points.size()) * to.centroid + double(from.points.size()) * from.centroid) /
-                    double(to.points.size() + from.points.size());
-      to.points.insert(to.points.end(), from.points.begin(), from.points.end());
-      from.points.clear();
-      m_new_slice[limb.slices[number]] = parent.slices[at];
-      limb.joint = parent.slices[at];
+    }
+    for (std::size_t i = 0; i < number; ++i) {
+      give(limb.slices[i], hosts[i]);
+      limb.joint = hosts[i];
     }
     limb.slices.erase(limb.slices.begin(), limb.slices.begin() + std::ptrdiff_t(number));
+  }
+
+  void give(Index slice, Index host)
+  {
+    Slice& from = m_slices[slice];
+    Slice& to = m_slices[host];
+    const double number = double(to.points.size() + from.points.size());
+    to.centroid = (double(to.points.size()) * to.centroid + double(from.points.size()) * from.centroid) / number;
+    to.points.insert(to.points.end(), from.points.begin(), from.points.end());
+    from.points.clear();
+    m_new_slice[slice] = host;
   }
 
   std::vector<Slice>& m_slices;

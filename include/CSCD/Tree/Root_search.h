@@ -61,6 +61,10 @@ private:
   /// object that lies.
   static constexpr double foot_width = 0.15;
 
+  /// How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
+  /// arc of a third of a circle may have its other parts on the opposite side.
+  static constexpr double widest_foot = 1.5;
+
   /// The points that are lowest and connected with the lowest, if they can be the foot of a trunk; else the outermost
   /// of them: an end of what lies.
   std::vector<Index> foot(const std::vector<Index>& members)
@@ -86,6 +90,7 @@ private:
         }
       }
     }
+    add_beside(members, lowest, top, result);
     std::sort(result.begin(), result.end());
     const auto is_far = [&](Index point) { return (m_points[point] - m_points[lowest]).norm() > foot_width * extent; };
     if (std::any_of(result.begin(), result.end(), is_far)) {
@@ -94,6 +99,22 @@ private:
       })};
     }
     return result;
+  }
+
+  /// Adds points that are as low as a foot and not far from it: other parts of it, of which no more was seen.
+  void add_beside(const std::vector<Index>& members, Index lowest, double top, std::vector<Index>& foot)
+  {
+    double width = 0;
+    for (Index point : foot) {
+      width = std::max(width, (m_points[point] - m_points[lowest]).norm());
+    }
+    for (Index point : members) {
+      if (m_is_taken[point] == 0 && m_points[point].z() <= top &&
+          (m_points[point] - m_points[lowest]).norm() <= widest_foot * width) {
+        m_is_taken[point] = 1;
+        foot.push_back(point);
+      }
+    }
   }
 
   const std::vector<Vector_3>& m_points;

@@ -18,6 +18,7 @@ struct Section
   Vector_3 direction = Vector_3::Zero(); ///< of the limb, unit length
   double radius = 0;
   double confidence = 0; ///< of center and radius, in [0, 1]
+  bool is_rough = true;  ///< whether no circle near it tells the radius
   Circle_outcome outcome = Circle_outcome::few_points;
 
   /// Whether center and radius are those of a circle.

@@ -61,13 +61,13 @@ public:
     smooth_radii(limb);
   }
 
-  /// Takes the radii of sections without a circle, if they are larger, down to the root of what they carry times
-  /// `factor`, and makes the radii decrease again.
+  /// Takes the radii of sections without a circle near them, if they are larger, down to the root of what they carry
+  /// times `factor`, and makes the radii decrease again.
   void limit_radii(const Limb& limb, double factor, const std::vector<double>& carried)
   {
     for (Index slice : limb.slices) {
       Section& section = m_sections[slice];
-      if (!section.is_circle()) {
+      if (section.is_rough) {
         const double scatter = scatter_radius(slice);
         section.radius =
             std::max(std::sqrt(least_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
@@ -97,6 +97,8 @@ private:
   static constexpr std::ptrdiff_t direction_reach = 2;
   /// The slices to either side whose offsets from centroids to centers are averaged.
   static constexpr std::ptrdiff_t offset_reach = 3;
+  /// How far from the joint there is bark of the parent, relative to its radius.
+  static constexpr double crotch = 2;
   /// The radius of a limb relative to that of its parent.
   static constexpr double largest_of_parent = 1.1;
   /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
@@ -212,11 +214,33 @@ private:
       if (i > 0 && i < last) {
         section.center = centers[std::size_t(i)] / 2 + (centers[std::size_t(i - 1)] + centers[std::size_t(i + 1)]) / 4;
       }
-      if (!section.is_circle()) {
-        section.radius = scatter_radius(limb.slices[std::size_t(i)]);
-        section.confidence = least_confidence;
+    }
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      find_rough_radius(limb, i);
+    }
+  }
+
+  /// Gives a section without a circle the radius of those around it, or of the scatter.
+  void find_rough_radius(const Limb& limb, std::ptrdiff_t i)
+  {
+    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    Section& section = m_sections[limb.slices[std::size_t(i)]];
+    section.is_rough = false;
+    if (section.is_circle()) {
+      return;
+    }
+    double radius = 0;
+    double sum = 0;
+    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
+      const Section& other = m_sections[limb.slices[std::size_t(j)]];
+      if (other.is_circle()) {
+        radius += other.confidence * other.radius;
+        sum += other.confidence;
       }
     }
+    section.is_rough = sum == 0;
+    section.radius = section.is_rough ? scatter_radius(limb.slices[std::size_t(i)]) : radius / sum;
+    section.confidence = least_confidence;
   }
 
   /// How far the centers of circles around a slice without one are from the centroids.
@@ -260,8 +284,9 @@ private:
       double mean() const { return sum / weight; }
     };
     std::vector<Pool> pools;
-    for (Index slice : limb.slices) {
-      const Section& section = m_sections[slice];
+    const std::size_t base = number_in_crotch(limb);
+    for (std::size_t i = base; i < limb.slices.size(); ++i) {
+      const Section& section = m_sections[limb.slices[i]];
       pools.push_back({section.confidence * section.radius, section.confidence, 1});
       while (pools.size() > 1 && pools[pools.size() - 2].mean() <= pools.back().mean()) {
         const Pool last = pools.back();
@@ -271,6 +296,7 @@ private:
         pools.back().size += last.size;
       }
     }
+    pools.front().size += base;
     std::size_t i = 0;
     for (const Pool& pool : pools) {
       for (std::size_t k = 0; k < pool.size; ++k) {
@@ -281,6 +307,22 @@ private:
         m_sections[limb.slices[i++]].radius = radius;
       }
     }
+  }
+
+  /// The first sections of a limb, up to the last but one, that are so near its joint that there is bark of the parent
+  /// among their points.
+  std::size_t number_in_crotch(const Limb& limb) const
+  {
+    if (limb.joint == no_index) {
+      return 0;
+    }
+    const Section& joint = m_sections[limb.joint];
+    std::size_t number = 0;
+    while (number + 1 < limb.slices.size() &&
+           (m_sections[limb.slices[number]].center - joint.center).norm() < crotch * joint.radius) {
+      ++number;
+    }
+    return number;
   }
 
   const std::vector<Vector_3>& m_points;

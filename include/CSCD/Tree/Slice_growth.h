@@ -50,11 +50,10 @@ public:
   /// Appends the slices of the object with the given roots to `slices`, each after its parent.
   void grow(const std::vector<Index>& roots, std::vector<Slice>& slices)
   {
-    double spacing = 0;
-    for (Index root : roots) {
-      spacing += m_graph.spacing(root) / double(roots.size());
-    }
-    std::vector<Task> tasks{{no_index, roots, float(least_width * spacing)}};
+    Slice foot;
+    foot.points = roots;
+    measure(foot, nullptr);
+    std::vector<Task> tasks{{no_index, roots, width_beyond(foot)}};
     while (!tasks.empty()) {
       Task task = std::move(tasks.back());
       tasks.pop_back();
@@ -115,7 +114,7 @@ private:
     const auto first = Index(slices.size());
     split(task, begin, end, band, slices);
     for (Index slice = first; slice < slices.size(); ++slice) {
-      measure(slice, slices);
+      measure(slices[slice], task.parent == no_index ? nullptr : &slices[task.parent]);
     }
     // What a path reaches over the whole band belongs to the slice that it comes from.
     std::vector<std::vector<Index>> starts(slices.size() - first);
@@ -133,8 +132,7 @@ private:
     }
     for (Index slice = first; slice < slices.size(); ++slice) {
       if (!starts[slice - first].empty()) {
-        const double width = std::max(least_width * slices[slice].spacing, width_in_radii * slices[slice].radius);
-        tasks.push_back({slice, std::move(starts[slice - first]), float(width)});
+        tasks.push_back({slice, std::move(starts[slice - first]), width_beyond(slices[slice])});
       }
     }
   }
@@ -153,6 +151,12 @@ private:
     }
     for (Index point : connecting) {
       m_group[point] = unnumbered;
+    }
+    if (task.parent == no_index) {
+      for (Index point : band) {
+        m_group[point] = 0; // an object has one root, though its foot may have gaps
+      }
+      return 1;
     }
     Index number = 0;
     std::vector<Index> open;
@@ -197,26 +201,27 @@ private:
     }
   }
 
-  void measure(Index index, std::vector<Slice>& slices) const
+  /// Measures a slice beyond another one, or a root.
+  void measure(Slice& slice, const Slice* parent) const
   {
-    Slice& slice = slices[index];
     const double number = double(slice.points.size());
     for (Index point : slice.points) {
       slice.centroid += m_points[point] / number;
       slice.spacing += m_graph.spacing(point) / number;
     }
-    Vector_3 direction = Vector_3::UnitZ();
-    if (slice.parent != no_index) {
-      const Vector_3 step = slice.centroid - slices[slice.parent].centroid;
-      if (step.norm() > 0) {
-        direction = step.normalized();
-      }
-    }
+    const Vector_3 step = parent != nullptr ? Vector_3(slice.centroid - parent->centroid) : Vector_3::UnitZ();
+    const Vector_3 direction = step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
     double sum = 0;
     for (Index point : slice.points) {
       sum += (m_points[point] - slice.centroid).cross(direction).squaredNorm() / number;
     }
     slice.radius = std::sqrt(sum);
+  }
+
+  /// The width of the bands beyond a slice.
+  static float width_beyond(const Slice& slice)
+  {
+    return float(std::max(least_width * slice.spacing, width_in_radii * slice.radius));
   }
 
   const std::vector<Vector_3>& m_points;
