@@ -95,7 +95,9 @@ Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_op
       return compute_surface_skeleton(input, traits, options, visitor);
     }
   } catch (const CSCD::Surface_error&) {
-    if (options.shape == surface_shape) {
+    // Of a handful of points nothing can be told.
+    constexpr std::size_t least_scan = 100;
+    if (options.shape == surface_shape || input.points.size() < least_scan) {
       throw;
     }
     return compute_recognized_tree_skeleton(input, options, "the points do not sample a surface");

@@ -36,6 +36,9 @@ void check_options(const Skeletonize_options& options)
   if (options.method != published_method && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
+  if (options.method == published_method && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: only surfaces have a choice of methods; leave out --method published");
+  }
   if (!options.root.empty() && options.shape == surface_shape) {
     throw Usage_error("--root: only a tree has a root; leave out --shape surface");
   }
