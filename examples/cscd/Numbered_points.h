@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The points of the input as the library takes them, and the results in terms of a mesh.
+// The points of the input as the library takes them, and the surfaces made of them as a mesh.
 
 #ifndef CSCD_PROGRAM_NUMBERED_POINTS_H
 #define CSCD_PROGRAM_NUMBERED_POINTS_H
@@ -10,9 +10,6 @@
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/property_map.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <array>
 #include <cstddef>
@@ -69,24 +66,6 @@ public:
       mesh.add_face(vertex_of_site[sites[0]], vertex_of_site[sites[1]], vertex_of_site[sites[2]]);
     }
     return mesh;
-  }
-
-  /// The same skeleton with numbers of points as vertices of a mesh.
-  static cscd::Skeleton to_mesh_skeleton(const Skeleton& skeleton)
-  {
-    cscd::Skeleton result;
-    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-      auto& converted = result[add_vertex(result)];
-      converted.point = skeleton[node].point;
-      converted.radius = skeleton[node].radius;
-      for (std::size_t number : skeleton[node].vertices) {
-        converted.vertices.emplace_back(static_cast<Mesh::size_type>(number));
-      }
-    }
-    for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-      add_edge(source(edge, skeleton), target(edge, skeleton), result);
-    }
-    return result;
   }
 
 private:

@@ -6,11 +6,10 @@
 #include "compute_point_cloud_skeleton.h"
 
 #include "Numbered_points.h"
+#include "convert_skeleton.h"
 #include "published_policies.h"
 #include "run_skeletonization.h"
 #include <CSCD/Traits/Point_cloud_traits.h>
-
-#include <utility>
 
 namespace cscd {
 
@@ -23,7 +22,7 @@ Skeletonization_result compute_point_cloud_skeleton(Input& input, const Skeleton
   Numbered_points::Skeleton skeleton;
   Skeletonization_result result =
       run_skeletonization(traits, published_policies<Traits>(options), options, visitor, skeleton);
-  result.skeleton = Numbered_points::to_mesh_skeleton(skeleton);
+  result.skeleton = convert_skeleton(skeleton);
   input.mesh = points.make_mesh(traits);
   return result;
 }

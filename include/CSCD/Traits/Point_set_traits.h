@@ -88,6 +88,13 @@ public:
   std::size_t number_of_isolated_vertices() const { return 0; }
   /// @}
 
+  /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
+  /// such are scans of trees, which `extract_tree_skeleton()` is for.
+  bool is_surface_doubtful() const
+  {
+    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+  }
+
   /// What is doubtful about the input or was mended, one sentence each.
   std::vector<std::string> warnings() const
   {
@@ -97,10 +104,12 @@ public:
         result.push_back(std::to_string(count) + ' ' + what);
       }
     };
-    if (double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points)) {
+    if (is_surface_doubtful()) {
       result.emplace_back("the points hardly sample the surface of a body: it has " +
                           std::to_string(m_report.number_of_border_edges) + " border edges for " +
-                          std::to_string(m_report.number_of_points) + " points, and the skeleton may be wrong");
+                          std::to_string(m_report.number_of_points) +
+                          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
+                          "extract_tree_skeleton() is made for it");
     }
     warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
     warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
