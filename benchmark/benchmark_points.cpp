@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Skeletons of point sets, held against the meshes from which the points are drawn and against their skeletons: clouds
-// of two densities, with noise, and with missing data; and the cost of up to a million points. One thread.
+// of two densities, with noise, and with missing data, by default and as published; and the cost of up to a million
+// points. One thread.
 // Meshes are the closed ones among the OFF files in the folder that the environment variable CSCD_BENCHMARK_MESHES
 // names, by default some of CGAL's data.
 
@@ -11,9 +12,12 @@
 #include "support/Peak_memory.h"
 #include "support/mesh_paths.h"
 #include "support/run_benchmarks.h"
+#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Traits/Point_cloud_traits.h>
 #include <CSCD/extract_curve_skeleton.h>
 #include <CSCD/extract_curve_skeleton_from_points.h>
 
@@ -104,15 +108,33 @@ Points draw(const Shape& shape, const Sampling& sampling, unsigned seed)
   return points;
 }
 
+using Skeletonize = void (*)(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton);
+
+void skeletonize_by_default(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
+{
+  CSCD::extract_curve_skeleton(points, skeleton);
+}
+
+/// From fewer sources than the published experiments: more make little difference.
+void skeletonize_as_published(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
+{
+  constexpr std::size_t number_of_sources = 1000;
+  using Traits = CSCD::Point_cloud_traits<Points>;
+  const Traits traits(points);
+  CSCD::Curve_skeletonization<Traits, CSCD::Published_policies<Traits>> skeletonization(traits);
+  skeletonization.set_maximum_number_of_sources(number_of_sources)(skeleton);
+}
+
 /// Skeletonizes a cloud and tells how the skeleton compares with that of the mesh.
-void skeletonize(benchmark::State& state, const std::string& path, const Sampling& sampling, bool is_evaluated)
+void run(benchmark::State& state, Skeletonize skeletonize, const std::string& path, const Sampling& sampling,
+         bool is_evaluated)
 {
   const Body& body = body_of(path);
   const Points points = draw(body.shape, sampling, 1);
   const CSCD::benchmark::Peak_memory peak_memory;
   CSCD::Skeleton_graph<Point, std::size_t> skeleton;
   for (auto _ : state) {
-    CSCD::extract_curve_skeleton(points, skeleton);
+    skeletonize(points, skeleton);
   }
   state.counters["megabytes"] = peak_memory.megabytes();
   state.counters["points"] = double(points.size());
@@ -146,9 +168,10 @@ std::vector<std::string> mesh_paths()
   return paths;
 }
 
-void add(const std::string& name, const std::string& path, const Sampling& sampling, bool is_evaluated)
+void add(const std::string& name, Skeletonize skeletonize, const std::string& path, const Sampling& sampling,
+         bool is_evaluated)
 {
-  benchmark::RegisterBenchmark(name.c_str(), skeletonize, path, sampling, is_evaluated)
+  benchmark::RegisterBenchmark(name.c_str(), run, skeletonize, path, sampling, is_evaluated)
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1)
       ->MeasureProcessCPUTime();
@@ -160,7 +183,9 @@ void add_clouds()
     for (const Sampling& sampling :
          {Sampling{"uniform, 5,000", 5000}, Sampling{"uniform, 20,000", 20000}, Sampling{"noise, 20,000", 20000, 0.3},
           Sampling{"holes, 20,000", 20000, 0, 10, 0.02}}) {
-      add("cloud/" + std::filesystem::path(path).stem().string() + '/' + sampling.name, path, sampling, true);
+      const std::string name = std::filesystem::path(path).stem().string() + '/' + sampling.name;
+      add("cloud/" + name, skeletonize_by_default, path, sampling, true);
+      add("published/" + name, skeletonize_as_published, path, sampling, true);
     }
   }
 }
@@ -168,8 +193,8 @@ void add_clouds()
 void add_growing_cloud()
 {
   for (const std::size_t number : {5000u, 20000u, 100000u, 300000u, 1000000u}) {
-    add("growing/armadillo/" + std::to_string(number), CSCD::benchmark::cgal_mesh("armadillo"), {"", number, 0.3},
-        false);
+    add("growing/armadillo/" + std::to_string(number), skeletonize_by_default, CSCD::benchmark::cgal_mesh("armadillo"),
+        {"", number, 0.3}, false);
   }
 }
 

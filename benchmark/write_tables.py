@@ -139,19 +139,9 @@ def is_right(run):
     return run["betti_number"] == run["genus"] and run["components"] == run["surface_components"]
 
 
-def clouds_of(medians):
-    """The runs by mesh and sampling."""
-    clouds = {}
-    for name, run in medians.items():
-        if name.startswith("cloud/"):
-            _, mesh, sampling = name.split("/")
-            clouds.setdefault(mesh, {})[sampling] = run
-    return clouds
-
-
-def sampling_table(medians):
+def sampling_table(medians, kind):
     """One row for each way in which points are drawn, over all meshes."""
-    clouds = clouds_of(medians)
+    clouds = runs_of(medians, kind)
     rows = []
     for sampling in next(iter(clouds.values())):
         runs = [runs[sampling] for runs in clouds.values()]
@@ -172,18 +162,14 @@ def sampling_table(medians):
                      "error: points / mesh", "CPU s", "largest"], rows)
 
 
-def cloud_table(medians):
+def cloud_table(medians, kind):
     """One row for each mesh: the topology of the skeletons of its clouds."""
-    clouds = clouds_of(medians)
+    clouds = runs_of(medians, kind)
     rows = []
     for mesh, runs in clouds.items():
-        cells = []
-        for run in runs.values():
-            topology = f"{count(run['components'])}, {count(run['betti_number'])}"
-            cells.append(f"{topology if is_right(run) else f'**{topology}**'}; {count(run['tips'])}")
         run = next(iter(runs.values()))
         rows.append([mesh, f"{count(run['surface_components'])}, {count(run['genus'])}; {count(run['tips_of_mesh'])}"]
-                    + cells)
+                    + [topology(run) for run in runs.values()])
     return markdown(["mesh", "of the mesh", *next(iter(clouds.values()))], rows)
 
 
@@ -367,8 +353,10 @@ TABLES_OF_PROGRAM = {
     "benchmark_stages": lambda made, medians: {"stages": stage_table(medians)},
     "benchmark_points": lambda made, medians: {
         "circumstances_of_clouds": made,
-        "samplings": sampling_table(medians),
-        "clouds": cloud_table(medians),
+        "samplings": sampling_table(medians, "cloud"),
+        "clouds": cloud_table(medians, "cloud"),
+        "published_samplings": sampling_table(medians, "published"),
+        "published_clouds": cloud_table(medians, "published"),
         "growing_cloud": growing_cloud_table(medians),
     },
     "benchmark_trees": lambda made, medians: {

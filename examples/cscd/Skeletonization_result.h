@@ -23,6 +23,7 @@ struct Skeletonization_result
   CSCD::Skeletonization_report report;
   std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
   std::vector<std::vector<Point>> separators;
+  bool is_of_points = false; ///< or else of a mesh
 
   /// What the user should know: one sentence each.
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }

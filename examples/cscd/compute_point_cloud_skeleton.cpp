@@ -23,6 +23,7 @@ Skeletonization_result compute_point_cloud_skeleton(Input& input, const Skeleton
   Skeletonization_result result =
       run_skeletonization(traits, published_policies<Traits>(options), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
+  result.is_of_points = true;
   input.mesh = points.make_mesh(traits);
   return result;
 }

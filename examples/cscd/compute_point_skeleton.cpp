@@ -29,6 +29,7 @@ Skeletonization_result compute_surface_skeleton(const Traits& traits, const Skel
   Skeletonization_result result =
       run_skeletonization(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
+  result.is_of_points = true;
   return result;
 }
 

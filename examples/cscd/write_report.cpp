@@ -212,7 +212,9 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
                 {"repairs", repairs.sentences()}};
   if (options.method == published_method) {
     document["target"] = options.target.empty() ? euclidean_target : options.target;
-    document["shortening"] = options.shortening.empty() ? flip_shortening : options.shortening;
+    document["shortening"] = !options.shortening.empty() ? options.shortening
+                             : result.is_of_points       ? variational_shortening
+                                                         : flip_shortening;
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
@@ -237,7 +239,7 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   }
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
-  out << options.input << ": " << report.number_of_sites << (report.reconstruction ? " points, " : " vertices, ")
+  out << options.input << ": " << report.number_of_sites << (result.is_of_points ? " points, " : " vertices, ")
       << report.number_of_surface_components
       << (report.number_of_surface_components == 1 ? " component" : " components");
   if (report.genus) {
