@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
 #define CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
 
-#include "Traits/to_indexed_triangles.h"
+#include "Point_cloud/to_point_cloud.h"
 #include "support/Shape.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Geodesic_source.h>
@@ -18,48 +18,16 @@
 #include <CSCD/Point_cloud/Point_frames.h>
 #include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD::test {
 
-/// The complex that is made of the triangles of `shape`, with the sums of their normals.
-inline CSCD::internal::Point_complex to_point_complex(const Shape& shape)
-{
-  using CSCD::internal::Vector_3;
-  CSCD::internal::Indexed_triangles triangles = to_indexed_triangles(shape);
-  std::vector<Vector_3> normals(triangles.points.size(), Vector_3::Zero());
-  for (const auto& [a, b, c] : triangles.faces) {
-    const Vector_3& p = triangles.points[a];
-    const Vector_3 normal = (triangles.points[b] - p).cross(triangles.points[c] - p);
-    for (const auto vertex : {a, b, c}) {
-      normals[vertex] += normal;
-    }
-  }
-  for (Vector_3& normal : normals) {
-    normal.normalize();
-  }
-  return {std::move(triangles.points), std::move(normals), triangles.faces};
-}
-
 /// The complex of `points`, in the unit of the cube around them, which is centred.
 inline CSCD::internal::Point_complex to_point_complex(const std::vector<Triple>& points)
 {
-  using Point = CGAL::Simple_cartesian<double>::Point_3;
-  std::vector<Point> range;
-  for (const Triple& p : points) {
-    range.emplace_back(p[0], p[1], p[2]);
-  }
-  return CSCD::internal::build_point_complex(
-      CSCD::internal::collect_points(range, CGAL::Identity_property_map<const Point>(), CSCD::internal::No_normals()));
+  return CSCD::internal::build_point_complex(to_point_cloud(points));
 }
 
 /// A complex, its derivatives and its distances.
