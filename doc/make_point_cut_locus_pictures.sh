@@ -46,7 +46,7 @@ draw() {
       }
       sine = sin(turn * 3.14159265 / 180)
       cosine = cos(turn * 3.14159265 / 180)
-      radius = 650 / sqrt(n)
+      radius = 780 / sqrt(n)
     }
     FILENAME ~ /xyz$/ {
       put($1 - middle[1], $2 - middle[2], $3 - middle[3])
