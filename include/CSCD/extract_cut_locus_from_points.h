@@ -17,6 +17,7 @@
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Point_cut_locus_graph.h>
@@ -56,9 +57,8 @@ public:
   template <class PointRange, class PointMap, class NormalMap>
   Point_cut_locus_extraction(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
       : m_cloud(collect_points(points, point_map, normal_map)), m_complex(build_point_complex(m_cloud)),
-        m_frames(m_complex), m_cover(m_complex), m_triangulation(m_cover)
+        m_frames(m_complex), m_cover(m_complex), m_triangulation(make_intrinsic_delaunay(m_cover))
   {
-    m_triangulation.make_delaunay();
     name_points(points);
   }
   template <class PointRange, class PointMap>

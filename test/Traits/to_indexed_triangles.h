@@ -11,14 +11,14 @@
 
 namespace CSCD::test {
 
-inline internal::Indexed_triangles to_indexed_triangles(const Shape& shape)
+inline CSCD::internal::Indexed_triangles to_indexed_triangles(const Shape& shape)
 {
-  internal::Indexed_triangles result;
+  CSCD::internal::Indexed_triangles result;
   for (const Triple& p : shape.points) {
     result.points.emplace_back(p[0], p[1], p[2]);
   }
   for (const Triangle& t : shape.triangles) {
-    result.faces.push_back({internal::Index(t[0]), internal::Index(t[1]), internal::Index(t[2])});
+    result.faces.push_back({CSCD::internal::Index(t[0]), CSCD::internal::Index(t[1]), CSCD::internal::Index(t[2])});
   }
   result.first_bridging_face = result.faces.size();
   return result;

@@ -16,7 +16,7 @@ namespace CSCD::internal {
 
 /// Moves the points of a cut locus over the surface: first across the curve, up the gradient of the distance, to the
 /// ridge between the vertices; then to the middle of their neighbors, which takes the zigzag away. Forks only do the
-/// latter; tips and lone points follow their neighbor or stay.
+/// latter; tips follow their neighbor uphill and then stay, lone points stay.
 /// \tparam Ground what the points move on: it has a type `Point`, and the members `position(point)`, `gradient(point)`,
 ///         the mean unit gradient of the distance there, `moved(point, displacement)` and `mean_edge_length()`
 template <class Ground>
@@ -34,11 +34,12 @@ public:
     collect_neighbors(points.size(), edges);
     double factor = 1;
     for (int iteration = 0; iteration < iterations; ++iteration) {
-      move_all(points, [&](Index i) { return uphill(i, points[i], factor); });
+      move_all(points, true, [&](Index i) { return uphill(i, points[i], factor); });
       factor *= damping;
     }
     for (int iteration = 0; iteration < iterations; ++iteration) {
-      move_all(points, [&](Index i) { return to_middle(i); });
+      // If tips followed here too, short curves would drift away: their points would never come to the middle.
+      move_all(points, false, [&](Index i) { return to_middle(i); });
     }
   }
 
@@ -61,7 +62,7 @@ private:
 
   /// Moves all points by what `displacement(i)` says, given the positions before.
   template <class Displacement>
-  void move_all(std::vector<Point>& points, const Displacement& displacement)
+  void move_all(std::vector<Point>& points, bool do_tips_follow, const Displacement& displacement)
   {
     m_positions.clear();
     for (const Point& point : points) {
@@ -72,8 +73,8 @@ private:
       m_displacements.push_back(m_neighbors[i].size() >= 2 ? displacement(i) : Vector_3::Zero());
     }
     for (Index i = 0; i < points.size(); ++i) {
-      const bool is_tip = m_neighbors[i].size() == 1;
-      const Vector_3& step = m_displacements[is_tip ? m_neighbors[i].front() : i];
+      const bool is_following = do_tips_follow && m_neighbors[i].size() == 1;
+      const Vector_3& step = m_displacements[is_following ? m_neighbors[i].front() : i];
       if (step.squaredNorm() > 0) {
         points[i] = m_ground.moved(points[i], step);
       }

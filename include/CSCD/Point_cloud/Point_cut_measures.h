@@ -37,10 +37,9 @@ public:
 
   /// When a vertex of a cloud counts as a point of the cut locus. Less is asked than on a mesh, since means over
   /// neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,
-  /// random or even, shaken by up to 0.3 of their spacing: of what passes, 99.8 % lies within two edges of the true cut
-  /// locus, and all of it where fronts meet at 60 degrees has such a vertex within two edges. With the gradients of
-  /// single vertices, 97.9 % lies there, and 70 % on the worst cloud; with means over two rings a quarter of the cut
-  /// locus is lost at 60 degrees.
+  /// random or even, with noise or without: of what passes, 99.8 % lies within two edges of the true cut locus (of
+  /// single gradients 97.9 %, and 70 % on the worst cloud), and the cut locus where fronts meet at 60 degrees is near
+  /// such a vertex everywhere. At a threshold of 60 degrees it is not (doc/cut_locus.md).
   static constexpr Cut_criterion default_criterion() { return {-0.35, boost::math::double_constants::pi / 4}; }
 
   /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it

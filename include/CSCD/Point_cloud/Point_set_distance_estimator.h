@@ -61,8 +61,7 @@ public:
   ///     \cgalParamDefault{`points.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{normal_map}
-  ///     \cgalParamDescription{normals of the surface at the points, of any length and of either orientation: they tell
-  ///                           sheets apart that are near each other}
+  ///     \cgalParamDescription{normals of the surface at the points, of any length and of either orientation}
   ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
   ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
   ///   \cgalParamNEnd

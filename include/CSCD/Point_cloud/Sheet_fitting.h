@@ -27,8 +27,9 @@ namespace CSCD::internal {
 class Sheet_fitting
 {
 public:
-  Sheet_fitting(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
-      : m_points(points), m_neighbors(neighbors)
+  /// \param noise_height heights over the plane that noise makes
+  Sheet_fitting(const std::vector<Vector_3>& points, const Neighbor_table& neighbors, double noise_height)
+      : m_points(points), m_neighbors(neighbors), m_noise_height(noise_height)
   {
   }
 
@@ -40,7 +41,7 @@ public:
     double reach = 0;
     for (const Index neighbor : m_neighbors.neighbors(point)) {
       const Vector_3 edge = m_points[neighbor] - m_points[point];
-      if (std::abs(edge.dot(normal)) <= largest_slope * edge.norm()) {
+      if (std::abs(edge.dot(normal)) <= std::max(m_noise_height, largest_slope * edge.norm())) {
         m_sheet.push_back(neighbor);
         reach = std::max(reach, edge.norm());
       }
@@ -91,6 +92,7 @@ private:
 
   const std::vector<Vector_3>& m_points;
   const Neighbor_table& m_neighbors;
+  double m_noise_height;
   std::vector<Index> m_sheet; // neighbors that seem to be on the same one
 };
 

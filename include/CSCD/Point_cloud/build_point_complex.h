@@ -74,6 +74,9 @@ private:
   /// rounding, far less than matters.
   static constexpr double jitter = 1e-6;
 
+  /// The squared radius of a triangle's circumcircle, relative to the reach of the neighborhood: in a circle that is
+  /// much larger there may be points that nobody looked at, and an empty one is a hole.
+  static constexpr double largest_circle = 1;
   /// The sine of the angle between an edge and the tangent plane of an end: an edge that is steeper at both ends leads
   /// to another sheet.
   static constexpr double largest_slope = 0.7;
@@ -97,10 +100,20 @@ private:
     for (const Vector_3& point : m_cloud.points) {
       m_points.push_back(m_cloud.pose(point));
     }
-    Sheet_fitting fit(m_points, m_neighbors);
+    fit_sheets(0);
+    m_is_noisy = m_noise > noise_height * largest_noise * m_sampling.spacing() * m_cloud.pose.scale();
+    if (m_is_noisy) {
+      fit_sheets(m_noise);
+    }
+  }
+
+  /// Fits surfaces, and takes the noise from them.
+  void fit_sheets(double height)
+  {
+    Sheet_fitting fit(m_points, m_neighbors, height);
     std::vector<double> deviations;
     deviations.reserve(m_points.size());
-    m_fits.reserve(m_points.size());
+    m_fits.clear();
     for (Index point = 0; point < m_points.size(); ++point) {
       m_fits.push_back(fit(point));
       deviations.push_back(m_fits.back().deviation);
@@ -114,13 +127,12 @@ private:
   {
     m_result_points = m_cloud.points;
     const double scale = m_cloud.pose.scale();
-    const bool is_noisy = m_noise > noise_height * largest_noise * m_sampling.spacing() * scale;
     for (Index point = 0; point < m_points.size(); ++point) {
       Vector_3 offset = m_fits[point].projection - m_points[point];
       const double length = offset.norm();
       offset *= length > m_noise ? m_noise / length : 1.;
       m_points[point] += offset + jitter * scale * m_neighbors.reach(point) * pseudo_random_vector(point);
-      if (is_noisy) {
+      if (m_is_noisy) {
         m_result_points[point] += m_cloud.pose.turn_back(offset) / scale;
       }
     }
@@ -174,9 +186,13 @@ private:
         }
       }
       star();
+      const double reach = m_cloud.pose.scale() * m_neighbors.reach(p);
       const std::vector<Index>& ring = star.neighbors();
       for (std::size_t i = star.is_closed() ? 0 : 1; i < ring.size(); ++i) {
-        proposals.push_back(proposal(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]));
+        const Local_triangle triangle = proposal(p, ring[i == 0 ? ring.size() - 1 : i - 1], ring[i]);
+        if (triangle.size <= largest_circle * reach * reach) {
+          proposals.push_back(triangle);
+        }
       }
     }
     return count_votes(std::move(proposals));
@@ -268,6 +284,7 @@ private:
   std::vector<Vector_3> m_points;  // in the canonical pose, moved
   std::vector<Vector_3> m_normals; // in the canonical pose
   std::vector<Vector_3> m_result_points;
+  bool m_is_noisy = false;
   bool m_is_oriented = false; // the normals
 };
 

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A point complex with all that is needed to differentiate functions on it.
+
+#ifndef CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
+#define CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
+
+#include "Point_cloud/to_point_cloud.h"
+#include "support/Shape.h"
+#include <CSCD/Geodesic/Cotangent_elements.h>
+#include <CSCD/Geodesic/Geodesic_source.h>
+#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
+#include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Point_cloud/Point_derivatives.h>
+#include <CSCD/Point_cloud/Point_frames.h>
+#include <CSCD/Point_cloud/Tufted_cover.h>
+#include <CSCD/Point_cloud/build_point_complex.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <vector>
+
+namespace CSCD::test {
+
+/// The complex of `points`, in the unit of the cube around them, which is centred.
+inline CSCD::internal::Point_complex to_point_complex(const std::vector<Triple>& points)
+{
+  return CSCD::internal::build_point_complex(to_point_cloud(points));
+}
+
+/// A complex, its derivatives and its distances.
+class Measured_cloud
+{
+public:
+  using Index = CSCD::internal::Index;
+  using Vector_3 = CSCD::internal::Vector_3;
+
+  /// \param input a shape or points
+  template <class Input>
+  explicit Measured_cloud(const Input& input)
+      : m_complex(to_point_complex(input)), m_frames(m_complex), m_cover(m_complex),
+        m_heat(CSCD::internal::make_intrinsic_delaunay(m_cover)), m_derivatives(m_frames, m_heat.operators().elements)
+  {
+  }
+  Measured_cloud(const Measured_cloud&) = delete;
+  Measured_cloud& operator=(const Measured_cloud&) = delete;
+
+  const CSCD::internal::Point_complex& complex() const { return m_complex; }
+  const CSCD::internal::Point_frames& frames() const { return m_frames; }
+  const CSCD::internal::Point_derivatives& derivatives() const { return m_derivatives; }
+  Index size() const { return m_complex.number_of_vertices(); }
+
+  std::vector<double> distances(Index source) const
+  {
+    CSCD::internal::Heat_field field;
+    CSCD::internal::Heat_method::Workspace workspace;
+    m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
+    return field.distances;
+  }
+
+  /// The values of `function` at the vertices.
+  template <class Function>
+  std::vector<double> values(const Function& function) const
+  {
+    std::vector<double> result;
+    for (const Vector_3& p : m_complex.points()) {
+      result.push_back(function(p));
+    }
+    return result;
+  }
+
+  /// The vertex with edges that is nearest to `p`.
+  Index nearest(const Vector_3& p) const
+  {
+    Index result = 0;
+    for (Index v = 0; v < size(); ++v) {
+      if (!m_complex.outgoing(v).empty() && (m_complex.point(v) - p).norm() < (m_complex.point(result) - p).norm()) {
+        result = v;
+      }
+    }
+    return result;
+  }
+
+private:
+  CSCD::internal::Point_complex m_complex;
+  CSCD::internal::Point_frames m_frames;
+  CSCD::internal::Tufted_cover m_cover;
+  CSCD::internal::Heat_method m_heat;
+  CSCD::internal::Point_derivatives m_derivatives;
+};
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
