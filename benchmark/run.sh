@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables to
-# doc/performance.md, doc/points.md, doc/geodesics.md, doc/published.md and README.md. Takes half an hour.
+# doc/performance.md, doc/points.md, doc/geodesics.md, doc/published.md, doc/trees.md and README.md. Takes half an
+# hour.
 # Usage: benchmark/run.sh [REPETITIONS [PROGRAM...]], by default 3 and all programs.
 
 set -euo pipefail
@@ -14,7 +15,7 @@ repetitions=${1:-3}
 programs=("${@:2}")
 if [[ ${#programs[@]} -eq 0 ]]; then
   programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics
-    benchmark_published)
+    benchmark_published benchmark_trees)
 fi
 
 # shellcheck source=cmake/install_packages.sh

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Writes the tables of doc/performance.md, doc/points.md, doc/published.md and README.md, and plots.
+"""Writes the tables of doc/performance.md, doc/points.md, doc/published.md, doc/trees.md and README.md, and plots.
 
 Usage: write_tables.py REPETITIONS FILE..., of benchmark_skeletonization.json, benchmark_stages.json,
-benchmark_points.json and benchmark_published.json.
+benchmark_points.json, benchmark_published.json and benchmark_trees.json.
 Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
 """
 
@@ -260,6 +260,58 @@ def two_methods_table(medians, kind, label):
     return markdown(head, rows)
 
 
+def tree_table(medians):
+    """One row for each way to scan a tree, over all seeds: those by which constants were chosen, then others."""
+    rows = []
+    scans = dict.fromkeys(name.split("/")[2] for name in medians if name.startswith("tree/"))
+    for scan in scans:
+        row = [scan]
+        groups = [[run for name, run in medians.items() if name.startswith(f"tree/{kind}/{scan}/")]
+                  for kind in ("chosen", "other")]
+
+        def both(number, form, groups=groups):
+            return " / ".join(form(number(runs)) for runs in groups)
+
+        def mean(key):
+            return lambda runs: statistics.fmean(run[key] for run in runs)
+
+        def percent(key, whole):
+            return lambda runs: 100 * sum(run[key] for run in runs) / sum(run[whole] for run in runs)
+
+        row += [
+            both(percent("found", "limbs"), "{:.0f}".format),
+            both(percent("superfluous", "limbs"), "{:.0f}".format),
+            both(percent("right_parents", "found"), "{:.0f}".format),
+            both(percent("right_orders", "found"), "{:.0f}".format),
+            both(lambda runs: 100 * mean("length_error")(runs), "{:.1f}".format),
+            both(lambda runs: 100 * mean("radius_error")(runs), "{:.1f}".format),
+            both(lambda runs: 100 * mean("distance")(runs), "{:.0f}".format),
+            both(mean("objects"), "{:.1f}".format),
+            f"{statistics.fmean(seconds(run) for runs in groups for run in runs):.2f}",
+        ]
+        rows.append(row)
+    return markdown(["scan", "limbs found, %", "superfluous branches, % of the limbs", "right parent, %",
+                     "right order, %", "length error, %", "radius error, %", "distance from the axis, % of the radius",
+                     "components", "CPU s"], rows)
+
+
+def scan_table(medians):
+    rows = []
+    for name, run in medians.items():
+        if name.startswith("scan/"):
+            rows.append([name.split("/")[1], count(run["points"]), count(run["objects"]), count(run["nodes"]),
+                         count(run["branches"]), f"{run['length']:.0f}", f"{run['radius_at_base']:.2f}",
+                         count(run["gaps"]), f"{seconds(run):.2f}"])
+    return markdown(["scan", "points", "components", "nodes", "branches", "length", "radius of the trunk", "gaps",
+                     "CPU s"], rows)
+
+
+def growing_tree_table(medians):
+    rows = [[count(run["points"]), count(run["branches"]), f"{seconds(run):.2f}", count(run["megabytes"])]
+            for name, run in medians.items() if name.startswith("growing_tree/")]
+    return markdown(["points", "branches", "CPU s", "MB"], rows)
+
+
 def plot_published(medians):
     """Draws the errors of the tables about the published method."""
     def thousandths(run):
@@ -319,6 +371,12 @@ TABLES_OF_PROGRAM = {
         "clouds": cloud_table(medians),
         "growing_cloud": growing_cloud_table(medians),
     },
+    "benchmark_trees": lambda made, medians: {
+        "circumstances_of_trees": made,
+        "trees": tree_table(medians),
+        **({"scans": scan_table(medians)} if any(name.startswith("scan/") for name in medians) else {}),
+        "growing_tree": growing_tree_table(medians),
+    },
     "benchmark_published": lambda made, medians: {
         "circumstances_of_methods": made,
         "methods": method_quality_table(medians),
@@ -340,7 +398,7 @@ def main():
         tables.update(TABLES_OF_PROGRAM[program](circumstances(context, repetitions), medians))
         if program == "benchmark_published":
             plot_published(medians)
-    documents = [ROOT / "doc" / name for name in ("performance.md", "points.md", "published.md")]
+    documents = [ROOT / "doc" / name for name in ("performance.md", "points.md", "published.md", "trees.md")]
     for path in [*documents, ROOT / "README.md"]:
         replace_between_markers(path, tables)
         print(path)

@@ -37,6 +37,7 @@ constexpr const char* examples = R"(Examples:
   cscd skeletonize bunny.off --html bunny.html       a page to look at it
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
+  cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
   cscd evaluate bunny.off bunny.graph                how good a skeleton is, whoever made it
   cscd compare bunny.graph other.swc                 how alike two skeletons are
@@ -80,6 +81,15 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
   command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
       ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
+  command
+      ->add_option("--shape", options.shape,
+                   "what points sample: the surface of a body, or trees and other thin things; auto looks at them")
+      ->check(CLI::IsMember({cscd::automatic_shape, cscd::surface_shape, cscd::tree_shape}))
+      ->capture_default_str();
+  command->add_option("--root", options.root, "where the trunk of a tree begins; by default at its lowest points")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
   command->add_option("--seed", options.seed, "seed of the random choice of sources")->capture_default_str();
   command->add_option("--threads", options.number_of_threads, "number of threads; the skeleton does not depend on it")
       ->check(CLI::PositiveNumber)

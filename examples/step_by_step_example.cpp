@@ -93,7 +93,7 @@ void print(const CSCD::Skeletonization_report& report)
             << report.number_of_packed_separators << " packed\n"
             << "skeleton of " << report.number_of_nodes << " nodes: " << report.number_of_tips << " tips, "
             << report.number_of_junctions << " junctions, " << report.betti_number << " cycles for genus "
-            << report.genus << '\n';
+            << report.genus.value_or(0) << '\n';
   for (const std::string& warning : report.warnings) {
     std::cout << "warning: " << warning << '\n';
   }

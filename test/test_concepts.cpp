@@ -25,6 +25,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -129,23 +130,10 @@ struct Levels_by_value
 
 struct Body
 {
-  struct Answer
-  {
-    Eigen::Vector3d point;
-    unsigned face;
-  };
-
-  const CSCD::internal::Surface_levels& levels() const;
-  const CSCD::internal::Triangulated_surface& solid_surface() const;
+  const CSCD::internal::Triangulated_surface& surface() const;
   bool is_inside(const Eigen::Vector3d& p) const;
-  Answer closest_point(const Eigen::Vector3d& p) const;
-  const Answer* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+  std::optional<Eigen::Vector3d> middle_behind(const Eigen::Vector3d& p) const;
   void crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::vector<double>& distances) const;
-};
-
-struct Body_that_is_always_hit : Body
-{
-  Answer first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
 };
 
 struct Body_that_returns_crossings : Body
@@ -153,22 +141,56 @@ struct Body_that_returns_crossings : Body
   std::vector<double> crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q) const;
 };
 
-struct Body_without_faces : Body
+struct Body_with_a_surface_by_value : Body
 {
-  struct Point
+  CSCD::internal::Triangulated_surface surface() const;
+};
+
+struct Body_without_edges : Body
+{
+  const std::vector<Eigen::Vector3d>& surface() const;
+};
+
+struct Body_without_a_middle : Body
+{
+  bool middle_behind(const Eigen::Vector3d& p) const;
+};
+
+struct Triangulated_body : Body
+{
+  struct Place
   {
     Eigen::Vector3d point;
   };
-  Point closest_point(const Eigen::Vector3d& p) const;
+  struct Hit
+  {
+    Eigen::Vector3d point;
+    unsigned face;
+  };
+
+  const CSCD::internal::Surface_levels& levels() const;
+  const CSCD::internal::Triangulated_surface& solid_surface() const;
+  Place closest_point(const Eigen::Vector3d& p) const;
+  const Hit* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+};
+
+struct Triangulated_body_that_is_always_hit : Triangulated_body
+{
+  Hit first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
+};
+
+struct Triangulated_body_without_faces : Triangulated_body
+{
+  const Place* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
 };
 
 TEST(Concepts, Multiresolution_skeletonization_traits)
 {
   EXPECT_TRUE((CSCD::is_multiresolution_skeletonization_traits_v<CSCD::Triangle_mesh_traits<Mesh>>));
-  EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Body>);
+  EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Triangulated_body>);
   EXPECT_FALSE(CSCD::is_multiresolution_skeletonization_traits_v<Levels_by_value>) << "the levels must stay";
   EXPECT_FALSE(CSCD::is_multiresolution_skeletonization_traits_v<Two_sites>);
-  CSCD::check_multiresolution_skeletonization_traits<Body>();
+  CSCD::check_multiresolution_skeletonization_traits<Triangulated_body>();
 }
 
 TEST(Concepts, Solid_skeletonization_traits)
@@ -176,11 +198,25 @@ TEST(Concepts, Solid_skeletonization_traits)
   EXPECT_TRUE((CSCD::is_solid_skeletonization_traits_v<CSCD::Triangle_mesh_traits<Mesh>>));
   EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Body>);
   EXPECT_FALSE(CSCD::is_solid_skeletonization_traits_v<Levels_by_value>);
-  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_first_hit);
   EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_that_returns_crossings>::has_crossings);
-  EXPECT_TRUE(CSCD::Solid_skeletonization_traits_requirements<Body_that_is_always_hit>::has_closest_point);
-  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_without_faces>::has_closest_point);
+  EXPECT_TRUE(CSCD::Solid_skeletonization_traits_requirements<Body_that_returns_crossings>::has_surface);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_with_a_surface_by_value>::has_surface);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_without_edges>::has_surface);
+  EXPECT_FALSE(CSCD::Solid_skeletonization_traits_requirements<Body_without_a_middle>::has_middle_behind);
   CSCD::check_solid_skeletonization_traits<Body>();
+}
+
+TEST(Concepts, Triangulated_solid_skeletonization_traits)
+{
+  using Always_hit = Triangulated_body_that_is_always_hit;
+  using Without_faces = Triangulated_body_without_faces;
+  EXPECT_TRUE((CSCD::is_triangulated_solid_skeletonization_traits_v<CSCD::Triangle_mesh_traits<Mesh>>));
+  EXPECT_TRUE(CSCD::is_triangulated_solid_skeletonization_traits_v<Triangulated_body>);
+  EXPECT_FALSE(CSCD::is_triangulated_solid_skeletonization_traits_v<Body>);
+  EXPECT_FALSE(CSCD::Triangulated_solid_skeletonization_traits_requirements<Always_hit>::has_first_hit);
+  EXPECT_TRUE(CSCD::Triangulated_solid_skeletonization_traits_requirements<Always_hit>::has_closest_point);
+  EXPECT_FALSE(CSCD::Triangulated_solid_skeletonization_traits_requirements<Without_faces>::has_first_hit);
+  CSCD::check_triangulated_solid_skeletonization_traits<Triangulated_body>();
 }
 
 struct Weight_in_words

@@ -9,6 +9,7 @@
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
 #include "support/name_of_shape.h"
+#include "support/point_skeletons.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/exceptions.h>
@@ -43,44 +44,10 @@ using CSCD::test::Shape_maker;
 using CSCD::test::Similarity;
 using CSCD::test::Triple;
 using CSCD::test::operator*;
-using CSCD::test::operator-;
 
 Points to_points(const std::vector<Triple>& triples)
 {
-  Points result;
-  for (const Triple& p : triples) {
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  return result;
-}
-
-Plain_skeleton plain(const Skeleton& skeleton)
-{
-  Plain_skeleton result;
-  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
-    result.points.push_back(CSCD::test::to_triple(skeleton[node].point));
-    result.sites.push_back(skeleton[node].vertices);
-    std::sort(result.sites.back().begin(), result.sites.back().end());
-  }
-  const auto range = boost::edges(skeleton);
-  for (auto e = range.first; e != range.second; ++e) {
-    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
-  }
-  return result;
-}
-
-/// Expects that every number below `number_of_points` stands at exactly one node.
-void expect_partition(const Skeleton& skeleton, std::size_t number_of_points)
-{
-  std::vector<std::size_t> numbers;
-  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
-    numbers.insert(numbers.end(), skeleton[node].vertices.begin(), skeleton[node].vertices.end());
-  }
-  std::sort(numbers.begin(), numbers.end());
-  ASSERT_EQ(number_of_points, numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    ASSERT_EQ(i, numbers[i]);
-  }
+  return CSCD::test::to_points<Point>(triples);
 }
 
 struct Outcome
@@ -95,7 +62,7 @@ Outcome skeletonize(const std::vector<Triple>& triples)
   const Points points = to_points(triples);
   Outcome outcome;
   outcome.report = CSCD::extract_curve_skeleton(points, outcome.skeleton);
-  expect_partition(outcome.skeleton, points.size());
+  CSCD::test::expect_partition(outcome.skeleton, points.size());
   const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(outcome.skeleton);
   EXPECT_EQ(points.size(), outcome.report.number_of_sites);
   EXPECT_EQ(facts.number_of_components, outcome.report.number_of_surface_components);
@@ -196,20 +163,6 @@ TEST_P(Sampled_shape, bears_duplicates_and_outliers)
   EXPECT_LE(10u, outcome.report.reconstruction->number_of_unused_points);
 }
 
-/// The distance from each of `a` to the nearest of `b`, on average.
-double mean_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
-{
-  double sum = 0;
-  for (const Triple& p : a) {
-    double least = std::numeric_limits<double>::max();
-    for (const Triple& q : b) {
-      least = std::min(least, CSCD::test::norm(p - q));
-    }
-    sum += least;
-  }
-  return sum / static_cast<double>(a.size());
-}
-
 TEST_P(Sampled_shape, has_nearly_the_skeleton_of_the_mesh)
 {
   if (m_shape.name == CSCD::test::sphere(4).name) {
@@ -261,14 +214,7 @@ TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
   for (std::size_t number : order) {
     shuffled.push_back(points[number]);
   }
-  Plain_skeleton skeleton = plain(skeletonize(shuffled).skeleton);
-  for (std::vector<std::size_t>& sites : skeleton.sites) {
-    for (std::size_t& site : sites) {
-      site = order[site];
-    }
-    std::sort(sites.begin(), sites.end());
-  }
-  EXPECT_EQ(plain(skeletonize(points).skeleton), skeleton);
+  EXPECT_EQ(plain(skeletonize(points).skeleton), renamed(plain(skeletonize(shuffled).skeleton), order));
 }
 
 /// On a grid, all triangles have the same size: what is taken first must not hang on addresses.

@@ -23,6 +23,9 @@ inline constexpr const char* euclidean_target = "euclidean";
 inline constexpr const char* geodesic_target = "geodesic";
 inline constexpr const char* flip_shortening = "flips";
 inline constexpr const char* variational_shortening = "variational";
+inline constexpr const char* automatic_shape = "auto";
+inline constexpr const char* surface_shape = "surface";
+inline constexpr const char* tree_shape = "tree";
 /// @}
 
 /// What to skeletonize, how, and where the results go.
@@ -32,8 +35,10 @@ struct Skeletonize_options
   std::string format;               ///< of the input: off, obj, ply, stl, xyz or pts; by its ending if empty
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string method = local_method;
-  std::string target;     ///< of the published method: which cut point; `euclidean_target` if empty
-  std::string shortening; ///< of the published method: how loops are shortened; `flip_shortening` if empty
+  std::string target;                  ///< of the published method: which cut point; `euclidean_target` if empty
+  std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
+  std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin things
+  std::vector<double> root;            ///< of a tree: where its trunk begins, three coordinates; or empty
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 lets the method decide

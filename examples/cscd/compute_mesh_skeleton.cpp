@@ -5,8 +5,10 @@
 
 #include "compute_mesh_skeleton.h"
 
+#include "published_policies.h"
 #include "run_skeletonization.h"
 #include "types.h"
+#include <CSCD/Local_policies.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 
 #include <utility>
@@ -16,9 +18,13 @@ namespace cscd {
 Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
 {
-  const CSCD::Triangle_mesh_traits<Mesh> traits(input.mesh);
+  using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+  const Traits traits(input.mesh);
   Skeleton skeleton;
-  Skeletonization_result result = run_skeletonization(traits, options, visitor, skeleton);
+  Skeletonization_result result =
+      options.method == published_method
+          ? run_skeletonization(traits, published_policies<Traits>(options), options, visitor, skeleton)
+          : run_skeletonization(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
   return result;
 }

@@ -10,10 +10,6 @@
 #include "Skeletonization_result.h"
 #include "Skeletonize_options.h"
 #include <CSCD/Curve_skeletonization.h>
-#include <CSCD/Local_policies.h>
-#include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
 
 #include <CGAL/tags.h>
 
@@ -21,8 +17,9 @@ namespace cscd {
 
 /// Skeletonizes the surface of `traits` into `skeleton` by the algorithms of `policies`. \return the rest of the result
 template <class Traits, class Policies, class AnySkeleton>
-Skeletonization_result run_policies(const Traits& traits, const Policies& policies, const Skeletonize_options& options,
-                                    Progress_visitor& visitor, AnySkeleton& skeleton)
+Skeletonization_result run_skeletonization(const Traits& traits, const Policies& policies,
+                                           const Skeletonize_options& options, Progress_visitor& visitor,
+                                           AnySkeleton& skeleton)
 {
   CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
   skeletonization.set_random_seed(options.seed).set_number_of_threads(options.number_of_threads);
@@ -37,22 +34,6 @@ Skeletonization_result run_policies(const Traits& traits, const Policies& polici
     result.separators.push_back(skeletonization.polyline(skeletonization.separators()[separator]));
   }
   return result;
-}
-
-/// The same by the method that `options` name.
-template <class Traits, class AnySkeleton>
-Skeletonization_result run_skeletonization(const Traits& traits, const Skeletonize_options& options,
-                                           Progress_visitor& visitor, AnySkeleton& skeleton)
-{
-  if (options.method == published_method) {
-    const CSCD::Published_policies<Traits> policies(
-        options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
-                                          : CSCD::Target_rule::nearest_in_space,
-        options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
-                                                     : CSCD::Shortening_rule::edge_flips);
-    return run_policies(traits, policies, options, visitor, skeleton);
-  }
-  return run_policies(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
 }
 
 } // namespace cscd

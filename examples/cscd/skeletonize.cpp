@@ -36,6 +36,15 @@ void check_options(const Skeletonize_options& options)
   if (options.method != published_method && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
+  if (options.method == published_method && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: only surfaces have a choice of methods; leave out --method published");
+  }
+  if (options.method == published_method && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
+  }
+  if (!options.root.empty() && options.shape == surface_shape) {
+    throw Usage_error("--root: only a tree has a root; leave out --shape surface");
+  }
   for (const std::string& output : options.outputs) {
     check_output(output);
   }
@@ -71,9 +80,10 @@ Skeletonization_result compute(Input& input, const Skeletonize_options& options)
 }
 
 /// The name of the input file without its folder, which means nothing to whom the page is given.
-std::string title(const Skeletonize_options& options)
+std::string title(const Skeletonize_options& options, const Skeletonization_result& result)
 {
-  return std::filesystem::path(name_of_input(options)).filename().string();
+  const std::string name = std::filesystem::path(name_of_input(options)).filename().string();
+  return result.tree ? name + ", taken for a scan of trees" : name;
 }
 
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
@@ -82,16 +92,15 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     write_output(output, result.skeleton);
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, input, result, title(options));
+    write_viewer_page(options.html, input, result, title(options, result));
   }
   if (!options.report.empty()) {
-    CSCD::write_file(options.report,
-                     [&](std::ostream& out) { write_report(out, options, input.repairs, result.report); });
+    CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, input.repairs, result); });
   }
   const bool is_output_taken =
       std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
   if (!options.is_quiet && !is_output_taken) {
-    write_summary(std::cout, options, result.report);
+    write_summary(std::cout, options, result);
   }
 }
 
@@ -101,11 +110,17 @@ void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
   Input input = read_input(options);
+  if (!input.is_point_set && (options.shape == tree_shape || !options.root.empty())) {
+    throw Usage_error(name_of_input(options) + ": is a mesh; only points can be a tree: leave out --shape and --root");
+  }
   for (const std::string& sentence : input.repairs.sentences()) {
     say(options, sentence);
   }
+  if (input.is_point_set && options.shortening == flip_shortening) {
+    throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
+  }
   const Skeletonization_result result = compute(input, options);
-  for (const std::string& warning : result.report.warnings) {
+  for (const std::string& warning : result.warnings()) {
     say(options, warning);
   }
   write_results(input, result, options);

@@ -14,6 +14,7 @@
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Reconstruction/Reconstruction_report.h>
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
 
 #include <iostream>
@@ -36,6 +37,13 @@ std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repai
 /// What the page shows of a point set; nothing for a mesh.
 CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
 {
+  if (result.tree) {
+    std::vector<Point> gaps;
+    for (const CSCD::Tree_gap& gap : result.tree->gaps) {
+      gaps.emplace_back((gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2, (gap.from[2] + gap.to[2]) / 2);
+    }
+    return {input.points.size(), {}, gaps};
+  }
   if (!result.report.reconstruction) {
     return {};
   }

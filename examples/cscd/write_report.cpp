@@ -5,11 +5,15 @@
 
 #include "write_report.h"
 
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Tree/Circle_outcome.h>
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iomanip>
@@ -40,7 +44,7 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"number_of_inserted_vertices", r.number_of_inserted_vertices},
           {"number_of_degenerate_faces", r.number_of_degenerate_faces},
           {"number_of_levels", r.number_of_levels},
-          {"genus", r.genus}};
+          {"genus", r.genus ? Json(*r.genus) : Json()}};
 }
 
 /// Why sources have no cut point that is accepted.
@@ -115,11 +119,91 @@ double total_seconds(const CSCD::Skeletonization_report& report)
   return std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
 }
 
+/// The numbers of sections by what told them.
+Json sections(const CSCD::Tree_report& r)
+{
+  constexpr std::array<const char*, CSCD::number_of_circle_outcomes> names{"fitted", "few_points", "short_arc",
+                                                                           "scattered", "too_wide"};
+  Json result = Json::object();
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    result[names[i]] = r.number_of_sections[i];
+  }
+  return result;
+}
+
+Json branches(const CSCD::Tree_report& r)
+{
+  Json result = Json::array();
+  for (const CSCD::Tree_branch& branch : r.branches) {
+    result.push_back({{"parent", branch.parent == CSCD::no_branch ? Json() : Json(branch.parent)},
+                      {"object", branch.object},
+                      {"order", branch.order},
+                      {"strahler_order", branch.strahler_order},
+                      {"length", branch.length},
+                      {"radius_at_base", branch.radius_at_base},
+                      {"radius_at_tip", branch.radius_at_tip},
+                      {"number_of_sections", branch.number_of_sections},
+                      {"number_of_circles", branch.number_of_circles},
+                      {"nodes", branch.nodes}});
+  }
+  return result;
+}
+
+Json gaps(const CSCD::Tree_report& r)
+{
+  Json result = Json::array();
+  for (const CSCD::Tree_gap& gap : r.gaps) {
+    result.push_back({{"from", gap.from}, {"to", gap.to}, {"length", gap.length}});
+  }
+  return result;
+}
+
+Json tree_document(const Skeletonize_options& options, const CSCD::Tree_report& r)
+{
+  return {{"version", CSCD_VERSION},
+          {"input", options.input},
+          {"method", tree_shape},
+          {"number_of_points", r.number_of_points},
+          {"number_of_duplicates", r.number_of_duplicates},
+          {"number_of_debris", r.number_of_debris},
+          {"number_of_objects", r.number_of_objects},
+          {"spacing", r.spacing},
+          {"number_of_nodes", r.number_of_nodes},
+          {"number_of_edges", r.number_of_edges},
+          {"number_of_branches", r.branches.size()},
+          {"number_of_sections", sections(r)},
+          {"branches", branches(r)},
+          {"gaps", gaps(r)},
+          {"seconds", r.seconds},
+          {"warnings", r.warnings}};
+}
+
+void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const CSCD::Tree_report& report)
+{
+  constexpr int digits = 3; // of the time
+  double length = 0;
+  std::size_t order = 0;
+  for (const CSCD::Tree_branch& branch : report.branches) {
+    length += branch.length;
+    order = std::max(order, branch.order);
+  }
+  out << options.input << ": " << report.number_of_points << " points, " << report.number_of_objects
+      << (report.number_of_objects == 1 ? " tree" : " trees") << "\nskeleton: " << report.number_of_nodes << " nodes, "
+      << report.branches.size() << (report.branches.size() == 1 ? " branch" : " branches") << " of orders 0 to "
+      << order << ", length " << length << ", " << report.gaps.size() << (report.gaps.size() == 1 ? " gap" : " gaps")
+      << "\ntime: " << std::fixed << std::setprecision(digits) << report.seconds << " s\n";
+}
+
 } // namespace
 
 void write_report(std::ostream& out, const Skeletonize_options& options, const CSCD::Mesh_repair_report& repairs,
-                  const CSCD::Skeletonization_report& report)
+                  const Skeletonization_result& result)
 {
+  if (result.tree) {
+    out << dump(tree_document(options, *result.tree)) << '\n';
+    return;
+  }
+  const CSCD::Skeletonization_report& report = result.report;
   Json document{{"version", CSCD_VERSION},
                 {"input", options.input},
                 {"method", options.method},
@@ -145,13 +229,21 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
   out << dump(document) << '\n';
 }
 
-void write_summary(std::ostream& out, const Skeletonize_options& options, const CSCD::Skeletonization_report& report)
+void write_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result)
 {
+  if (result.tree) {
+    write_tree_summary(out, options, *result.tree);
+    return;
+  }
+  const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
   out << options.input << ": " << report.number_of_sites << (report.reconstruction ? " points, " : " vertices, ")
       << report.number_of_surface_components
-      << (report.number_of_surface_components == 1 ? " component" : " components") << ", genus " << report.genus
-      << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
+      << (report.number_of_surface_components == 1 ? " component" : " components");
+  if (report.genus) {
+    out << ", genus " << *report.genus;
+  }
+  out << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
       << report.number_of_skeleton_components
       << (report.number_of_skeleton_components == 1 ? " component" : " components") << ", " << report.betti_number
       << (report.betti_number == 1 ? " cycle, " : " cycles, ") << report.number_of_tips

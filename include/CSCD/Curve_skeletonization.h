@@ -75,7 +75,9 @@ public:
     m_report.number_of_bridged_borders = traits.number_of_bridged_borders();
     m_report.number_of_inserted_vertices = traits.number_of_inserted_vertices();
     m_report.number_of_degenerate_faces = traits.number_of_degenerate_faces();
-    m_report.number_of_levels = traits.levels().size();
+    if constexpr (is_multiresolution_skeletonization_traits_v<Traits>) {
+      m_report.number_of_levels = traits.levels().size();
+    }
     m_report.genus = traits.genus();
     m_report.seconds[static_cast<std::size_t>(Skeletonization_stage::compile_surface)] = traits.seconds_to_compile();
     m_report.warnings = traits.warnings();
@@ -200,10 +202,12 @@ public:
   /// The closed curve of `separator` in the coordinates of the input; the first point does not stand again at the end.
   std::vector<Point> polyline(const Separator& separator) const
   {
+    std::vector<internal::Vector_3> points;
+    internal::curve_points(m_traits.surface(), separator, points);
     std::vector<Point> result;
-    result.reserve(separator.crossings.size());
-    for (const internal::Edge_crossing& crossing : separator.crossings) {
-      result.push_back(m_traits.to_input_point(internal::crossing_point(m_traits.levels().finest().surface, crossing)));
+    result.reserve(points.size());
+    for (const internal::Vector_3& point : points) {
+      result.push_back(m_traits.to_input_point(point));
     }
     return result;
   }
@@ -228,9 +232,9 @@ private:
   void warn_of_skeleton()
   {
     m_report.warnings = m_traits.warnings();
-    if (m_report.betti_number != m_report.genus) {
+    if (m_report.genus && m_report.betti_number != *m_report.genus) {
       m_report.warnings.push_back("the skeleton has " + std::to_string(m_report.betti_number) +
-                                  " independent cycles, the surface " + std::to_string(m_report.genus) + " handles");
+                                  " independent cycles, the surface " + std::to_string(*m_report.genus) + " handles");
     }
     if (m_report.number_of_nodes_outside + m_report.number_of_edges_outside > 0) {
       m_report.warnings.push_back(std::to_string(m_report.number_of_nodes_outside) + " nodes and " +

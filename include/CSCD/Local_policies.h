@@ -26,7 +26,7 @@ namespace CSCD {
 
 /// The local policies: a separator is sought on the surface around its source alone, sources cover the surface, and
 /// the surface is cut along the packed separators. The default model of `SkeletonizationPolicies`.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 /// \tparam SeparatorWeight a model of `SeparatorWeight`
 /// \tparam SeparatorFinder a model of `SeparatorFinder` that can be made of a `Traits` object
 template <class Traits, class SeparatorWeight = Length_and_planarity_weight,
@@ -42,7 +42,7 @@ public:
   /// \param weight of two separators that overlap, the one of lesser weight is packed
   explicit Local_policies(SeparatorWeight weight) : m_weight(std::move(weight))
   {
-    check_solid_skeletonization_traits<Traits>();
+    check_triangulated_solid_skeletonization_traits<Traits>();
     check_separator_weight<SeparatorWeight>();
     check_separator_finder<SeparatorFinder, Traits>();
   }

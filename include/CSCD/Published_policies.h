@@ -6,9 +6,11 @@
 #ifndef CSCD_PUBLISHED_POLICIES_H
 #define CSCD_PUBLISHED_POLICIES_H
 
+#include <CSCD/Point_cloud/Point_field_search_space.h>
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Field_search_space.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>
@@ -19,6 +21,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -26,7 +30,8 @@ namespace CSCD {
 /// The method as published, CSCD-M: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus
 /// from the whole distance field, shortening by edge flips or the variational flow, random sources, the quotient graph
 /// of regions. A model of `SkeletonizationPolicies`. Slower than `Local_policies` by an order of magnitude; its time
-/// grows with the number of sources times that of vertices. \tparam Traits a model of `SolidSkeletonizationTraits`
+/// grows with the number of sources times that of vertices. \tparam Traits a model of `SolidSkeletonizationTraits`, for
+/// the surface of which there is an `internal::Field_search_space`
 template <class Traits>
 class Published_policies
 {
@@ -36,11 +41,14 @@ public:
 
   /// The number of sources of the published experiments.
   static constexpr std::size_t default_number_of_sources = 3000;
+  /// Edge flips on meshes, the variational flow among points.
+  static constexpr Shortening_rule default_shortening_rule = internal::Field_search_space<
+      std::decay_t<decltype(std::declval<const Traits&>().surface())>>::default_shortening_rule;
 
   /// \param target_rule which cut point is the target of a source
   /// \param shortening_rule how the loop through it is shortened
   explicit Published_policies(Target_rule target_rule = Target_rule::nearest_in_space,
-                              Shortening_rule shortening_rule = Shortening_rule::edge_flips)
+                              Shortening_rule shortening_rule = default_shortening_rule)
       : m_target_rule(target_rule), m_shortening_rule(shortening_rule)
   {
     check_solid_skeletonization_traits<Traits>();

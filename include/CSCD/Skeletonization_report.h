@@ -30,7 +30,8 @@ struct Skeletonization_report
   std::size_t number_of_inserted_vertices = 0;  ///< vertices inserted where faces were too large to sample
   std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
   std::size_t number_of_levels = 0;             ///< levels of detail, the input included
-  std::size_t genus = 0;                        ///< of the (bridged) surface, summed over its components
+  /// Of the (bridged) surface, summed over its components; of points without a surface it is not known.
+  std::optional<std::size_t> genus;
   /// What was done to make a surface of points; nothing for a mesh.
   std::optional<Reconstruction_report> reconstruction;
   /// @}

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -141,13 +142,23 @@ template <class T>
 using levels = decltype(std::declval<const T&>().levels());
 
 template <class T>
-using solid_surface = decltype(std::declval<const T&>().solid_surface());
+using surface = decltype(std::declval<const T&>().surface());
+template <class T>
+using crossed_edge = decltype(std::declval<const surface<T>&>().edge(Index()));
+template <class T>
+using outgoing_halfedge = Element<decltype(std::declval<const surface<T>&>().outgoing(Index()))>;
 template <class T>
 using is_inside = decltype(std::declval<const T&>().is_inside(Vector_3()));
 template <class T>
-using closest_point = decltype(std::declval<const T&>().closest_point(Vector_3()).point);
+using middle_behind = decltype(std::declval<const T&>().middle_behind(Vector_3()));
 template <class T>
-using closest_face = decltype(std::declval<const T&>().closest_point(Vector_3()).face);
+using crossings =
+    decltype(std::declval<const T&>().crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>()));
+
+template <class T>
+using solid_surface = decltype(std::declval<const T&>().solid_surface());
+template <class T>
+using closest_point = decltype(std::declval<const T&>().closest_point(Vector_3()).point);
 template <class T>
 using first_hit = decltype(std::declval<const T&>().first_hit(Vector_3(), Vector_3()));
 template <class T>
@@ -156,9 +167,6 @@ template <class T>
 using hit_point = decltype(std::declval<const first_hit<T>&>()->point);
 template <class T>
 using hit_face = decltype(std::declval<const first_hit<T>&>()->face);
-template <class T>
-using crossings =
-    decltype(std::declval<const T&>().crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>()));
 
 template <class W>
 using weight_of_separator = decltype(std::declval<const W&>()(std::declval<const Separator&>()));
@@ -246,7 +254,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 /// | `t.number_of_triangles()`, `t.triangle(f)` | the triangles, each an array of three sites |
 /// | `t.descriptors(i)` | a range of what identifies, in the input, the sites for which site `i` stands; may be empty |
 /// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length in the coordinates of the input |
-/// | `t.genus()` | the number of handles, over all components |
+/// | `t.genus()` | the number of handles, over all components; an empty `std::optional` if it is not known |
 /// | `t.number_of_components()` | the number of connected components of the surface |
 /// | `t.number_of_input_sites()` | the number of sites of the input |
 /// | `t.number_of_isolated_vertices()` | the number of vertices of the input that are no sites |
@@ -288,7 +296,7 @@ struct Skeletonization_traits_requirements
   static constexpr bool has_to_input_point =
       internal::gives_own_type<internal::expressions::Point, internal::expressions::to_input_point, T>();
   static constexpr bool has_to_input_length = internal::gives_v<double, internal::expressions::to_input_length, T>;
-  static constexpr bool has_genus = internal::gives_v<std::size_t, internal::expressions::genus, T>;
+  static constexpr bool has_genus = internal::gives_v<std::optional<std::size_t>, internal::expressions::genus, T>;
   static constexpr bool has_number_of_components =
       internal::gives_v<std::size_t, internal::expressions::number_of_components, T>;
   static constexpr bool has_counts_of_input =
@@ -342,7 +350,8 @@ constexpr void check_skeletonization_traits()
       "CSCD: SkeletonizationTraits requires t.to_input_point(Eigen::Vector3d) const, convertible to T::Point");
   static_assert(Requirements::has_to_input_length,
                 "CSCD: SkeletonizationTraits requires t.to_input_length(double) const, convertible to double");
-  static_assert(Requirements::has_genus, "CSCD: SkeletonizationTraits requires t.genus() const, an integer");
+  static_assert(Requirements::has_genus,
+                "CSCD: SkeletonizationTraits requires t.genus() const, an integer or an optional one");
   static_assert(Requirements::has_number_of_components,
                 "CSCD: SkeletonizationTraits requires t.number_of_components() const, an integer");
   static_assert(Requirements::has_counts_of_input,
@@ -389,20 +398,17 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// A `MultiresolutionSkeletonizationTraits` whose surface bounds a body: what the steps ask for that keep loops and
-/// nodes inside. All functions are const, and may be called by several threads at once; references hold as long as the
-/// object lives.
+/// A surface that bounds a body: what the steps ask for that weigh separators and keep nodes inside. All functions are
+/// const, and may be called by several threads at once; references hold as long as the object lives.
 ///
 /// | expression | value |
 /// |---|---|
-/// | `t.solid_surface()` | a `const internal::Triangulated_surface&`: the surface that the queries refer to |
+/// | `t.surface()` | what separators lie on: a `const internal::Triangulated_surface&` or `internal::Point_complex&` |
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
-/// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p`, and its `face` |
-/// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
-/// | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
+/// | `t.middle_behind(p)` | a `std::optional` point: the middle of the body behind where the surface is nearest to `p`
+/// | | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
 ///
-/// \cgalRefines{`MultiresolutionSkeletonizationTraits`}
-/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`, `Point_cloud_traits`}
 /// \cgalArchetype{Solid_traits_archetype.h}
 /// \cgalConcept
 class SolidSkeletonizationTraits
@@ -417,19 +423,14 @@ class SolidSkeletonizationTraits
 template <class T>
 struct Solid_skeletonization_traits_requirements
 {
-  static constexpr bool has_levels = is_multiresolution_skeletonization_traits_v<T>;
-  static constexpr bool has_solid_surface =
-      internal::refers_to_v<internal::Triangulated_surface, internal::expressions::solid_surface, T>;
+  static constexpr bool has_surface = internal::gives_v<std::size_t, internal::expressions::crossed_edge, T> &&
+                                      internal::gives_v<std::size_t, internal::expressions::outgoing_halfedge, T> &&
+                                      std::is_lvalue_reference_v<internal::expressions::surface<T>>;
   static constexpr bool has_is_inside = internal::gives_v<bool, internal::expressions::is_inside, T>;
-  static constexpr bool has_closest_point =
-      internal::gives_v<internal::Vector_3, internal::expressions::closest_point, T> &&
-      internal::gives_v<internal::Index, internal::expressions::closest_face, T>;
-  static constexpr bool has_first_hit = internal::gives_v<bool, internal::expressions::is_hit, T> &&
-                                        internal::gives_v<internal::Vector_3, internal::expressions::hit_point, T> &&
-                                        internal::gives_v<internal::Index, internal::expressions::hit_face, T>;
+  static constexpr bool has_middle_behind =
+      internal::gives_v<std::optional<internal::Vector_3>, internal::expressions::middle_behind, T>;
   static constexpr bool has_crossings = internal::is_valid_v<internal::expressions::crossings, T>;
-  static constexpr bool value =
-      has_levels && has_solid_surface && has_is_inside && has_closest_point && has_first_hit && has_crossings;
+  static constexpr bool value = has_surface && has_is_inside && has_middle_behind && has_crossings;
 };
 
 /// Whether `T` is a model of `SolidSkeletonizationTraits`.
@@ -441,20 +442,77 @@ template <class T>
 constexpr void check_solid_skeletonization_traits()
 {
   using Requirements = Solid_skeletonization_traits_requirements<T>;
-  check_multiresolution_skeletonization_traits<T>();
-  static_assert(Requirements::has_solid_surface,
-                "CSCD: SolidSkeletonizationTraits requires t.solid_surface() const, a reference to the surface of the "
-                "body");
+  static_assert(Requirements::has_surface,
+                "CSCD: SolidSkeletonizationTraits requires t.surface() const, a reference to what separators lie on");
   static_assert(Requirements::has_is_inside,
                 "CSCD: SolidSkeletonizationTraits requires t.is_inside(p) const, convertible to bool");
-  static_assert(Requirements::has_closest_point,
-                "CSCD: SolidSkeletonizationTraits requires t.closest_point(p) const, with members point and face");
-  static_assert(Requirements::has_first_hit,
-                "CSCD: SolidSkeletonizationTraits requires t.first_hit(p, d) const, a pointer to what has members "
-                "point and face, or null");
+  static_assert(Requirements::has_middle_behind,
+                "CSCD: SolidSkeletonizationTraits requires t.middle_behind(p) const, an optional Eigen::Vector3d");
   static_assert(Requirements::has_crossings,
                 "CSCD: SolidSkeletonizationTraits requires t.crossings(p, q, v) const, which fills a "
                 "std::vector<double>");
+}
+
+/// @}
+
+#ifdef DOXYGEN_RUNNING
+/// A body bounded by triangles, in levels of detail: what the local method asks for. All functions are const, and may
+/// be called by several threads at once; references hold as long as the object lives.
+///
+/// | expression | value |
+/// |---|---|
+/// | `t.solid_surface()` | a `const internal::Triangulated_surface&`: the surface that the queries refer to |
+/// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p` |
+/// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
+///
+/// \cgalRefines{`MultiresolutionSkeletonizationTraits`, `SolidSkeletonizationTraits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalArchetype{Solid_traits_archetype.h}
+/// \cgalConcept
+class TriangulatedSolidSkeletonizationTraits
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
+/// @{
+
+/// The requirements of the concept, one by one.
+template <class T>
+struct Triangulated_solid_skeletonization_traits_requirements
+{
+  static constexpr bool has_levels = is_multiresolution_skeletonization_traits_v<T>;
+  static constexpr bool is_solid = is_solid_skeletonization_traits_v<T>;
+  static constexpr bool has_solid_surface =
+      internal::refers_to_v<internal::Triangulated_surface, internal::expressions::solid_surface, T>;
+  static constexpr bool has_closest_point =
+      internal::gives_v<internal::Vector_3, internal::expressions::closest_point, T>;
+  static constexpr bool has_first_hit = internal::gives_v<bool, internal::expressions::is_hit, T> &&
+                                        internal::gives_v<internal::Vector_3, internal::expressions::hit_point, T> &&
+                                        internal::gives_v<internal::Index, internal::expressions::hit_face, T>;
+  static constexpr bool value = has_levels && is_solid && has_solid_surface && has_closest_point && has_first_hit;
+};
+
+/// Whether `T` is a model of `TriangulatedSolidSkeletonizationTraits`.
+template <class T>
+inline constexpr bool is_triangulated_solid_skeletonization_traits_v =
+    Triangulated_solid_skeletonization_traits_requirements<T>::value;
+
+/// refuses at compile time a type that is no model of `TriangulatedSolidSkeletonizationTraits`.
+template <class T>
+constexpr void check_triangulated_solid_skeletonization_traits()
+{
+  using Requirements = Triangulated_solid_skeletonization_traits_requirements<T>;
+  check_multiresolution_skeletonization_traits<T>();
+  check_solid_skeletonization_traits<T>();
+  static_assert(Requirements::has_solid_surface,
+                "CSCD: TriangulatedSolidSkeletonizationTraits requires t.solid_surface() const, a reference to the "
+                "surface of the body");
+  static_assert(Requirements::has_closest_point,
+                "CSCD: TriangulatedSolidSkeletonizationTraits requires t.closest_point(p) const, with member point");
+  static_assert(Requirements::has_first_hit,
+                "CSCD: TriangulatedSolidSkeletonizationTraits requires t.first_hit(p, d) const, a pointer to what has "
+                "members point and face, or null");
 }
 
 /// @}

@@ -17,6 +17,12 @@ struct Input_error : std::invalid_argument
   using std::invalid_argument::invalid_argument;
 };
 
+/// The points do not sample the surface of a body. They may be a scan of trees or of other thin things.
+struct Surface_error : Input_error
+{
+  using Input_error::Input_error;
+};
+
 /// A file cannot be read or written, or is not what its name promises. The message names the file and the place in it.
 struct File_error : std::runtime_error
 {

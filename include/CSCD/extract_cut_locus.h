@@ -6,12 +6,15 @@
 #ifndef CSCD_EXTRACT_CUT_LOCUS_H
 #define CSCD_EXTRACT_CUT_LOCUS_H
 
+#include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Cut_locus/Cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_smoothing.h>
 #include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/Pruning_policy.h>
+#include <CSCD/Cut_locus/Surface_ground.h>
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
@@ -47,16 +50,6 @@
 
 namespace CSCD {
 namespace internal {
-
-/// How a cut locus is found; scale-free.
-struct Cut_locus_settings
-{
-  Cut_criterion criterion;
-  /// Relative to the distance of the farthest point. Found by eye on a dozen meshes: less leaves thorns, more takes
-  /// fingers.
-  double minimum_branch_length = 0.03;
-  int number_of_iterations = 10;
-};
 
 /// Finds the cut locus of sources on a mesh; see `extract_cut_locus()`.
 template <class TriangleMesh, class VertexPointMap>
@@ -129,7 +122,8 @@ public:
         find_cut_tree(measures, tree, m_sources, settings.criterion, policy, settings.minimum_branch_length);
     collect_points(cut);
     const Cut_measures<Open_triangulation> surface_measures(m_surface_frames, m_distances);
-    Cut_locus_smoothing smoothing(surface_measures);
+    const Surface_ground ground(surface_measures);
+    Cut_locus_smoothing<Surface_ground> smoothing(ground);
     smoothing(m_points, m_edges, settings.number_of_iterations);
     fill(graph);
   }
@@ -185,9 +179,7 @@ private:
     graph = Graph(m_points.size());
     for (Index i = 0; i < m_points.size(); ++i) {
       const Face_point& at = m_points[i];
-      const Vector_3 position = m_normalization.to_input(walk.position(at));
-      using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-      graph[i].point = Point(Coordinate(position.x()), Coordinate(position.y()), Coordinate(position.z()));
+      graph[i].point = to_input_point<Point>(m_normalization, walk.position(at));
       // Triangles are collected from the target of the face's halfedge on.
       graph[i].location = {face_descriptors[at.face], {at.weights[2], at.weights[0], at.weights[1]}};
       double distance = 0;
@@ -278,7 +270,8 @@ private:
 ///
 /// \throw Input_error if `mesh` is no oriented manifold of triangles with finite coordinates, if there is no source or
 ///        one has no faces, or if distances are missing; the message names the element and the remedy
-template <class TriangleMesh, class Graph, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Graph, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
 void extract_cut_locus(const TriangleMesh& mesh,
                        const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& sources,
                        Graph& cut_locus, const NamedParameters& np = parameters::default_values())
@@ -290,16 +283,7 @@ void extract_cut_locus(const TriangleMesh& mesh,
                                    internal_np::laplacian_threshold_t, internal_np::angle_threshold_t,
                                    internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
   check_triangle_mesh<TriangleMesh>();
-  internal::Cut_locus_settings settings;
-  settings.criterion.laplacian_threshold =
-      choose_parameter(get_parameter(np, internal_np::laplacian_threshold), settings.criterion.laplacian_threshold);
-  settings.criterion.angle_threshold =
-      choose_parameter(get_parameter(np, internal_np::angle_threshold), settings.criterion.angle_threshold);
-  settings.minimum_branch_length =
-      choose_parameter(get_parameter(np, internal_np::minimum_branch_length), settings.minimum_branch_length);
-  settings.number_of_iterations =
-      int(choose_parameter(get_parameter(np, CGAL::internal_np::number_of_iterations), settings.number_of_iterations));
-
+  const auto settings = internal::cut_locus_settings(np, internal::Cut_criterion());
   const auto point_map = internal::vertex_point_map(mesh, np);
   internal::Cut_locus_extraction<TriangleMesh, std::decay_t<decltype(point_map)>> extraction(mesh, point_map, sources);
   if constexpr (parameters::is_default_parameter<NamedParameters, internal_np::vertex_distance_map_t>::value) {
@@ -313,7 +297,8 @@ void extract_cut_locus(const TriangleMesh& mesh,
 }
 
 /// extracts the cut locus of the vertex `source`; as above.
-template <class TriangleMesh, class Graph, class NamedParameters = parameters::Default_named_parameters>
+template <class TriangleMesh, class Graph, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
 void extract_cut_locus(const TriangleMesh& mesh, typename boost::graph_traits<TriangleMesh>::vertex_descriptor source,
                        Graph& cut_locus, const NamedParameters& np = parameters::default_values())
 {

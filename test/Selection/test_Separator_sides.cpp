@@ -32,7 +32,7 @@ Surface_level tube_level()
 TEST(Separator_sides, are_together_the_whole_surface)
 {
   const Surface_level level = tube_level();
-  Separator_sides sides(level);
+  Separator_sides sides(level.surface);
   for (double x : {0.5, 3., 7.}) {
     const Separator separator = tube_section(level.surface, x);
     const double left = sides.measure(separator, true, 0, unlimited).area;
@@ -48,11 +48,11 @@ TEST(Separator_sides, are_together_the_whole_surface)
 TEST(Separator_sides, have_bands_as_wide_as_asked)
 {
   const Surface_level level = tube_level();
-  Separator_sides sides(level);
+  Separator_sides sides(level.surface);
   const Separator separator = tube_section(level.surface, 5);
   for (double width : {0.5, 1., 2.}) {
     for (bool is_left : {false, true}) {
-      const Separator_sides::Side side = sides.measure(separator, is_left, width, 0);
+      const auto side = sides.measure(separator, is_left, width, 0);
       EXPECT_NEAR(side.band_area, separator.length * width, 0.15 * separator.length) << width;
     }
   }
@@ -61,7 +61,7 @@ TEST(Separator_sides, have_bands_as_wide_as_asked)
 TEST(Separator_sides, have_one_band_smaller_near_an_end)
 {
   const Surface_level level = tube_level();
-  Separator_sides sides(level);
+  Separator_sides sides(level.surface);
   const Separator separator = tube_section(level.surface, 9.8);
   const double left = sides.measure(separator, true, 3, 0).band_area;
   const double right = sides.measure(separator, false, 3, 0).band_area;
@@ -73,7 +73,7 @@ TEST(Separator_sides, have_one_band_smaller_near_an_end)
 TEST(Separator_sides, need_not_be_counted_beyond_a_limit)
 {
   const Surface_level level = tube_level();
-  Separator_sides sides(level);
+  Separator_sides sides(level.surface);
   const Separator separator = tube_section(level.surface, 5);
   const double limit = separator.length;
   const double area = sides.measure(separator, true, 0.1, limit).area;
@@ -84,7 +84,7 @@ TEST(Separator_sides, need_not_be_counted_beyond_a_limit)
 TEST(Separator_sides, of_a_circle_around_a_vertex_are_the_vertex_and_the_rest)
 {
   const Surface_level level = tube_level();
-  Separator_sides sides(level);
+  Separator_sides sides(level.surface);
   const auto vertex = CSCD::test::nearest_vertex(level.surface, {5, 0, 1});
   const Separator separator = CSCD::test::circle_separator(level.surface, vertex, 0.5);
   EXPECT_EQ(sides.measure(separator, false, 0, unlimited).area, double(level.surface.vertex_area(vertex)));

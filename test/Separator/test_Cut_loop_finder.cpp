@@ -114,7 +114,7 @@ public:
 private:
   Triangulation m_surface;
   Tangent_frames<Triangulation> m_frames;
-  Cut_loop_finder<Triangulation> m_finder;
+  Cut_loop_finder<Cut_measures<Triangulation>> m_finder;
 };
 
 TEST(Cut_loop_finder, goes_around_a_tube)
@@ -201,7 +201,7 @@ TEST(Cut_loop_finder, takes_the_flat_side_of_an_elliptic_tube)
     distances.push_back(std::hypot(p.x() - 10, std::min(around, arc.back() - around)));
   }
   const Cut_measures<Open_triangulation> measures(frames, distances);
-  Cut_loop_finder<Open_triangulation> finder(frames, surface.points());
+  Cut_loop_finder<Cut_measures<Open_triangulation>> finder(frames, surface.points());
   Index source = 0;
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     source = distances[v] < distances[source] ? v : source;
@@ -226,7 +226,7 @@ TEST(Cut_loop_finder, runs_along_intrinsic_edges)
     Triangulation triangulation(surface);
     triangulation.make_delaunay();
     const Tangent_frames<Triangulation> frames(triangulation);
-    Cut_loop_finder<Triangulation> finder(frames, surface.points());
+    Cut_loop_finder<Cut_measures<Triangulation>> finder(frames, surface.points());
     CSCD::internal::Heat_method::Workspace workspace;
     const CSCD::internal::Heat_method heat(triangulation);
     std::size_t number_of_loops = 0;

@@ -52,7 +52,7 @@ TEST(Descent, leads_straight_down_a_good_field)
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return std::hypot(p[0], p[1]); });
   const Cut_measures<Open_triangulation> measures(frames, distances);
-  Descent<Open_triangulation> descent(frames);
+  Descent<Tangent_frames<Open_triangulation>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
@@ -73,7 +73,7 @@ TEST(Descent, leaves_minima)
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return p[0] - 6 * std::exp(-(p[0] - 10) * (p[0] - 10)); });
   const Cut_measures<Open_triangulation> measures(frames, distances);
-  Descent<Open_triangulation> descent(frames);
+  Descent<Tangent_frames<Open_triangulation>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
@@ -87,7 +87,7 @@ TEST(Descent, ends_at_the_source_of_any_field)
   const CSCD::test::Shape torus = CSCD::test::torus(3, 1, 12);
   const Open_triangulation surface = CSCD::test::to_open_triangulation(torus);
   const Tangent_frames<Open_triangulation> frames(surface);
-  Descent<Open_triangulation> descent(frames);
+  Descent<Tangent_frames<Open_triangulation>> descent(frames);
   std::mt19937_64 random(4);
   for (int i = 0; i < 20; ++i) {
     const std::vector<double> distances =
@@ -114,7 +114,7 @@ TEST(Descent, says_when_there_is_no_way)
   const Tangent_frames<Open_triangulation> frames(surface);
   const std::vector<double> distances = CSCD::test::sampled(two, [](const Triple& p) { return p[0]; });
   const Cut_measures<Open_triangulation> measures(frames, distances);
-  Descent<Open_triangulation> descent(frames);
+  Descent<Tangent_frames<Open_triangulation>> descent(frames);
   Edge_steps path;
   EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));
 }

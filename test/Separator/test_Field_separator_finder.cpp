@@ -6,13 +6,12 @@
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Field_search_result.h>
+#include <CSCD/Separator/Field_search_space.h>
 #include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
@@ -26,7 +25,6 @@ namespace {
 using CSCD::Cut_loop_outcome;
 using CSCD::Target_rule;
 using CSCD::internal::Field_search_result;
-using CSCD::internal::Field_separator_finder;
 using CSCD::internal::Index;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
@@ -37,8 +35,8 @@ class Searched_surface
 {
 public:
   explicit Searched_surface(const CSCD::test::Shape& shape, Target_rule rule = Target_rule::nearest_in_space)
-      : m_surface(CSCD::test::to_surface(shape)), m_frames(m_surface), m_heat(delaunay(m_surface)),
-        m_finder(m_surface, m_frames, rule)
+      : m_surface(CSCD::test::to_surface(shape)), m_space(m_surface, Space::default_shortening_rule),
+        m_finder(m_space.make_finder(rule))
   {
   }
 
@@ -49,7 +47,7 @@ public:
   {
     const Index source = CSCD::test::nearest_vertex(m_surface, point);
     CSCD::internal::Heat_field field;
-    m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, m_workspace);
+    m_space.heat_method()({CSCD::internal::Geodesic_source::at_vertex(source)}, field, m_workspace);
     Field_search_result result;
     m_finder(source, field.distances, result);
     if (result.has_separator()) {
@@ -60,18 +58,12 @@ public:
   }
 
 private:
-  static CSCD::internal::Intrinsic_triangulation<Triangulated_surface> delaunay(const Triangulated_surface& surface)
-  {
-    CSCD::internal::Intrinsic_triangulation<Triangulated_surface> result(surface);
-    result.make_delaunay();
-    return result;
-  }
+  using Space = CSCD::internal::Field_search_space<Triangulated_surface>;
 
   Triangulated_surface m_surface;
-  CSCD::internal::Tangent_frames<Triangulated_surface> m_frames;
-  CSCD::internal::Heat_method m_heat;
+  Space m_space;
   CSCD::internal::Heat_method::Workspace m_workspace;
-  Field_separator_finder m_finder;
+  Space::Finder m_finder;
 };
 
 TEST(Field_separator_finder, goes_around_a_tube)

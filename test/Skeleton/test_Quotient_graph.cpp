@@ -5,6 +5,7 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Skeleton/Quotient_graph.h>
 #include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -13,22 +14,25 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace {
 
 using CSCD::internal::Index;
+using CSCD::internal::Point_complex;
 using CSCD::internal::Quotient_graph;
 using CSCD::internal::Triangulated_surface;
 using CSCD::internal::Vector_3;
 using Meetings = std::vector<std::vector<Index>>;
 
 /// The regions that `region(point)` makes of the vertices.
-template <class Region>
-Meetings meetings(const Triangulated_surface& surface, const Region& region)
+template <class Surface, class Region>
+Meetings meetings(const Surface& surface, const Region& region)
 {
   const Quotient_graph graph(surface, [&](Index vertex) { return region(surface.point(vertex)); });
   Meetings result = graph.meetings();
@@ -86,6 +90,45 @@ TEST(Quotient_graph, counts_a_region_for_each_of_its_border_cycles)
     return Index(std::fmod(turn, 2.) * 1.499);
   };
   EXPECT_EQ(meetings(surface, region), (Meetings{{0, 1}, {0, 2, 3}, {1, 2}}));
+}
+
+/// The faces of `surface` that have no vertex within `radius` of one of `centers`.
+Point_complex with_holes(const Triangulated_surface& surface, const std::vector<Vector_3>& centers, double radius)
+{
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index face = 0; face < surface.number_of_faces(); ++face) {
+    std::array<Index, 3> vertices{};
+    bool is_kept = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      vertices[k] = surface.origin(3 * face + Index(k));
+      for (const Vector_3& center : centers) {
+        is_kept = is_kept && (surface.point(vertices[k]) - center).norm() > radius;
+      }
+    }
+    if (is_kept) {
+      triangles.push_back(vertices);
+    }
+  }
+  std::vector<Vector_3> normals;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    normals.push_back(surface.vertex_normal(vertex));
+  }
+  return {std::vector<Vector_3>(surface.points()), std::move(normals), triangles};
+}
+
+TEST(Quotient_graph, goes_on_across_holes)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 48));
+  const auto sector = [](const Vector_3& point) {
+    return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * 3 * 0.999));
+  };
+  const Meetings expected{{0, 1}, {0, 2}, {1, 2}};
+  const Vector_3 border(std::cos(CSCD::test::pi / 3), std::sin(CSCD::test::pi / 3), 0);
+  EXPECT_EQ(meetings(with_holes(surface, {}, 0), sector), expected);
+  for (const double radius : {0.2, 0.4}) {
+    const std::vector<Vector_3> centers{4 * border, 2 * border, 3 * border + Vector_3::UnitZ()};
+    EXPECT_EQ(meetings(with_holes(surface, centers, radius), sector), expected) << "a curve in three parts is one";
+  }
 }
 
 /// On a sphere everything is planar: whatever the regions, the graph is a tree.

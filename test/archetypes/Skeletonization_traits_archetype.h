@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationTraits and SolidSkeletonizationTraits with no more than the concepts ask for, and without any type
-// of a mesh.
+// A SkeletonizationTraits and TriangulatedSolidSkeletonizationTraits with no more than the concepts ask for, and
+// without any type of a mesh.
 
 #ifndef CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 
+#include "Closest_point_archetype.h"
 #include "Point_archetype.h"
 #include "Surface_point_archetype.h"
 #include "Triangle_mesh_archetype.h"
@@ -62,14 +63,16 @@ public:
   double seconds_to_compile() const { return m_traits.seconds_to_compile(); }
   /// @}
 
-  /// \name SolidSkeletonizationTraits
+  /// \name TriangulatedSolidSkeletonizationTraits
   /// @{
   const CSCD::internal::Surface_levels& levels() const { return m_traits.levels(); }
+  const CSCD::internal::Triangulated_surface& surface() const { return m_traits.surface(); }
+  std::optional<Vector_3> middle_behind(const Vector_3& p) const { return m_traits.middle_behind(p); }
   const CSCD::internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
   bool is_inside(const Vector_3& p) const { return m_traits.is_inside(p); }
-  Surface_point_archetype closest_point(const Vector_3& p) const
+  Closest_point_archetype closest_point(const Vector_3& p) const
   {
-    return surface_point_archetype(m_traits.closest_point(p));
+    return Closest_point_archetype(m_traits.closest_point(p).point);
   }
   std::optional<Surface_point_archetype> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {

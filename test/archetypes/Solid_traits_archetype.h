@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SolidSkeletonizationTraits with no more than the concept asks for: no sites, no way back to an input.
+// A TriangulatedSolidSkeletonizationTraits with no more than the concept asks for: no sites, no way back to an input.
 
 #ifndef CSCD_TEST_ARCHETYPES_SOLID_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SOLID_TRAITS_ARCHETYPE_H
 
+#include "Closest_point_archetype.h"
 #include "Surface_point_archetype.h"
 #include "Traits/to_surface.h"
 #include "support/Shape.h"
@@ -31,11 +32,13 @@ public:
   ~Solid_traits_archetype() = default;
 
   const CSCD::internal::Surface_levels& levels() const { return m_levels; }
+  const CSCD::internal::Triangulated_surface& surface() const { return m_levels.finest().surface; }
+  std::optional<Vector_3> middle_behind(const Vector_3& p) const { return m_queries.middle_behind(p); }
   const CSCD::internal::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
   bool is_inside(const Vector_3& p) const { return m_queries.is_inside(p); }
-  Surface_point_archetype closest_point(const Vector_3& p) const
+  Closest_point_archetype closest_point(const Vector_3& p) const
   {
-    return surface_point_archetype(m_queries.closest_point(p));
+    return Closest_point_archetype(m_queries.closest_point(p).point);
   }
   std::optional<Surface_point_archetype> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {

@@ -202,6 +202,71 @@ TEST_F(Cscd, skeletonizes_points)
   }
 }
 
+/// Four strips of the bark of a pole of one limb, of which no surface can be made.
+std::string pole()
+{
+  std::string xyz;
+  const auto add = [&xyz](double x, double y, double z) {
+    xyz += std::to_string(x) + ' ' + std::to_string(y) + ' ' + std::to_string(z) + '\n';
+  };
+  for (int i = 0; i <= 300; ++i) {
+    const double t = 0.02 * i;
+    for (int side = -1; side <= 1; side += 2) {
+      add(0.1 * side, 0, t);
+      add(0, 0.1 * side, t);
+      if (i >= 5 && i < 100) {
+        add(t, 0.06 * side, 3 + 0.4 * t);
+      }
+    }
+  }
+  return xyz;
+}
+
+TEST_F(Cscd, skeletonizes_trees)
+{
+  m_folder.write("pole.xyz", pole());
+  const Outcome outcome = run("skeletonize pole.xyz --shape tree -o t.swc --report r.json --html t.html");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_NE(std::string::npos, outcome.out.find(" points, 1 tree\n")) << outcome.out;
+  const nlohmann::json report = nlohmann::json::parse(content("r.json"));
+  EXPECT_EQ("tree", report.at("method"));
+  EXPECT_EQ(1, report.at("number_of_objects"));
+  const nlohmann::json& branches = report.at("branches");
+  ASSERT_EQ(2u, branches.size());
+  EXPECT_TRUE(branches[0].at("parent").is_null());
+  EXPECT_EQ(0, branches[0].at("order"));
+  EXPECT_NEAR(6, branches[0].at("length").get<double>(), 0.1);
+  EXPECT_EQ(0, branches[1].at("parent"));
+  EXPECT_EQ(1, branches[1].at("order"));
+  EXPECT_NE(std::string::npos, content("t.swc").find(" -1\n"));
+  EXPECT_NE(std::string::npos, content("t.html").find("taken for a scan of trees"));
+}
+
+TEST_F(Cscd, recognizes_trees)
+{
+  m_folder.write("pole.xyz", pole());
+  const Outcome outcome = run("skeletonize pole.xyz -o t.graph --root 0,0,6 --report r.json");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_NE(std::string::npos, outcome.err.find("taken for a scan of trees")) << outcome.err;
+  EXPECT_EQ("tree", nlohmann::json::parse(content("r.json")).at("method"));
+  double x = 1;
+  double y = 1;
+  double z = 0;
+  std::istringstream(content("t.graph").substr(1)) >> x >> y >> z;
+  EXPECT_NEAR(6, z, 0.2);
+}
+
+TEST_F(Cscd, refuses_shapes_that_do_not_fit)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("pole.xyz", pole());
+  expect_refusal("skeletonize torus.off --shape tree", 1, {"is a mesh", "leave out"});
+  expect_refusal("skeletonize pole.xyz --shape bush", 1, {"--shape"});
+  expect_refusal("skeletonize pole.xyz --shape surface --root 0,0,0", 1, {"--root", "leave out"});
+  expect_refusal("skeletonize pole.xyz --root 0,0", 1, {"--root"});
+  expect_refusal("skeletonize pole.xyz --shape tree --method published", 1, {"--method published"});
+}
+
 TEST_F(Cscd, notices_a_full_standard_output)
 {
   if (!std::filesystem::exists("/dev/full")) {

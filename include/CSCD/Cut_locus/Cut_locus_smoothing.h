@@ -6,15 +6,8 @@
 #ifndef CSCD_CUT_LOCUS_CUT_LOCUS_SMOOTHING_H
 #define CSCD_CUT_LOCUS_CUT_LOCUS_SMOOTHING_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
-#include <CSCD/Cut_locus/Surface_walk.h>
-#include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Traits/Open_triangulation.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <CGAL/assertions.h>
-
-#include <complex>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -24,16 +17,19 @@ namespace CSCD::internal {
 /// Moves the points of a cut locus over the surface: first across the curve, up the gradient of the distance, to the
 /// ridge between the vertices; then to the middle of their neighbors, which takes the zigzag away. Forks only do the
 /// latter; tips and lone points follow their neighbor or stay.
+/// \tparam Ground what the points move on: it has a type `Point`, and the members `position(point)`, `gradient(point)`,
+///         the mean unit gradient of the distance there, `moved(point, displacement)` and `mean_edge_length()`
+template <class Ground>
 class Cut_locus_smoothing
 {
 public:
-  using Measures = Cut_measures<Open_triangulation>;
+  using Point = typename Ground::Point;
 
-  /// \param measures is referred to and must outlive this object
-  explicit Cut_locus_smoothing(const Measures& measures) : m_measures(measures), m_walk(measures.frames()) {}
+  /// \param ground is referred to and must outlive this object
+  explicit Cut_locus_smoothing(const Ground& ground) : m_ground(ground) {}
 
   /// Moves `points`, which `edges` join, `iterations` times either way. O(n) a time for n points.
-  void operator()(std::vector<Face_point>& points, const std::vector<std::pair<Index, Index>>& edges, int iterations)
+  void operator()(std::vector<Point>& points, const std::vector<std::pair<Index, Index>>& edges, int iterations)
   {
     collect_neighbors(points.size(), edges);
     double factor = 1;
@@ -65,11 +61,11 @@ private:
 
   /// Moves all points by what `displacement(i)` says, given the positions before.
   template <class Displacement>
-  void move_all(std::vector<Face_point>& points, const Displacement& displacement)
+  void move_all(std::vector<Point>& points, const Displacement& displacement)
   {
     m_positions.clear();
-    for (const Face_point& point : points) {
-      m_positions.push_back(m_walk.position(point));
+    for (const Point& point : points) {
+      m_positions.push_back(m_ground.position(point));
     }
     m_displacements.clear();
     for (Index i = 0; i < points.size(); ++i) {
@@ -79,7 +75,7 @@ private:
       const bool is_tip = m_neighbors[i].size() == 1;
       const Vector_3& step = m_displacements[is_tip ? m_neighbors[i].front() : i];
       if (step.squaredNorm() > 0) {
-        points[i] = m_walk(points[i], step);
+        points[i] = m_ground.moved(points[i], step);
       }
     }
   }
@@ -94,49 +90,20 @@ private:
   }
 
   /// The part of the gradient at `point` across the curve, times the mean edge length and `factor`.
-  Vector_3 uphill(Index i, const Face_point& point, double factor) const
+  Vector_3 uphill(Index i, const Point& point, double factor) const
   {
     if (m_neighbors[i].size() != 2) {
       return factor * to_middle(i);
     }
     const Vector_3 along = m_positions[m_neighbors[i][1]] - m_positions[m_neighbors[i][0]];
-    Vector_3 gradient = Vector_3::Zero();
-    for (Index k = 0; k < 3; ++k) {
-      if (point.weights[k] > 0) {
-        const Index vertex = m_measures.frames().triangulation().origin(3 * point.face + k);
-        gradient += point.weights[k] * vertex_gradient(vertex);
-      }
-    }
+    Vector_3 gradient = m_ground.gradient(point);
     if (along.squaredNorm() > 0) {
       gradient -= gradient.dot(along) / along.squaredNorm() * along;
     }
-    return factor * m_measures.frames().mean_edge_length() * gradient;
+    return factor * m_ground.mean_edge_length() * gradient;
   }
 
-  /// The mean unit gradient of the faces around `vertex`, in space; short where they disagree, as on the ridge.
-  Vector_3 vertex_gradient(Index vertex) const
-  {
-    const Open_triangulation& surface = m_measures.frames().triangulation();
-    Vector_3 sum = Vector_3::Zero();
-    double number = 0;
-    m_measures.frames().for_each_outgoing(vertex, [&](Index h) {
-      const auto& corner = m_measures.frames().corner(h);
-      if (corner.sine == 0) {
-        return;
-      }
-      const std::complex<double> local = m_measures.face_direction(h) / corner.turn;
-      const Vector_3 x = (surface.point(surface.target(h)) - surface.point(vertex)) / corner.length;
-      const Index last = Open_triangulation::previous(h);
-      const Vector_3 spoke = surface.point(surface.origin(last)) - surface.point(vertex);
-      const Vector_3 y = (spoke - spoke.dot(x) * x).normalized();
-      sum += local.real() * x + local.imag() * y;
-      number += 1;
-    });
-    return number > 0 ? Vector_3(sum / number) : Vector_3::Zero();
-  }
-
-  const Measures& m_measures;
-  Surface_walk m_walk;
+  const Ground& m_ground;
   std::vector<std::vector<Index>> m_neighbors;
   std::vector<Vector_3> m_positions;
   std::vector<Vector_3> m_displacements;

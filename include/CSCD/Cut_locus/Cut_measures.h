@@ -6,31 +6,19 @@
 #ifndef CSCD_CUT_LOCUS_CUT_MEASURES_H
 #define CSCD_CUT_LOCUS_CUT_MEASURES_H
 
+#include <CSCD/Cut_locus/Cut_criterion.h>
+#include <CSCD/Cut_locus/Front_sector.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
-#include <boost/container/small_vector.hpp>
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstddef>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// When a vertex counts as a point of the cut locus; scale-free.
-struct Cut_criterion
-{
-  /// The scale-free Laplacian is at most this. Across a straight ridge where unit gradients meet at the angle a, it is
-  /// about -2.3 sin(a/2); elsewhere it is positive or small.
-  double laplacian_threshold = -0.5;
-  /// Gradients around the vertex run against each other at this angle at least, in radians.
-  double angle_threshold = boost::math::double_constants::third_pi;
-};
 
 /// The derivatives of a distance field at the vertices, each computed when it is asked for, from the faces around the
 /// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise.
@@ -40,6 +28,10 @@ class Cut_measures
 public:
   using Frames = Tangent_frames<Triangulation>;
   using Complex = typename Frames::Complex;
+  using Basis = Frames; ///< what these are made of
+
+  static constexpr Cut_criterion default_criterion() { return {}; }
+  static const Frames& frames_of(const Basis& basis) { return basis; }
 
   /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
   ///        referred to and must outlive this object
@@ -119,7 +111,7 @@ public:
   /// O(d^2) for degree d up to a constant, beyond which an even sample of the faces is taken.
   double convergence(Index vertex) const
   {
-    Sectors sectors;
+    Front_sectors sectors;
     collect_sectors(vertex, sectors);
     return greatest_convergence(sectors);
   }
@@ -131,7 +123,7 @@ public:
   {
     // Gradients that are shorter are those of ridges and sources, and have no direction.
     constexpr double least_gradient = 0.1;
-    Sectors sectors;
+    Front_sectors sectors;
     m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
       const double norm = std::abs(gradients[neighbor]);
       if (norm > least_gradient) {
@@ -139,7 +131,7 @@ public:
         const double angle = is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h);
         const Complex transport = m_frames.transport_to_origin(h);
         sectors.push_back(
-            {h, std::polar(1., angle), (is_outgoing ? transport : std::conj(transport)) * gradients[neighbor] / norm});
+            {std::polar(1., angle), (is_outgoing ? transport : std::conj(transport)) * gradients[neighbor] / norm});
       }
     });
     return greatest_convergence(sectors);
@@ -159,18 +151,8 @@ public:
            convergence_of_neighbors(vertex, gradients) >= criterion.angle_threshold;
   }
 
-  /// A face around a vertex, or a neighbor: where it lies, and its gradient.
-  struct Sector
-  {
-    Index halfedge;
-    Complex direction; ///< from the vertex to there, of length 1
-    Complex gradient;  ///< of length 1
-  };
-
-  using Sectors = boost::container::small_vector<Sector, 16>;
-
   /// Collects the faces around `vertex` that have a gradient, counterclockwise.
-  void collect_sectors(Index vertex, Sectors& sectors) const
+  void collect_sectors(Index vertex, Front_sectors& sectors) const
   {
     sectors.clear();
     m_frames.for_each_outgoing(vertex, [&](Index h) {
@@ -179,38 +161,14 @@ public:
         const auto& corner = m_frames.corner(h);
         // The bisector of the corner, by the half-angle formulas.
         const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
-        sectors.push_back({h, corner.turn * bisector, gradient});
+        sectors.push_back({corner.turn * bisector, gradient});
       }
     });
   }
 
-  static double dot(const Complex& a, const Complex& b) { return a.real() * b.real() + a.imag() * b.imag(); }
-
 private:
   /// The dual area of a vertex of a regular triangulation with edges of length 1.
   static constexpr double area_of_unit_spacing = 0.8660254037844386;
-  /// Faces or neighbors around a vertex that are compared pair by pair.
-  static constexpr std::size_t most_sectors = 32;
-
-  static double greatest_convergence(const Sectors& sectors)
-  {
-    const std::size_t stride = (sectors.size() + most_sectors - 1) / most_sectors;
-    double least_cosine = 1;
-    for (std::size_t i = 0; i < sectors.size(); i += stride) {
-      for (std::size_t j = i + stride; j < sectors.size(); j += stride) {
-        const double cosine = dot(sectors[i].gradient, sectors[j].gradient);
-        if (cosine < least_cosine && are_converging(sectors[i], sectors[j])) {
-          least_cosine = cosine;
-        }
-      }
-    }
-    return std::acos(std::clamp(least_cosine, -1., 1.));
-  }
-
-  static bool are_converging(const Sector& a, const Sector& b)
-  {
-    return dot(a.gradient - b.gradient, a.direction - b.direction) < 0;
-  }
 
   /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
   double cotangent(Index halfedge) const

@@ -6,7 +6,6 @@
 #ifndef CSCD_CUT_LOCUS_ORG_TREE_H
 #define CSCD_CUT_LOCUS_ORG_TREE_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
@@ -30,14 +29,15 @@ namespace CSCD::internal {
 class Org_tree
 {
 public:
-  /// Edges run from parents to children; vertices are those of the triangulation.
+  /// Edges run from parents to children; vertices are those that are measured.
   using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                    boost::no_property, Index, Index>;
 
   /// Grows the tree; O(n log n) for n vertices.
+  /// \param measures those of a triangulation, `Cut_measures`, or of a point complex, `Point_cut_measures`
   /// \param is_on_loop for every vertex
-  template <class Triangulation>
-  Org_tree(const Cut_measures<Triangulation>& measures, const std::vector<char>& is_on_loop)
+  template <class Measures>
+  Org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
       : m_laplacian(measures.distances().size(), 0), m_parent(measures.distances().size(), no_index),
         m_halfedge(measures.distances().size(), no_index)
   {
@@ -67,8 +67,8 @@ public:
   bool is_on_loop(Index vertex) const { return std::isinf(m_laplacian[vertex]); }
 
 private:
-  template <class Triangulation>
-  void grow_from_farthest(const Cut_measures<Triangulation>& measures, std::vector<Index>& by_distance)
+  template <class Measures>
+  void grow_from_farthest(const Measures& measures, std::vector<Index>& by_distance)
   {
     // The farthest vertex of each component is the first of it to come.
     const auto is_nearer = [&](Index a, Index b) {
@@ -89,8 +89,8 @@ private:
     }
   }
 
-  template <class Triangulation>
-  void grow(const Cut_measures<Triangulation>& measures, Index root, std::vector<char>& is_attached)
+  template <class Measures>
+  void grow(const Measures& measures, Index root, std::vector<char>& is_attached)
   {
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;

@@ -68,6 +68,7 @@ public:
 
   const Triangulation& triangulation() const { return m_triangulation; }
   const Corner& corner(Index halfedge) const { return m_corners[halfedge]; }
+  double length(Index halfedge) const { return m_corners[halfedge].length; }
   /// A third of the area of the faces around `vertex`.
   double area(Index vertex) const { return m_area[vertex]; }
   /// The mean over all halfedges of the surface.

@@ -7,7 +7,6 @@
 #define CSCD_CUT_LOCUS_THIN_BRANCHES_H
 
 #include <CSCD/Cut_locus/Cut_tree.h>
-#include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <cstddef>
@@ -18,8 +17,8 @@ namespace CSCD::internal {
 
 /// Whether the free leaf `leaf` of `cut` lies beside another branch: next to a kept vertex that is neither its parent
 /// nor a child of its parent. Of two leaves side by side only the one with the greater Laplacian counts.
-template <class Triangulation>
-bool is_beside_branch(const Tangent_frames<Triangulation>& frames, const Cut_tree& cut, Index leaf)
+template <class Frames>
+bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
 {
   const Org_tree& tree = cut.tree();
   const Index parent = tree.parent(leaf);
@@ -35,8 +34,9 @@ bool is_beside_branch(const Tangent_frames<Triangulation>& frames, const Cut_tre
 }
 
 /// Removes from `cut`, leaf by leaf, branches that lie beside other ones. O(n) for n vertices.
-template <class Triangulation>
-void thin_branches(const Tangent_frames<Triangulation>& frames, Cut_tree& cut)
+/// \param frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
+template <class Frames>
+void thin_branches(const Frames& frames, Cut_tree& cut)
 {
   std::vector<Index> queue;
   for (Index vertex : cut.tree().order()) {

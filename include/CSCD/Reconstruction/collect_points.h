@@ -153,14 +153,14 @@ inline void check_extent(const std::vector<Vector_3>& points)
   }
 }
 
-/// Reads `points` into flat arrays; O(n log n).
+/// Reads `points` into flat arrays; O(n log n). All of them may be at one place.
 /// \param point_map, normal_map readable maps from the elements of `points` to what has coordinates `x()`, `y()`,
 ///        `z()`, the second perhaps `No_normals`
 /// \throw Input_error naming the point, by its number in the order of iteration, that has a coordinate that is not
-///        finite; or if there are too few or too many different points, or all are on a line, or at one place
+///        finite; or if there are none or too many
 template <class PointRange, class PointMap, class NormalMap>
-Point_cloud collect_points(const PointRange& range, const PointMap& point_map,
-                           [[maybe_unused]] const NormalMap& normal_map)
+Point_cloud collect_any_points(const PointRange& range, const PointMap& point_map,
+                               [[maybe_unused]] const NormalMap& normal_map)
 {
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;
@@ -182,15 +182,30 @@ Point_cloud collect_points(const PointRange& range, const PointMap& point_map,
     throw Input_error("the point set has more than 2^26 points: thin it out first, for instance by "
                       "CGAL::grid_simplify_point_set");
   }
+  Point_cloud cloud;
   if (std::all_of(points.begin(), points.end(), [&](const Vector_3& p) { return p == points.front(); })) {
+    cloud.normalization = {points.front(), 1};
+    std::fill(points.begin(), points.end(), Vector_3::Zero());
+    merge_and_sort(std::move(points), std::move(normals), cloud);
+    return cloud;
+  }
+  cloud.normalization = normalize_extent(points);
+  merge_and_sort(std::move(points), std::move(normals), cloud);
+  sort_canonically(cloud);
+  return cloud;
+}
+
+/// The same for points that a surface can be made of.
+/// \throw Input_error also if there are too few different points, or all are on a line, or at one place
+template <class PointRange, class PointMap, class NormalMap>
+Point_cloud collect_points(const PointRange& range, const PointMap& point_map, const NormalMap& normal_map)
+{
+  Point_cloud cloud = collect_any_points(range, point_map, normal_map);
+  if (cloud.points.size() == 1) {
     throw Input_error("all points are at the same place: a surface needs points around a body; check how the input was "
                       "written");
   }
-  Point_cloud cloud;
-  cloud.normalization = normalize_extent(points);
-  merge_and_sort(std::move(points), std::move(normals), cloud);
   check_extent(cloud.points);
-  sort_canonically(cloud);
   return cloud;
 }
 

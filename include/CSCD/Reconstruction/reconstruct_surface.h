@@ -103,7 +103,7 @@ private:
     triangles.points = m_sampling.points();
     triangles.faces = advance_front(posed, limits);
     if (triangles.faces.empty()) {
-      throw Input_error("no surface could be made of the points: they do not sample one densely enough");
+      throw Surface_error("no surface could be made of the points: they do not sample one densely enough");
     }
     m_result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     CGAL_assertion(m_result.pairing.conflict() == no_index);
@@ -119,7 +119,7 @@ private:
     compact();
     const std::size_t number_of_vertices = triangles.points.size();
     if (double(m_result.report.number_of_border_edges) > most_border_edges * double(number_of_vertices)) {
-      throw Input_error("the points do not sample a surface: what connects them has " +
+      throw Surface_error("the points do not sample a surface: what connects them has " +
                         std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
                         std::to_string(number_of_vertices) + " points; sample the surface more densely");
     }
@@ -240,7 +240,7 @@ private:
 };
 
 /// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
-/// \throw Input_error if there is none
+/// \throw Surface_error if there is none
 inline Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
 {
   return Surface_reconstruction(cloud)();

@@ -17,6 +17,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -39,7 +41,7 @@ public:
     tunnel ///< the curve does not span the body
   };
 
-  explicit Balance_and_roundness(const Traits& traits) : m_traits(traits), m_sides(traits.levels().finest()) {}
+  explicit Balance_and_roundness(const Traits& traits) : m_traits(traits), m_sides(traits.surface()) {}
 
   /// Judges `separator` and sets `weight`, in (0, 1] for a good one and 0 for others.
   Verdict operator()(const Separator& separator, double& weight)
@@ -48,12 +50,12 @@ public:
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
     const double least_area = Bump_test::least_area_ratio * squared_length;
-    const Separator_sides::Side left = m_sides.measure(separator, true, width, least_area);
-    const Separator_sides::Side right = m_sides.measure(separator, false, width, least_area);
+    const typename Sides::Side left = m_sides.measure(separator, true, width, least_area);
+    const typename Sides::Side right = m_sides.measure(separator, false, width, least_area);
     if (std::min(left.area, right.area) < least_area) {
       return Verdict::bump;
     }
-    crossing_points(m_traits.levels().finest().surface, separator.crossings, m_points);
+    curve_points(m_traits.surface(), separator, m_points);
     if (span_inside_share(m_traits, m_points, separator.center) < least_inside_share) {
       return Verdict::tunnel;
     }
@@ -65,13 +67,15 @@ public:
   }
 
 private:
+  using Sides = Separator_sides<std::decay_t<decltype(std::declval<const Traits&>().surface())>>;
+
   /// Width of the bands, relative to the length of the separator.
   static constexpr double band_width = 1. / 8;
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
   static constexpr double least_inside_share = 0.7;
 
   const Traits& m_traits;
-  Separator_sides m_sides;
+  Sides m_sides;
   std::vector<Vector_3> m_points;
 };
 

@@ -27,7 +27,7 @@ public:
   /// \tparam Traits a model of `SolidSkeletonizationTraits`
   template <class Traits>
   Region_packing(const Traits& traits, const std::vector<Separator>& separators, Skeletonization_report& report)
-      : m_packed(pack(traits, separators, report)), m_regions(traits.levels().finest().surface, separators, m_packed)
+      : m_packed(pack(traits, separators, report)), m_regions(traits.surface(), separators, m_packed)
   {
   }
 
@@ -50,7 +50,7 @@ private:
       report.number_of_bumps += verdict == Judge::Verdict::bump ? 1 : 0;
       report.number_of_tunnels += verdict == Judge::Verdict::tunnel ? 1 : 0;
     }
-    return pack_by_overlap(Separator_overlaps(traits.levels().finest().surface, separators), weights);
+    return pack_by_overlap(Separator_overlaps(traits.surface(), separators), weights);
   }
 
   std::vector<Index> m_packed;

@@ -6,21 +6,18 @@
 #ifndef CSCD_SELECTION_SAMPLED_SEARCH_H
 #define CSCD_SELECTION_SAMPLED_SEARCH_H
 
-#include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Selection/Distance_sampling.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Field_search_result.h>
+#include <CSCD/Separator/Field_search_space.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
@@ -29,31 +26,27 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
-#include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
 /// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
-/// method on the intrinsic Delaunay triangulation gives the distance field of each, and that its separator.
+/// method gives the distance field of each, and that its separator.
 ///
 /// Sources are drawn in rounds, of which each knows all earlier ones; so the answer does not depend on the number of
 /// threads. A thread takes a group of sources at a time, whose distances are solved for together.
-/// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
+/// \tparam Traits a model of `SolidSkeletonizationTraits`
 template <class ConcurrencyTag, class Traits>
 class Sampled_search
 {
 public:
   Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule,
                  Shortening_rule shortening_rule)
-      : m_surface(traits.levels().finest().surface), m_frames(m_surface),
-        m_queries(queries_for(shortening_rule, m_surface)), m_heat(make_intrinsic_delaunay(m_surface)),
-        m_sampling(areas(m_surface), settings.random_seed),
-        m_for_each(
-            [this, target_rule] {
-              return std::make_unique<Worker>(m_surface, m_frames, target_rule, m_queries ? &*m_queries : nullptr);
-            },
-            settings.number_of_threads)
+      : m_space(traits.surface(), shortening_rule), m_sampling(areas(traits.surface()), settings.random_seed),
+        m_for_each([this, target_rule] { return std::make_unique<Worker>(m_space, target_rule); },
+                   settings.number_of_threads)
   {
   }
 
@@ -83,25 +76,20 @@ private:
   /// Sources of a round: enough for a few threads, and few against the number of all.
   static constexpr std::size_t round_size = group_size * most_groups;
 
+  using Surface = std::decay_t<decltype(std::declval<const Traits&>().surface())>;
+  using Space = Field_search_space<Surface>;
+
   struct Worker
   {
-    Worker(const Triangulated_surface& surface, const Tangent_frames<Triangulated_surface>& frames,
-           Target_rule target_rule, const Solid_queries* queries)
-        : finder(surface, frames, target_rule, queries)
-    {
-    }
+    Worker(const Space& space, Target_rule target_rule) : finder(space.make_finder(target_rule)) {}
+
     Heat_method::Workspace workspace;
     std::vector<std::vector<Geodesic_source>> source_sets;
     std::vector<Heat_field> fields;
-    Field_separator_finder finder;
+    typename Space::Finder finder;
   };
 
-  static std::optional<Solid_queries> queries_for(Shortening_rule rule, const Triangulated_surface& surface)
-  {
-    return rule == Shortening_rule::variational ? std::make_optional<Solid_queries>(surface) : std::nullopt;
-  }
-
-  static std::vector<double> areas(const Triangulated_surface& surface)
+  static std::vector<double> areas(const Surface& surface)
   {
     std::vector<double> result(surface.number_of_vertices());
     for (Index vertex = 0; vertex < result.size(); ++vertex) {
@@ -130,9 +118,9 @@ private:
     for (std::size_t i = begin; i < end; ++i) {
       worker.source_sets.push_back({Geodesic_source::at_vertex(m_sources[i])});
     }
-    m_heat(worker.source_sets, worker.fields, worker.workspace);
+    m_space.heat_method()(worker.source_sets, worker.fields, worker.workspace);
     std::vector<float>& distance = m_distance[group];
-    distance.assign(m_surface.number_of_vertices(), std::numeric_limits<float>::infinity());
+    distance.assign(worker.fields.front().distances.size(), std::numeric_limits<float>::infinity());
     for (std::size_t i = begin; i < end; ++i) {
       const std::vector<double>& distances = worker.fields[i - begin].distances;
       for (std::size_t vertex = 0; vertex < distance.size(); ++vertex) {
@@ -158,10 +146,7 @@ private:
     }
   }
 
-  const Triangulated_surface& m_surface;
-  Tangent_frames<Triangulated_surface> m_frames;
-  std::optional<Solid_queries> m_queries;
-  Heat_method m_heat;
+  Space m_space;
   Distance_sampling m_sampling;
   For_each_index<ConcurrencyTag, std::unique_ptr<Worker>> m_for_each;
   std::vector<Index> m_sources;

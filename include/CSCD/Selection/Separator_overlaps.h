@@ -6,9 +6,9 @@
 #ifndef CSCD_SELECTION_SEPARATOR_OVERLAPS_H
 #define CSCD_SELECTION_SEPARATOR_OVERLAPS_H
 
-#include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Selection/find_self_crossings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -23,7 +23,8 @@
 namespace CSCD::internal {
 
 /// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.
-inline Index nearest_vertex(const Triangulated_surface& surface, const Edge_crossing& crossing)
+template <class Surface>
+Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
 {
   const Index edge = surface.edge(crossing.halfedge);
   const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
@@ -44,18 +45,19 @@ class Separator_overlaps
 {
 public:
   /// Finds all overlaps; linear in the number of crossings and of pairs that meet at a vertex.
-  Separator_overlaps(const Triangulated_surface& surface, const std::vector<Separator>& separators)
-      : m_surface(surface), m_separators(separators), m_found(separators.size()), m_crosses_itself(separators.size(), 0)
+  /// \param surface whose edges the separators cross
+  template <class Surface>
+  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
+      : m_crosses_itself(find_self_crossings(surface, separators))
   {
-    list_passes();
-    Separator_arrangement arrangement(surface);
+    collect_rings(surface, separators);
+    list_passes(surface.number_of_vertices());
+    Epoch_marks found(separators.size());
     for (Index i = 0; i < separators.size(); ++i) {
       m_begin.push_back(m_others.size());
-      m_found.clear();
-      m_found.mark(i);
-      collect_touching(i);
-      arrangement.clear();
-      m_crosses_itself[i] = arrangement.insert(i, separators[i].crossings) ? 0 : 1;
+      found.clear();
+      found.mark(i);
+      collect_touching(i, found);
       std::sort(m_others.begin() + std::ptrdiff_t(m_begin.back()), m_others.end());
     }
     m_begin.push_back(m_others.size());
@@ -70,60 +72,60 @@ public:
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
-  /// Lists for each vertex the separators that pass closest to it.
-  void list_passes()
+  /// Lists for each separator the vertices that it passes closest to; a vertex stands once for consecutive crossings.
+  template <class Surface>
+  void collect_rings(const Surface& surface, const std::vector<Separator>& separators)
   {
-    m_first_pass.assign(m_surface.number_of_vertices() + std::size_t(1), 0);
-    for_each_pass([&](Index vertex, Index) { ++m_first_pass[vertex + 1]; });
+    for (const Separator& separator : separators) {
+      m_ring_begin.push_back(m_rings.size());
+      for (const Edge_crossing& crossing : separator.crossings) {
+        const Index vertex = nearest_vertex(surface, crossing);
+        if (m_rings.size() == m_ring_begin.back() || m_rings.back() != vertex) {
+          m_rings.push_back(vertex);
+        }
+      }
+    }
+    m_ring_begin.push_back(m_rings.size());
+  }
+
+  CGAL::Iterator_range<const Index*> ring(Index separator) const
+  {
+    return {m_rings.data() + m_ring_begin[separator], m_rings.data() + m_ring_begin[separator + 1]};
+  }
+
+  /// Lists for each vertex the separators that pass closest to it.
+  void list_passes(std::size_t number_of_vertices)
+  {
+    m_first_pass.assign(number_of_vertices + 1, 0);
+    for (const Index vertex : m_rings) {
+      ++m_first_pass[vertex + 1];
+    }
     std::partial_sum(m_first_pass.begin(), m_first_pass.end(), m_first_pass.begin());
     m_passes.resize(m_first_pass.back());
     std::vector<std::size_t> fill(m_first_pass.begin(), m_first_pass.end() - 1);
-    for_each_pass([&](Index vertex, Index separator) { m_passes[fill[vertex]++] = separator; });
-  }
-
-  /// Calls `function(vertex, separator)` once for all consecutive crossings that are closest to the same vertex.
-  template <class Function>
-  void for_each_pass(const Function& function) const
-  {
-    for (Index i = 0; i < m_separators.size(); ++i) {
-      Index last = no_index;
-      for (const Edge_crossing& crossing : m_separators[i].crossings) {
-        const Index vertex = nearest_vertex(m_surface, crossing);
-        if (vertex != last) {
-          function(vertex, i);
-        }
-        last = vertex;
+    for (Index separator = 0; separator + 1 < m_ring_begin.size(); ++separator) {
+      for (const Index vertex : ring(separator)) {
+        m_passes[fill[vertex]++] = separator;
       }
     }
   }
 
-  void collect_touching(Index separator)
+  void collect_touching(Index separator, Epoch_marks& found)
   {
-    Index last = no_index;
-    for (const Edge_crossing& crossing : m_separators[separator].crossings) {
-      const Index vertex = nearest_vertex(m_surface, crossing);
-      if (vertex != last) {
-        for (std::size_t i = m_first_pass[vertex]; i < m_first_pass[vertex + 1]; ++i) {
-          add(m_passes[i]);
+    for (const Index vertex : ring(separator)) {
+      for (std::size_t i = m_first_pass[vertex]; i < m_first_pass[vertex + 1]; ++i) {
+        if (found.mark(m_passes[i])) {
+          m_others.push_back(m_passes[i]);
         }
       }
-      last = vertex;
     }
   }
 
-  void add(Index other)
-  {
-    if (m_found.mark(other)) {
-      m_others.push_back(other);
-    }
-  }
-
-  const Triangulated_surface& m_surface;
-  const std::vector<Separator>& m_separators;
-  Epoch_marks m_found;
-  std::vector<std::size_t> m_first_pass;
-  std::vector<Index> m_passes;
   std::vector<std::uint8_t> m_crosses_itself;
+  std::vector<std::size_t> m_ring_begin; ///< of every separator
+  std::vector<Index> m_rings;
+  std::vector<std::size_t> m_first_pass; ///< of every vertex
+  std::vector<Index> m_passes;
   std::vector<std::size_t> m_begin;
   std::vector<Index> m_others;
 };

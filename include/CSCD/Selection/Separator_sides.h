@@ -7,9 +7,7 @@
 #define CSCD_SELECTION_SEPARATOR_SIDES_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Vector_3.h>
@@ -22,6 +20,8 @@ namespace CSCD::internal {
 
 /// Measures the surface on the two sides of separators, one after the other. The work is that of the surface near a
 /// separator, up to a distance and an area that are given. One object serves one thread.
+/// \tparam Surface what separators lie on
+template <class Surface>
 class Separator_sides
 {
 public:
@@ -32,10 +32,9 @@ public:
     double area = 0;      ///< of all the surface on this side, or something above a limit
   };
 
-  /// \param level the finest level, which is referred to
-  explicit Separator_sides(const Surface_level& level)
-      : m_surface(level.surface), m_corners(level.corners), m_crossed(m_surface.number_of_halfedges()),
-        m_front(m_surface.number_of_vertices())
+  /// \param surface is referred to
+  explicit Separator_sides(const Surface& surface)
+      : m_surface(surface), m_crossed(surface.number_of_halfedges()), m_front(surface.number_of_vertices())
   {
   }
 
@@ -72,19 +71,16 @@ private:
       if (from > width && side.area > limit) {
         return;
       }
-      const Corner* corner = m_corners.fan(vertex).begin();
       for (Index halfedge : m_surface.outgoing(vertex)) {
         if (!m_crossed.is_marked(m_surface.edge(halfedge))) {
-          m_front.reach(corner->neighbor, distance + corner->length);
+          m_front.reach(m_surface.target(halfedge), distance + float(m_surface.length(halfedge)));
         }
-        ++corner;
       }
     });
     return side;
   }
 
-  const Triangulated_surface& m_surface;
-  const Corner_table& m_corners;
+  const Surface& m_surface;
   Epoch_marks m_crossed;
   Distance_front m_front;
 };

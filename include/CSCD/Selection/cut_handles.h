@@ -29,7 +29,7 @@ namespace CSCD::internal {
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
 /// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one that spans the body
-/// rather than a hole, the shorter the better. \tparam Traits a model of `SolidSkeletonizationTraits`
+/// rather than a hole, the shorter the better. \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 class Handle_cutting
 {

@@ -6,8 +6,7 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 #define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
-#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Separator/Cut_loop.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Separator/Descent.h>
@@ -24,6 +23,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,14 +33,16 @@ namespace CSCD::internal {
 /// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
 /// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
 /// size of the surface.
-template <class Triangulation>
+/// \tparam Measures `Cut_measures` of a triangulation, or `Point_cut_measures`
+template <class Measures>
 class Cut_loop_finder
 {
 public:
-  using Measures = Cut_measures<Triangulation>;
+  using Frames = typename Measures::Frames;
+  using Triangulation = std::decay_t<decltype(std::declval<const Frames&>().triangulation())>;
 
   /// \param points the positions of the vertices; as `frames`, it is referred to and must outlive this object
-  Cut_loop_finder(const Tangent_frames<Triangulation>& frames, const std::vector<Vector_3>& points)
+  Cut_loop_finder(const Frames& frames, const std::vector<Vector_3>& points)
       : m_frames(frames), m_triangulation(frames.triangulation()), m_points(points), m_descent(frames),
         m_on_first(points.size())
   {
@@ -207,10 +209,10 @@ private:
     }
   }
 
-  const Tangent_frames<Triangulation>& m_frames;
+  const Frames& m_frames;
   const Triangulation& m_triangulation;
   const std::vector<Vector_3>& m_points;
-  Descent<Triangulation> m_descent;
+  Descent<Frames> m_descent;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the least first
   std::array<Edge_steps, 2> m_path;                   ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path

@@ -6,8 +6,6 @@
 #ifndef CSCD_SEPARATOR_DESCENT_H
 #define CSCD_SEPARATOR_DESCENT_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
-#include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Separator/Edge_step.h>
 #include <CSCD/internal/Distance_front.h>
 #include <CSCD/internal/Vector_3.h>
@@ -23,12 +21,13 @@ namespace CSCD::internal {
 /// must lead down. Where none does, the way goes on along a shortest path to a vertex that is nearer than all before:
 /// so it cannot run in a circle, and ends at the source whatever the field is like.
 /// One object serves one thread, and keeps working memory of the size of the surface.
-template <class Triangulation>
+/// \tparam Frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
+template <class Frames>
 class Descent
 {
 public:
   /// \param frames is referred to and must outlive this object
-  explicit Descent(const Tangent_frames<Triangulation>& frames)
+  explicit Descent(const Frames& frames)
       : m_frames(frames), m_front(frames.triangulation().number_of_vertices()),
         m_step_to(frames.triangulation().number_of_vertices())
   {
@@ -37,7 +36,8 @@ public:
   /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
   /// edges; O(m log m) for the m vertices around a minimum that is no source.
   /// \return false, with steps to somewhere, if `source` is not connected with `vertex`
-  bool operator()(const Cut_measures<Triangulation>& measures, Index vertex, Index source, Edge_steps& path)
+  template <class Measures>
+  bool operator()(const Measures& measures, Index vertex, Index source, Edge_steps& path)
   {
     const std::size_t begin = path.size();
     while (vertex != source) {
@@ -69,14 +69,14 @@ public:
 private:
   Edge_step step_from(Index vertex, Index neighbor, Index halfedge) const
   {
-    const Triangulation& triangulation = m_frames.triangulation();
+    const auto& triangulation = m_frames.triangulation();
     return {halfedge, !(triangulation.origin(halfedge) == vertex && triangulation.target(halfedge) == neighbor)};
   }
 
   /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
   /// \return that vertex, or `no_index` if there is none
-  Index leave_minimum(const Cut_measures<Triangulation>& measures, Index vertex, Index source, std::size_t begin,
-                      Edge_steps& path)
+  template <class Measures>
+  Index leave_minimum(const Measures& measures, Index vertex, Index source, std::size_t begin, Edge_steps& path)
   {
     const double record = measures.distance(vertex);
     m_front.clear();
@@ -91,7 +91,7 @@ private:
         return;
       }
       m_frames.for_each_neighbor(at, [&](Index neighbor, Index halfedge) {
-        if (m_front.reach(neighbor, way + float(m_frames.corner(halfedge).length))) {
+        if (m_front.reach(neighbor, way + float(m_frames.length(halfedge)))) {
           m_step_to[neighbor] = step_from(at, neighbor, halfedge);
         }
       });
@@ -106,7 +106,7 @@ private:
   /// out.
   void append_detour(Index from, Index to, std::size_t begin, Edge_steps& path)
   {
-    const Triangulation& triangulation = m_frames.triangulation();
+    const auto& triangulation = m_frames.triangulation();
     m_detour.clear();
     for (Index at = to; at != from; at = begin_of(triangulation, m_step_to[at])) {
       m_detour.push_back(m_step_to[at]);
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  const Tangent_frames<Triangulation>& m_frames;
+  const Frames& m_frames;
   Distance_front m_front;
   std::vector<Edge_step> m_step_to; ///< the step by which the front came to a vertex
   Edge_steps m_detour;

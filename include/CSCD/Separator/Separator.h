@@ -15,12 +15,16 @@
 
 namespace CSCD {
 
-/// A local separator: a simple closed curve on the finest surface, given by the edges that it crosses, with its
-/// measures in the normalized frame of the traits object.
+/// A local separator: a simple closed curve on the surface, given by the edges that it crosses, with its measures in
+/// the normalized frame of the traits object.
 struct Separator
 {
-  /// The crossings in order along the curve; consecutive ones lie in one face, the last and the first too.
+  /// The crossings in order along the curve. On a mesh, consecutive ones lie in one face, the last and the first too;
+  /// on a point cloud they have an end in common, or ends that are neighbors.
   std::vector<internal::Edge_crossing> crossings;
+  /// On a point cloud, the points of the curve, which passes the crossed edges at a distance. Empty on a mesh, where
+  /// the curve is the polygon of its crossings.
+  std::vector<internal::Vector_3> points;
   /// Length of the curve.
   double length = 0;
   /// Mean of its points by length.

@@ -74,18 +74,25 @@ public:
   {
     CGAL_precondition(number_of_samples >= 3);
     resample_polygon(points, number_of_samples, m_samples);
-    m_center = center;
-    m_radius = radius;
-    start();
-    Variational_report report;
-    report.length_before = length();
-    report.outcome = report.length_before > 0 ? minimize(report) : Shortening_outcome::collapsed;
-    report.length = length();
+    m_curve.clear();
+    for (const Vector_3& sample : m_samples) {
+      m_curve.push_back(m_projection(sample, no_index));
+    }
+    const Variational_report report = shorten(center, radius);
     points.resize(number_of_samples);
     for (std::size_t i = 0; i < number_of_samples; ++i) {
       points[i] = m_curve[i].point;
     }
     return report;
+  }
+
+  /// The same for points that lie on the surface already, about equally far from each other: they need not be sought.
+  /// \pre there are at least 3
+  Variational_report operator()(const std::vector<Projected_point>& start, const Vector_3& center, double radius)
+  {
+    CGAL_precondition(start.size() >= 3);
+    m_curve = start;
+    return shorten(center, radius);
   }
 
   /// The points of the last curve, with their sites.
@@ -103,20 +110,25 @@ private:
   static constexpr int patience = 10;
   /// Armijo's condition: the part of the decrease promised by the gradient that a step has to bring.
   static constexpr double sufficient_decrease = 1e-4;
-  static constexpr int most_halvings = 30;
+  /// A step is not tried that promises to lower the energy by less than this, relative to it: such steps one by one
+  /// could not bring what `least_decrease` asks for.
+  static constexpr double least_promise = 0.1 * least_decrease / patience;
   /// A point that is projected to a side that looks the other way has gone through the body: the cosine of 120 degrees.
   static constexpr double least_normal_cosine = -0.5;
 
   std::size_t size() const { return m_curve.size(); }
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
 
-  void start()
+  Variational_report shorten(const Vector_3& center, double radius)
   {
-    m_curve.clear();
-    for (const Vector_3& sample : m_samples) {
-      m_curve.push_back(m_projection(sample, no_index));
-    }
-    m_unit = length() / double(size());
+    m_center = center;
+    m_radius = radius;
+    Variational_report report;
+    report.length_before = length();
+    m_unit = report.length_before / double(size());
+    report.outcome = report.length_before > 0 ? minimize(report) : Shortening_outcome::collapsed;
+    report.length = length();
+    return report;
   }
 
   double length() const
@@ -246,7 +258,7 @@ private:
   /// \return that step, 0 if there is none
   double descend(double step, double slope, double& last_energy)
   {
-    for (int halvings = 0; halvings < most_halvings; ++halvings, step /= 2) {
+    for (; step * slope > least_promise * last_energy; step /= 2) {
       if (!try_step(step)) {
         continue;
       }

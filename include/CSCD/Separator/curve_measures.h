@@ -7,7 +7,7 @@
 #define CSCD_SEPARATOR_CURVE_MEASURES_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <cmath>
@@ -17,19 +17,32 @@
 namespace CSCD::internal {
 
 /// The point where `crossing` lies.
-inline Vector_3 crossing_point(const Triangulated_surface& surface, const Edge_crossing& crossing)
+/// \tparam Surface a `Triangulated_surface` or a `Point_complex`
+template <class Surface>
+Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
 {
   return (1 - crossing.position) * surface.point(surface.origin(crossing.halfedge)) +
          crossing.position * surface.point(surface.target(crossing.halfedge));
 }
 
 /// Writes the points of `crossings` to `points`, which is reused.
-inline void crossing_points(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings,
-                            std::vector<Vector_3>& points)
+template <class Surface>
+void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& crossings, std::vector<Vector_3>& points)
 {
   points.resize(crossings.size());
   for (std::size_t i = 0; i < crossings.size(); ++i) {
     points[i] = crossing_point(surface, crossings[i]);
+  }
+}
+
+/// Writes the points of the curve of `separator` to `points`, which is reused: its own, or else those of its crossings.
+template <class Surface>
+void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector_3>& points)
+{
+  if (separator.points.empty()) {
+    crossing_points(surface, separator.crossings, points);
+  } else {
+    points = separator.points;
   }
 }
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
 #define CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
 
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Front_sector.h>
 #include <CSCD/Separator/Edge_step.h>
 #include <CSCD/internal/Vector_3.h>
 
@@ -25,16 +25,15 @@ namespace CSCD::internal {
 
 /// Splits the faces around a cut point into the two sides that fronts come from: the split of their cycle into two arcs
 /// with the greatest angle between the sums of unit gradients that converge.
-template <class Triangulation>
+template <class Measures>
 class Front_sides
 {
 public:
-  using Measures = Cut_measures<Triangulation>;
-  using Complex = typename Measures::Complex;
+  using Complex = std::complex<double>;
 
   Front_sides(const Measures& measures, Index vertex)
   {
-    typename Measures::Sectors sectors;
+    Front_sectors sectors;
     measures.collect_sectors(vertex, sectors);
     // The cycle twice, so that arcs need not wrap around.
     boost::container::small_vector<Sum, 33> sums(1);
@@ -75,8 +74,8 @@ private:
       return;
     }
     const Complex gradients[] = {a.gradient / norms[0], b.gradient / norms[1]};
-    const double cosine = Measures::dot(gradients[0], gradients[1]);
-    if (cosine < m_cosine && Measures::dot(gradients[0] - gradients[1], a.direction - b.direction) < 0) {
+    const double cosine = dot(gradients[0], gradients[1]);
+    if (cosine < m_cosine && dot(gradients[0] - gradients[1], a.direction - b.direction) < 0) {
       m_cosine = cosine;
       m_gradient = {gradients[0], gradients[1]};
     }
@@ -97,8 +96,8 @@ struct Spoke
 using Spokes = boost::container::small_vector<Spoke, 16>;
 
 /// Collects the edges of `vertex`, counterclockwise.
-template <class Triangulation>
-void collect_spokes(const Cut_measures<Triangulation>& measures, Index vertex, Spokes& spokes)
+template <class Measures>
+void collect_spokes(const Measures& measures, Index vertex, Spokes& spokes)
 {
   const auto& frames = measures.frames();
   frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
@@ -143,8 +142,7 @@ inline std::array<const Spoke*, 2> ring_minima(const Spokes& spokes)
 
 /// The edge of `spokes` that is closest in direction to the way of the front whose distance has the gradient
 /// `gradient`.
-template <class Complex>
-const Spoke* closest_to_descent(const Spokes& spokes, const Complex& gradient)
+inline const Spoke* closest_to_descent(const Spokes& spokes, const std::complex<double>& gradient)
 {
   const auto cosine = [&](const Spoke& spoke) {
     return -gradient.real() * std::cos(spoke.angle) - gradient.imag() * std::sin(spoke.angle);
@@ -159,8 +157,8 @@ const Spoke* closest_to_descent(const Spokes& spokes, const Complex& gradient)
 /// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
 /// are closest in direction to the ways of the fronts. Nothing if the fronts have no two sides, or one edge serves
 /// both. O(d^2) for degree d up to a constant.
-template <class Triangulation>
-std::optional<std::array<Edge_step, 2>> incoming_directions(const Cut_measures<Triangulation>& measures, Index vertex)
+template <class Measures>
+std::optional<std::array<Edge_step, 2>> incoming_directions(const Measures& measures, Index vertex)
 {
   Spokes spokes;
   collect_spokes(measures, vertex, spokes);
@@ -169,7 +167,7 @@ std::optional<std::array<Edge_step, 2>> incoming_directions(const Cut_measures<T
   }
   std::array<const Spoke*, 2> chosen = ring_minima(spokes);
   if (chosen[1] == nullptr) {
-    const Front_sides<Triangulation> sides(measures, vertex);
+    const Front_sides<Measures> sides(measures, vertex);
     if (!sides) {
       return std::nullopt;
     }

@@ -23,7 +23,7 @@ namespace CSCD::internal {
 
 /// Divides long edges of branches and moves the new nodes to the middle of the section of the body that is
 /// perpendicular to the branch there. A node for which there is no trustworthy section is taken out again.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 class Branch_refinement
 {

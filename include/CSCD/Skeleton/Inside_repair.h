@@ -9,6 +9,8 @@
 #include <CSCD/Skeleton/Skeleton_draft.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -24,7 +26,8 @@ class Inside_repair
 {
 public:
   Inside_repair(const Traits& traits, Skeleton_draft& draft)
-      : m_traits(traits), m_draft(draft), m_offset(relative_offset * diagonal(traits)), m_is_outside(draft.size(), 0)
+      : m_traits(traits), m_draft(draft), m_offset(relative_offset * diagonal(traits.surface().points())),
+        m_is_outside(draft.size(), 0)
   {
     for (Index node = 0; node < draft.size(); ++node) {
       m_is_outside[node] = !draft[node].is_removed && !traits.is_inside(draft[node].position) ? 1 : 0;
@@ -58,30 +61,16 @@ private:
   using Edge = std::pair<Index, Index>;
 
   static constexpr int most_rounds = 4;
-  /// Rays into the body start this far from the surface, and shorter stretches outside are taken for rounding; relative
-  /// to the diagonal of the bounding box.
+  /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
-  static double diagonal(const Traits& traits)
+  static double diagonal(const std::vector<Vector_3>& points)
   {
     Eigen::AlignedBox3d box;
-    for (const Vector_3& point : traits.solid_surface().points()) {
+    for (const Vector_3& point : points) {
       box.extend(point);
     }
     return box.diagonal().norm();
-  }
-
-  /// The middle of the body behind the surface point that is nearest to `point`.
-  std::optional<Vector_3> middle_behind(const Vector_3& point) const
-  {
-    const auto nearest = m_traits.closest_point(point);
-    const Vector_3 inward = -m_traits.solid_surface().face_vector(nearest.face).normalized();
-    const auto hit = m_traits.first_hit(nearest.point + m_offset * inward, inward);
-    if (!hit) {
-      return std::nullopt;
-    }
-    const Vector_3 middle = (nearest.point + hit->point) / 2;
-    return m_traits.is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
   }
 
   void repair_nodes()
@@ -90,7 +79,7 @@ private:
       if (m_is_outside[node] == 0) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = middle_behind(m_draft[node].position)) {
+      if (const std::optional<Vector_3> middle = m_traits.middle_behind(m_draft[node].position)) {
         m_draft[node].position = *middle;
         m_is_outside[node] = 0;
       }
@@ -126,7 +115,7 @@ private:
       if (!outside) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = middle_behind(*outside)) {
+      if (const std::optional<Vector_3> middle = m_traits.middle_behind(*outside)) {
         const Index node = m_draft.split_edge(a, b, *middle, (m_draft[a].radius + m_draft[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);

@@ -24,7 +24,7 @@ namespace CSCD::internal {
 
 /// Builds the draft of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 class Node_placement
 {

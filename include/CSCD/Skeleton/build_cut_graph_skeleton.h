@@ -27,7 +27,7 @@ namespace CSCD::internal {
 
 /// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined and
 /// smoothed, and what left the body is brought back; what could not be is counted in `report`.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 Embedded_skeleton build_cut_graph_skeleton(const Traits& traits, const std::vector<Separator>& separators,
                                            const Separator_packing& packing, Skeletonization_report& report)

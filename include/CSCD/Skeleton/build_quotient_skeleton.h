@@ -39,7 +39,7 @@ public:
     Embedded_skeleton result;
     Skeleton_draft& draft = result.draft;
     place_regions(draft);
-    const Quotient_graph graph(m_traits.levels().finest().surface, [this](Index vertex) { return m_regions[vertex]; });
+    const Quotient_graph graph(m_traits.surface(), [this](Index vertex) { return m_regions[vertex]; });
     for (const std::vector<Index>& meeting : graph.meetings()) {
       connect(draft, meeting);
     }

@@ -21,7 +21,7 @@ struct Ball
 };
 
 /// Grows an inscribed ball from `start`: steps away from the nearest point of the surface as long as the ball gets
-/// larger, for at most `most_shift` in all. \tparam Traits a model of `SolidSkeletonizationTraits`
+/// larger, for at most `most_shift` in all. \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 Ball inscribed_ball(const Traits& traits, const Vector_3& start, double most_shift)
 {
@@ -46,7 +46,7 @@ Ball inscribed_ball(const Traits& traits, const Vector_3& start, double most_shi
 }
 
 /// Moves every junction of `draft` to the center of an inscribed ball nearby, at most by the largest radius around it.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
+/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
 void center_junctions(const Traits& traits, Skeleton_draft& draft)
 {

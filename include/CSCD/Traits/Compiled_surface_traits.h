@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -79,18 +78,14 @@ public:
   {
     return {surface().origin(3 * face), surface().origin(3 * face + 1), surface().origin(3 * face + 2)};
   }
+  /// The triangles with their halfedges: the finest level.
   const Triangulated_surface& surface() const { return m_levels->finest().surface; }
   const Surface_levels& levels() const { return *m_levels; }
   /// @}
 
   /// \name Coordinates of the input
   /// @{
-  Point to_input_point(const Vector_3& point) const
-  {
-    using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-    const Vector_3 result = m_normalization.to_input(point);
-    return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
-  }
+  Point to_input_point(const Vector_3& point) const { return internal::to_input_point<Point>(m_normalization, point); }
   double to_input_length(double length) const { return length * m_normalization.unit; }
   /// @}
 
@@ -109,6 +104,8 @@ public:
   bool is_inside(const Vector_3& point) const { return queries().is_inside(point); }
   /// The point of the surface that is nearest to `point`.
   Surface_point closest_point(const Vector_3& point) const { return queries().closest_point(point); }
+  /// The middle of the body behind the point of the surface that is nearest to `point`, if it can be told.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const { return queries().middle_behind(point); }
   /// The first point in which the ray from `origin` along `direction` meets the surface, if any.
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {

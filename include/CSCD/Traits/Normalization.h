@@ -8,6 +8,9 @@
 
 #include <CSCD/internal/Vector_3.h>
 
+#include <type_traits>
+#include <utility>
+
 namespace CSCD::internal {
 
 /// Normalized coordinates: the point `x` of the input is `(x - origin) / unit`.
@@ -22,6 +25,15 @@ struct Normalization
   /// The normalization that first applies this one and then `second`.
   Normalization then(const Normalization& second) const { return {to_input(second.origin), unit * second.unit}; }
 };
+
+/// The point of any type, constructible from three coordinates, that `point` is in the input.
+template <class Point>
+Point to_input_point(const Normalization& normalization, const Vector_3& point)
+{
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  const Vector_3 result = normalization.to_input(point);
+  return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
+}
 
 } // namespace CSCD::internal
 

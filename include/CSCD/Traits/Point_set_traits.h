@@ -6,11 +6,11 @@
 #ifndef CSCD_TRAITS_POINT_SET_TRAITS_H
 #define CSCD_TRAITS_POINT_SET_TRAITS_H
 
-#include <CSCD/Reconstruction/Point_tree.h>
 #include <CSCD/Reconstruction/Reconstruction_report.h>
 #include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Traits/Compiled_surface_traits.h>
+#include <CSCD/Traits/Points_of_sites.h>
 #include <CSCD/Traits/compile_surface.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/point_map.h>
@@ -21,14 +21,14 @@
 
 #include <chrono>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
 
-/// The surface traits of a point set, a model of `SkeletonizationTraits`.
+/// The surface traits of a point set, a model of `SkeletonizationTraits` and of
+/// `TriangulatedSolidSkeletonizationTraits`.
 ///
 /// A closed surface is made of the points: they are triangulated by an advancing front, fragments joined, holes closed,
 /// and handles removed that are too small for the sampling to prove them. Sites are the vertices of this surface. Every
@@ -81,15 +81,19 @@ public:
   /// @{
 
   /// The points of the input for which the site stands; none for an inserted site.
-  CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const
-  {
-    return {m_descriptors.data() + m_descriptors_begin[site], m_descriptors.data() + m_descriptors_begin[site + 1]};
-  }
+  CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const { return m_points[site]; }
   /// The number of points of the input.
-  std::size_t number_of_input_sites() const { return m_descriptors.size(); }
+  std::size_t number_of_input_sites() const { return m_points.number_of_points(); }
   /// None: every point belongs to a site.
   std::size_t number_of_isolated_vertices() const { return 0; }
   /// @}
+
+  /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
+  /// such are scans of trees, which `extract_tree_skeleton()` is for.
+  bool is_surface_doubtful() const
+  {
+    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+  }
 
   /// What is doubtful about the input or was mended, one sentence each.
   std::vector<std::string> warnings() const
@@ -100,10 +104,12 @@ public:
         result.push_back(std::to_string(count) + ' ' + what);
       }
     };
-    if (double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points)) {
+    if (is_surface_doubtful()) {
       result.emplace_back("the points hardly sample the surface of a body: it has " +
                           std::to_string(m_report.number_of_border_edges) + " border edges for " +
-                          std::to_string(m_report.number_of_points) + " points, and the skeleton may be wrong");
+                          std::to_string(m_report.number_of_points) +
+                          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
+                          "extract_tree_skeleton() is made for it");
     }
     warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
     warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
@@ -135,7 +141,7 @@ private:
     compiled.normalization = cloud.normalization.then(compiled.normalization);
     compiled.number_of_bridged_borders = m_report.number_of_holes;
     Base::set_surface(std::move(compiled));
-    assign_points(points, cloud, reconstructed.point_of_vertex);
+    m_points = {points, cloud, sites_of_points(cloud, reconstructed.point_of_vertex), Base::number_of_sites()};
     m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -143,57 +149,18 @@ private:
   std::vector<Index> sites_of_points(const internal::Point_cloud& cloud,
                                      const std::vector<Index>& point_of_vertex) const
   {
-    std::vector<Index> site_of_point(cloud.points.size(), internal::no_index);
+    std::vector<Index> result(cloud.points.size(), internal::no_index);
     for (Index site = 0; site < Base::number_of_sites(); ++site) {
       const Index vertex = Base::input_point(site);
       if (vertex != internal::no_index && point_of_vertex[vertex] != internal::no_index) {
-        site_of_point[point_of_vertex[vertex]] = site;
+        result[point_of_vertex[vertex]] = site;
       }
     }
-    std::vector<Index> used;
-    std::vector<internal::Vector_3> used_points;
-    for (Index point = 0; point < site_of_point.size(); ++point) {
-      if (site_of_point[point] != internal::no_index) {
-        used.push_back(point);
-        used_points.push_back(cloud.points[point]);
-      }
-    }
-    if (used.size() < site_of_point.size()) {
-      const internal::Point_tree tree(used_points);
-      for (Index point = 0; point < site_of_point.size(); ++point) {
-        if (site_of_point[point] == internal::no_index) {
-          site_of_point[point] = site_of_point[used[tree.nearest(cloud.points[point])]];
-        }
-      }
-    }
-    return site_of_point;
+    internal::assign_to_nearest(cloud, result);
+    return result;
   }
 
-  void assign_points(const PointRange& points, const internal::Point_cloud& cloud,
-                     const std::vector<Index>& point_of_vertex)
-  {
-    const std::vector<Index> site_of_point = sites_of_points(cloud, point_of_vertex);
-    m_descriptors_begin.assign(std::size_t(Base::number_of_sites()) + 1, 0);
-    for (Index point : cloud.input_point) {
-      ++m_descriptors_begin[site_of_point[point] + 1];
-    }
-    std::partial_sum(m_descriptors_begin.begin(), m_descriptors_begin.end(), m_descriptors_begin.begin());
-    std::vector<Index> fill(m_descriptors_begin.begin(), m_descriptors_begin.end() - 1);
-    m_descriptors.resize(cloud.input_point.size());
-    std::size_t number = 0;
-    for ([[maybe_unused]] const auto& element : points) {
-      Site_descriptor& descriptor = m_descriptors[fill[site_of_point[cloud.input_point[number]]]++];
-      if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-        descriptor = element;
-      } else {
-        descriptor = number;
-      }
-      ++number;
-    }
-  }
-
-  std::vector<Site_descriptor> m_descriptors; // of the points of the input, site by site
-  std::vector<Index> m_descriptors_begin;     // of every site
+  internal::Points_of_sites<PointRange> m_points;
   Reconstruction_report m_report;
   double m_seconds_to_compile = 0;
 };

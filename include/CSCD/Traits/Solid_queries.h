@@ -49,12 +49,15 @@ public:
     const Index number_of_blocks = (surface.number_of_faces() + block_size - 1) / block_size;
     std::vector<Index> blocks(number_of_blocks);
     std::vector<Box> boxes(number_of_blocks);
+    Box whole;
     for (Index block = 0; block < number_of_blocks; ++block) {
       blocks[block] = block;
       for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
         boxes[block].extend(surface.point(surface.origin(h)));
       }
+      whole.extend(boxes[block]);
     }
+    m_offset = relative_offset * whole.diagonal().norm();
     m_tree.init(blocks.begin(), blocks.end(), boxes.begin(), boxes.end());
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
@@ -92,6 +95,20 @@ public:
       return std::nullopt;
     }
     return minimizer.hit;
+  }
+
+  /// The middle of the body behind the point of the surface that is nearest to `point`; none where the body is too thin
+  /// to tell, or the surface cuts itself.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const
+  {
+    const Surface_point nearest = closest_point(point);
+    const Vector_3 inward = -m_surface.face_vector(nearest.face).normalized();
+    const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
+    if (!hit) {
+      return std::nullopt;
+    }
+    const Vector_3 middle = (nearest.point + hit->point) / 2;
+    return is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
   }
 
   /// Writes the distances from `from` at which the segment from there to `to` meets the surface to `distances`, in
@@ -154,6 +171,8 @@ private:
 
   /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and asking is no slower.
   static constexpr Index block_size = 4;
+  /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
+  static constexpr double relative_offset = 1e-7;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   Index begin_of(Index block) const { return block * block_size; }
@@ -347,6 +366,7 @@ private:
   }
 
   const Triangulated_surface& m_surface;
+  double m_offset = 0;
   Tree m_tree;
 };
 

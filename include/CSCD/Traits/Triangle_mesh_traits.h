@@ -26,7 +26,8 @@
 
 namespace CSCD {
 
-/// The surface traits of a triangle mesh, a model of `SkeletonizationTraits` and of `SolidSkeletonizationTraits`.
+/// The surface traits of a triangle mesh, a model of `SkeletonizationTraits` and of
+/// `TriangulatedSolidSkeletonizationTraits`.
 ///
 /// The mesh is checked, its borders are bridged by faces without weight, components that look inwards are turned, faces
 /// that are too large are refined; the result is renumbered and normalized, so that it depends on the shape alone, and

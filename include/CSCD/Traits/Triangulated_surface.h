@@ -80,6 +80,9 @@ public:
   /// The next outgoing halfedge of the same origin, clockwise.
   Index previous_around_origin(Index halfedge) const { return next(m_twin[halfedge]); }
 
+  /// The sides of `face`, one after the other.
+  static std::array<Index, 3> face_halfedges(Index face) { return {3 * face, 3 * face + 1, 3 * face + 2}; }
+
   /// The outgoing halfedges of `vertex`, counterclockwise.
   CGAL::Iterator_range<const Index*> outgoing(Index vertex) const
   {

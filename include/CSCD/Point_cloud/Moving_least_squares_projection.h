@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Brings points back to the surface that a point cloud samples.
+
+#ifndef CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H
+#define CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H
+
+#include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Point_cloud/Point_neighborhoods.h>
+#include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <cmath>
+
+namespace CSCD::internal {
+
+/// Projects points to the moving least squares surface of a point complex, for `Variational_shortening`; the site is
+/// the nearest vertex.
+///
+/// The surface is where the weighted mean of (n + n_i) . (x - p_i) vanishes, over the points p_i near x with their
+/// normals n_i, n being the weighted mean of these. That is a plane fit with oriented normals, but for n beside n_i: a
+/// chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly where a plane
+/// fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019). The
+/// weight is (1 - d^2/r_i^2)^4, nearly exp(-d^2/h^2) for h = r_i/2, but smooth where it ends; r_i follows the local
+/// spacing of the points.
+///
+/// Only points of the sheet of the site count, which is sought over edges from the last one: so no point jumps to
+/// another sheet. Const and thread safe; copies are cheap.
+class Moving_least_squares_projection
+{
+public:
+  /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
+  Moving_least_squares_projection(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
+      : m_complex(&complex), m_neighborhoods(&neighborhoods)
+  {
+  }
+
+  /// O(k) for k points around the site, and the steps to it. Where no point is near enough, as over a hole of the
+  /// cloud, the nearest one is the projection.
+  /// \param near a vertex from which the distance to `point` is followed downwards \pre it is one
+  Projected_point operator()(const Vector_3& point, Index near) const
+  {
+    CGAL_precondition(near != no_index);
+    Projected_point result{point, Vector_3::Zero(), nearest(point, near)};
+    const double small_height = least_height * m_neighborhoods->spacing(result.site);
+    for (int i = 0; i < most_iterations; ++i) {
+      const double height = fit(result);
+      result.point -= height * result.normal;
+      if (std::abs(height) <= small_height) {
+        break;
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr int most_iterations = 4;
+  /// Less is not worth an iteration, relative to the spacing of the points.
+  static constexpr double least_height = 1e-2;
+
+  /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
+  Index nearest(const Vector_3& point, Index vertex) const
+  {
+    double least = (m_complex->point(vertex) - point).squaredNorm();
+    for (Index center = no_index; center != vertex;) {
+      center = vertex;
+      for (const Index h : m_complex->outgoing(center)) {
+        const Index target = m_complex->target(h);
+        const double distance = (m_complex->point(target) - point).squaredNorm();
+        if (distance < least && m_complex->normal(target).dot(m_complex->normal(center)) > 0) {
+          least = distance;
+          vertex = target;
+        }
+      }
+    }
+    return vertex;
+  }
+
+  /// Sets the normal of the surface at the point of `projected`. \return how high above the surface it is
+  double fit(Projected_point& projected) const
+  {
+    double sum = 0;
+    double height = 0; // of the point above the tangent planes
+    Vector_3 offset = Vector_3::Zero();
+    Vector_3 normal = Vector_3::Zero();
+    for (const Index vertex : m_neighborhoods->neighbors(projected.site)) {
+      const Vector_3 difference = projected.point - m_complex->point(vertex);
+      const double radius = m_neighborhoods->radius(vertex);
+      const double rest = 1 - difference.squaredNorm() / (radius * radius);
+      if (rest > 0) {
+        const double weight = rest * rest * rest * rest;
+        const Vector_3& n = m_complex->normal(vertex);
+        sum += weight;
+        height += weight * n.dot(difference);
+        offset += weight * difference;
+        normal += weight * n;
+      }
+    }
+    const double norm = normal.norm();
+    if (!(norm > 0)) {
+      projected.point = m_complex->point(projected.site);
+      projected.normal = m_complex->normal(projected.site);
+      return 0;
+    }
+    projected.normal = normal / norm;
+    return (height + projected.normal.dot(offset)) / (norm + sum);
+  }
+
+  const Point_complex* m_complex;
+  const Point_neighborhoods* m_neighborhoods;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The derivatives of functions on a point complex.
+
+#ifndef CSCD_POINT_CLOUD_POINT_DERIVATIVES_H
+#define CSCD_POINT_CLOUD_POINT_DERIVATIVES_H
+
+#include <CSCD/Geodesic/Cotangent_elements.h>
+#include <CSCD/Point_cloud/Point_frames.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// What is needed to differentiate functions on a point complex, prepared once: gradients by least squares over the
+/// immediate neighbors, and the Laplacian of the finite elements that the heat method uses.
+class Point_derivatives
+{
+public:
+  using Complex = Point_frames::Complex;
+
+  /// Linear. \param frames is referred to and must outlive this object
+  /// \param elements those of the intrinsic Delaunay triangulation of the tufted cover; not referred to later
+  Point_derivatives(const Point_frames& frames, const Cotangent_elements& elements) : m_frames(frames)
+  {
+    CGAL_precondition(elements.number_of_vertices() == frames.triangulation().number_of_vertices());
+    fit_gradients();
+    collect_couplings(elements);
+  }
+
+  const Point_frames& frames() const { return m_frames; }
+
+  /// The gradient of the linear function that fits `values` best at the neighbors of `vertex`, in its frame.
+  Complex gradient(Index vertex, const std::vector<double>& values) const
+  {
+    const Point_complex& complex = m_frames.triangulation();
+    Complex sum = 0;
+    for (const Index h : complex.outgoing(vertex)) {
+      sum += m_gradient[h] * (values[complex.target(h)] - values[vertex]);
+    }
+    return sum;
+  }
+
+  /// The Laplacian of `values` at `vertex`, times the spacing of the points there.
+  double laplacian(Index vertex, const std::vector<double>& values) const
+  {
+    double sum = 0;
+    for (Index i = m_row[vertex]; i < m_row[vertex + 1]; ++i) {
+      sum += m_coupling[i].weight * (values[m_coupling[i].neighbor] - values[vertex]);
+    }
+    return sum;
+  }
+
+private:
+  /// The dual area of a vertex of a regular triangulation with edges of length 1.
+  static constexpr double area_of_unit_spacing = 0.8660254037844386;
+
+  struct Coupling
+  {
+    Index neighbor;
+    double weight;
+  };
+
+  void fit_gradients()
+  {
+    const Point_complex& complex = m_frames.triangulation();
+    m_gradient.assign(complex.number_of_halfedges(), 0);
+    for (Index vertex = 0; vertex < complex.number_of_vertices(); ++vertex) {
+      fit_gradient(vertex);
+    }
+  }
+
+  /// Solves the normal equations of the slopes along the edges: each counts the same, however long its edge is.
+  void fit_gradient(Index vertex)
+  {
+    // Relative to its trace, the least determinant of a matrix of which the inverse is meaningful.
+    constexpr double least_determinant = 1e-3;
+    double xx = 0;
+    double xy = 0;
+    double yy = 0;
+    for (const Index h : m_frames.triangulation().outgoing(vertex)) {
+      const Complex d = std::polar(1., m_frames.direction_at_origin(h));
+      xx += d.real() * d.real();
+      xy += d.real() * d.imag();
+      yy += d.imag() * d.imag();
+    }
+    const double determinant = xx * yy - xy * xy;
+    if (!(determinant > least_determinant * (xx + yy) * (xx + yy))) {
+      return;
+    }
+    for (const Index h : m_frames.triangulation().outgoing(vertex)) {
+      const Complex d = std::polar(1. / m_frames.length(h), m_frames.direction_at_origin(h));
+      m_gradient[h] = Complex(yy * d.real() - xy * d.imag(), xx * d.imag() - xy * d.real()) / determinant;
+    }
+  }
+
+  void collect_couplings(const Cotangent_elements& elements)
+  {
+    m_row.assign(std::size_t(elements.number_of_vertices()) + 1, 0);
+    const auto for_each_coupling = [&elements](const auto& function) {
+      for (const Cotangent_elements::Face& face : elements.faces()) {
+        const std::array<double, 3> couplings = face.layout.couplings();
+        for (std::size_t k = 0; k < 3; ++k) {
+          function(face.vertices[(k + 1) % 3], face.vertices[(k + 2) % 3], -couplings[k]);
+        }
+      }
+    };
+    for_each_coupling([&](Index i, Index j, double) {
+      ++m_row[i + 1];
+      ++m_row[j + 1];
+    });
+    std::partial_sum(m_row.begin(), m_row.end(), m_row.begin());
+    m_coupling.resize(m_row.back());
+    std::vector<Index> end(m_row.begin(), m_row.end() - 1);
+    for_each_coupling([&](Index i, Index j, double weight) {
+      m_coupling[end[i]++] = {j, weight * scale(elements, i)};
+      m_coupling[end[j]++] = {i, weight * scale(elements, j)};
+    });
+    merge_couplings();
+  }
+
+  /// What turns sums of stiffnesses into Laplacians times the spacing: that around `vertex` or, if it is larger, the
+  /// mean edge length, over which the heat method smooths its distances.
+  double scale(const Cotangent_elements& elements, Index vertex) const
+  {
+    const double unit = elements.unit(elements.component(vertex));
+    const double mass = elements.mass(vertex) * unit * unit;
+    const double area = m_frames.triangulation().vertex_area(vertex);
+    return mass > 0 ? std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing)) / mass : 0;
+  }
+
+  /// Adds up what a vertex has with the same neighbor through several faces.
+  void merge_couplings()
+  {
+    Index end = 0;
+    for (std::size_t vertex = 0; vertex + 1 < m_row.size(); ++vertex) {
+      const auto begin = m_coupling.begin() + m_row[vertex];
+      std::sort(begin, m_coupling.begin() + m_row[vertex + 1],
+                [](const Coupling& a, const Coupling& b) { return a.neighbor < b.neighbor; });
+      const Index first = end;
+      for (Index i = m_row[vertex]; i < m_row[vertex + 1]; ++i) {
+        if (end > first && m_coupling[end - 1].neighbor == m_coupling[i].neighbor) {
+          m_coupling[end - 1].weight += m_coupling[i].weight;
+        } else {
+          m_coupling[end++] = m_coupling[i];
+        }
+      }
+      m_row[vertex] = first;
+    }
+    m_row.back() = end;
+    m_coupling.resize(end);
+  }
+
+  const Point_frames& m_frames;
+  std::vector<Complex> m_gradient; // of every halfedge: what the difference of values along it adds
+  std::vector<Index> m_row;        // of every vertex, in the couplings, and their end
+  std::vector<Coupling> m_coupling;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINT_CLOUD_POINT_DERIVATIVES_H

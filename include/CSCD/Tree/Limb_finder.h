@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From slices to limbs.
+
+#ifndef CSCD_TREE_LIMB_FINDER_H
+#define CSCD_TREE_LIMB_FINDER_H
+
+#include <CSCD/Tree/Limb.h>
+#include <CSCD/Tree/Slice.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Joins slices to limbs. First, where slices fork, a limb goes on into the part that reaches farthest; what is then
+/// too short to be told from a bump of the bark is given up. Of what remains, a limb goes on into the part that carries
+/// most, and that is nearly straight on.
+class Limb_finder
+{
+public:
+  explicit Limb_finder(const std::vector<Slice>& slices) : m_slices(slices), m_host(slices.size())
+  {
+    for (Index slice = 0; slice < slices.size(); ++slice) {
+      m_host[slice] = slice;
+    }
+  }
+
+  void operator()()
+  {
+    find_reaches();
+    decompose(m_reach);
+    give_up_short_limbs();
+    find_strengths();
+    decompose(m_strength);
+  }
+
+  /// Parents first.
+  const std::vector<Limb>& limbs() const { return m_limbs; }
+  /// The slice of a limb that the points of a slice belong to: itself, unless its limb was given up.
+  Index host(Index slice) const { return m_host[slice]; }
+  bool is_alive(Index slice) const { return m_host[slice] == slice; }
+
+private:
+  /// The least length of a limb beyond its parent, relative to the spacing of its points ...
+  static constexpr double least_length = 6;
+  /// ... and to the radius of its parent.
+  static constexpr double least_length_in_radii = 1;
+  /// How much going straight on counts beside the length that is carried.
+  static constexpr int straightness_exponent = 2;
+  /// The slices from which the direction of a limb is told.
+  static constexpr int direction_slices = 3;
+
+  /// For every slice the distance at which the part of an object beyond it, itself included, ends.
+  void find_reaches()
+  {
+    m_reach.assign(m_slices.size(), 0);
+    for (Index slice = Index(m_slices.size()); slice-- > 0;) {
+      m_reach[slice] = std::max(m_reach[slice], m_slices[slice].end);
+      if (m_slices[slice].parent != no_index) {
+        float& of_parent = m_reach[m_slices[slice].parent];
+        of_parent = std::max(of_parent, m_reach[slice]);
+      }
+    }
+  }
+
+  /// For every slice how likely its parent goes on into it: more, the more length of limbs it carries, to which the
+  /// area of its section is proportional, and the straighter.
+  void find_strengths()
+  {
+    std::vector<float> carried(m_slices.size(), 0);
+    std::vector<Index> next(m_slices.size(), no_index);
+    for (Index slice = Index(m_slices.size()); slice-- > 0;) {
+      const Index parent = m_slices[slice].parent;
+      if (is_alive(slice) && parent != no_index) {
+        carried[slice] += float((m_slices[slice].centroid - m_slices[parent].centroid).norm());
+        carried[parent] += carried[slice];
+        if (next[parent] == no_index || carried[next[parent]] < carried[slice]) {
+          next[parent] = slice;
+        }
+      }
+    }
+    m_strength.assign(m_slices.size(), 0);
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      if (m_slices[slice].parent == no_index) {
+        continue;
+      }
+      Index before = m_slices[slice].parent;
+      Index after = slice;
+      for (int i = 0; i < direction_slices; ++i) {
+        before = m_slices[before].parent == no_index ? before : m_slices[before].parent;
+        after = next[after] == no_index ? after : next[after];
+      }
+      const Vector_3& fork = m_slices[m_slices[slice].parent].centroid;
+      const Vector_3 in = fork - m_slices[before].centroid;
+      const Vector_3 out = m_slices[after].centroid - fork;
+      const double cosine = in.norm() > 0 && out.norm() > 0 ? in.normalized().dot(out.normalized()) : 1;
+      m_strength[slice] = float(carried[slice] * std::pow((1 + cosine) / 2, straightness_exponent));
+    }
+  }
+
+  void decompose(const std::vector<float>& key)
+  {
+    std::vector<Index> successor(m_slices.size(), no_index);
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      const Index parent = m_slices[slice].parent;
+      if (is_alive(slice) && parent != no_index &&
+          (successor[parent] == no_index || key[successor[parent]] < key[slice])) {
+        successor[parent] = slice;
+      }
+    }
+    m_limbs.clear();
+    m_limb_of_slice.assign(m_slices.size(), no_index);
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      const Index parent = m_slices[slice].parent;
+      if (!is_alive(slice)) {
+        continue;
+      }
+      if (parent != no_index && successor[parent] == slice) {
+        m_limb_of_slice[slice] = m_limb_of_slice[parent];
+      } else {
+        m_limb_of_slice[slice] = Index(m_limbs.size());
+        m_limbs.push_back({parent == no_index ? no_index : m_limb_of_slice[parent], parent, {}});
+      }
+      m_limbs[m_limb_of_slice[slice]].slices.push_back(slice);
+    }
+  }
+
+  void give_up_short_limbs()
+  {
+    std::vector<char> is_given_up(m_limbs.size(), 0);
+    for (Index limb = 0; limb < m_limbs.size(); ++limb) {
+      const Limb& l = m_limbs[limb];
+      if (l.parent == no_index) {
+        continue;
+      }
+      if (is_given_up[l.parent] != 0) {
+        is_given_up[limb] = 1;
+      } else {
+        const Slice& joint = m_slices[l.joint];
+        const double length = m_reach[l.slices.front()] - m_slices[l.slices.front()].begin;
+        is_given_up[limb] =
+            length < least_length * joint.spacing || length < least_length_in_radii * joint.radius ? 1 : 0;
+      }
+    }
+    for (Index limb = 0; limb < m_limbs.size(); ++limb) {
+      if (is_given_up[limb] != 0) {
+        for (Index slice : m_limbs[limb].slices) {
+          m_host[slice] = m_host[m_slices[slice].parent];
+        }
+      }
+    }
+  }
+
+  const std::vector<Slice>& m_slices;
+  std::vector<Index> m_host;
+  std::vector<float> m_reach;
+  std::vector<float> m_strength;
+  std::vector<Index> m_limb_of_slice;
+  std::vector<Limb> m_limbs;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TREE_LIMB_FINDER_H

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Centers and radii of limbs.
+
+#ifndef CSCD_TREE_SECTION_FITTING_H
+#define CSCD_TREE_SECTION_FITTING_H
+
+#include <CSCD/Tree/Limb.h>
+#include <CSCD/Tree/Section.h>
+#include <CSCD/Tree/Slice.h>
+#include <CSCD/Tree/fit_circle.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Fits circles to the slices of limbs, across them.
+class Section_fitting
+{
+public:
+  Section_fitting(const std::vector<Vector_3>& points, const std::vector<Slice>& slices)
+      : m_points(points), m_slices(slices), m_sections(slices.size())
+  {
+  }
+
+  const std::vector<Section>& sections() const { return m_sections; }
+
+  /// Takes the median deviation of the points from the circles of the trunks as noise. To be called when these have
+  /// been fitted.
+  void estimate_noise()
+  {
+    if (!m_deviations.empty()) {
+      const auto middle = m_deviations.begin() + std::ptrdiff_t(m_deviations.size() / 2);
+      std::nth_element(m_deviations.begin(), middle, m_deviations.end());
+      m_noise = *middle;
+    }
+  }
+
+  /// Finds the sections of `limb`; those of its parent are known.
+  void fit(const Limb& limb)
+  {
+    for (Index slice : limb.slices) {
+      m_sections[slice].center = m_slices[slice].centroid;
+    }
+    for (int round = 0; round < rounds; ++round) {
+      find_directions(limb);
+      for (std::size_t i = 0; i < limb.slices.size(); ++i) {
+        fit_section(limb, i);
+      }
+      place_centers(limb);
+    }
+    find_directions(limb);
+    smooth_radii(limb);
+  }
+
+  /// Takes the radii of sections without a circle near them, if they are larger, down to the root of what they carry
+  /// times `factor`, and makes the radii decrease again.
+  void limit_radii(const Limb& limb, double factor, const std::vector<double>& carried)
+  {
+    for (Index slice : limb.slices) {
+      Section& section = m_sections[slice];
+      if (section.is_rough) {
+        const double scatter = scatter_radius(slice);
+        section.radius =
+            std::max(std::sqrt(least_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
+      }
+    }
+    smooth_radii(limb);
+  }
+
+private:
+  /// A circle is fitted to at least so many points, if there are ...
+  static constexpr std::size_t wanted_points = 30;
+  static constexpr std::size_t least_points = 8;
+  /// ... of at most so many slices to either side.
+  static constexpr std::size_t most_slices = 2;
+  /// The arc that points must cover, in radians ...
+  static constexpr double least_coverage = 1.4;
+  /// ... their deviation, relative to the radius, and their part of all.
+  static constexpr double largest_deviation = 0.25;
+  static constexpr double least_inlier_part = 0.6;
+  /// The deviation relative to that of trunks: of leaves it is larger.
+  static constexpr double noise_limit = 3;
+  /// The radius relative to the scatter of the points.
+  static constexpr double largest_radius = 3.5;
+  /// Directions across which circles are fitted are those of the centroids first, then those of the centers.
+  static constexpr int rounds = 2;
+  /// The slices to either side that tell the direction.
+  static constexpr std::ptrdiff_t direction_reach = 2;
+  /// The slices to either side whose offsets from centroids to centers are averaged.
+  static constexpr std::ptrdiff_t offset_reach = 3;
+  /// How far from the joint there is bark of the parent, relative to its radius.
+  static constexpr double crotch = 2;
+  /// The radius of a limb relative to that of its parent.
+  static constexpr double largest_of_parent = 1.1;
+  /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
+  static constexpr double least_part_of_scatter = 0.1;
+  static constexpr double least_confidence = 0.02;
+
+  void find_directions(const Limb& limb)
+  {
+    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      const Vector_3& before =
+          m_sections[limb.slices[std::size_t(std::max<std::ptrdiff_t>(0, i - direction_reach))]].center;
+      const Vector_3& after = m_sections[limb.slices[std::size_t(std::min(last, i + direction_reach))]].center;
+      Vector_3 step = after - before;
+      if (step.norm() == 0 && limb.joint != no_index) {
+        step = after - m_sections[limb.joint].center;
+      }
+      m_sections[limb.slices[std::size_t(i)]].direction =
+          step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
+    }
+  }
+
+  /// The points of a slice and of those around it, along the limb into a plane across it. The origin is the centroid.
+  std::vector<Eigen::Vector2d> project(const Limb& limb, std::size_t i, const Vector_3& u, const Vector_3& v) const
+  {
+    std::vector<Eigen::Vector2d> result;
+    const Vector_3& origin = m_slices[limb.slices[i]].centroid;
+    const auto project_slice = [&](std::size_t j) {
+      for (Index point : m_slices[limb.slices[j]].points) {
+        const Vector_3 d = m_points[point] - origin;
+        result.emplace_back(u.dot(d), v.dot(d));
+      }
+    };
+    project_slice(i);
+    for (std::size_t reach = 1; reach <= most_slices && result.size() < wanted_points; ++reach) {
+      if (i >= reach) {
+        project_slice(i - reach);
+      }
+      if (i + reach < limb.slices.size()) {
+        project_slice(i + reach);
+      }
+    }
+    return result;
+  }
+
+  static double scatter(const std::vector<Eigen::Vector2d>& points)
+  {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& p : points) {
+      mean += p / double(points.size());
+    }
+    double sum = 0;
+    for (const Eigen::Vector2d& p : points) {
+      sum += (p - mean).squaredNorm() / double(points.size());
+    }
+    return std::sqrt(sum);
+  }
+
+  /// Whether a circle tells the section.
+  Circle_outcome judge(const Circle_fit& circle, double scatter, const Limb& limb) const
+  {
+    if (circle.radius > largest_radius * scatter ||
+        (limb.joint != no_index && circle.radius > largest_of_parent * m_sections[limb.joint].radius)) {
+      return Circle_outcome::too_wide;
+    }
+    if (circle.deviation > largest_deviation * circle.radius || circle.inlier_part < least_inlier_part ||
+        (m_noise > 0 && circle.deviation > noise_limit * m_noise)) {
+      return Circle_outcome::scattered;
+    }
+    return circle.coverage < least_coverage ? Circle_outcome::short_arc : Circle_outcome::fitted;
+  }
+
+  void fit_section(const Limb& limb, std::size_t i)
+  {
+    Section& section = m_sections[limb.slices[i]];
+    const Vector_3 u = section.direction.unitOrthogonal();
+    const Vector_3 v = section.direction.cross(u);
+    const std::vector<Eigen::Vector2d> points = project(limb, i, u, v);
+    section.outcome = Circle_outcome::few_points;
+    const std::optional<Circle_fit> circle = points.size() < least_points ? std::nullopt : fit_circle(points);
+    if (!circle) {
+      return;
+    }
+    section.outcome = judge(*circle, scatter(points), limb);
+    if (!section.is_circle()) {
+      return;
+    }
+    if (limb.joint == no_index) {
+      m_deviations.push_back(circle->deviation);
+    }
+    section.center = m_slices[limb.slices[i]].centroid + circle->center.x() * u + circle->center.y() * v;
+    section.radius = circle->radius;
+    const double accuracy = 1 - circle->deviation / circle->radius / largest_deviation;
+    const double coverage = circle->coverage / boost::math::double_constants::two_pi;
+    const double number = std::min(1., double(points.size()) / wanted_points);
+    section.confidence = std::max(least_confidence, accuracy * coverage * number * circle->inlier_part);
+  }
+
+  /// Centers of circles are averaged with those around; where there is no circle, the center is as far from the
+  /// centroid as around: limbs are seen from one side for a long way.
+  void place_centers(const Limb& limb)
+  {
+    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    std::vector<Vector_3> centers;
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      const Section& section = m_sections[limb.slices[std::size_t(i)]];
+      centers.push_back(section.is_circle() ? section.center
+                                            : m_slices[limb.slices[std::size_t(i)]].centroid + offset_around(limb, i));
+    }
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      Section& section = m_sections[limb.slices[std::size_t(i)]];
+      section.center = centers[std::size_t(i)];
+      if (i > 0 && i < last) {
+        section.center = centers[std::size_t(i)] / 2 + (centers[std::size_t(i - 1)] + centers[std::size_t(i + 1)]) / 4;
+      }
+    }
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      find_rough_radius(limb, i);
+    }
+  }
+
+  /// Gives a section without a circle the radius of those around it, or of the scatter.
+  void find_rough_radius(const Limb& limb, std::ptrdiff_t i)
+  {
+    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    Section& section = m_sections[limb.slices[std::size_t(i)]];
+    section.is_rough = false;
+    if (section.is_circle()) {
+      return;
+    }
+    double radius = 0;
+    double sum = 0;
+    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
+      const Section& other = m_sections[limb.slices[std::size_t(j)]];
+      if (other.is_circle()) {
+        radius += other.confidence * other.radius;
+        sum += other.confidence;
+      }
+    }
+    section.is_rough = sum == 0;
+    section.radius = section.is_rough ? scatter_radius(limb.slices[std::size_t(i)]) : radius / sum;
+    section.confidence = least_confidence;
+  }
+
+  /// How far the centers of circles around a slice without one are from the centroids.
+  Vector_3 offset_around(const Limb& limb, std::ptrdiff_t i) const
+  {
+    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    Vector_3 offset = Vector_3::Zero();
+    double sum = least_confidence;
+    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
+      const Section& other = m_sections[limb.slices[std::size_t(j)]];
+      if (other.is_circle()) {
+        const double weight = other.confidence / (1 + 2 * double((i - j) * (i - j)));
+        offset += weight * (other.center - m_slices[limb.slices[std::size_t(j)]].centroid);
+        sum += weight;
+      }
+    }
+    return offset / sum;
+  }
+
+  /// The scatter of the points of a slice around its center, across the limb, without what noise adds.
+  double scatter_radius(Index slice) const
+  {
+    const Section& section = m_sections[slice];
+    double sum = 0;
+    for (Index point : m_slices[slice].points) {
+      sum += (m_points[point] - section.center).cross(section.direction).squaredNorm();
+    }
+    sum /= double(m_slices[slice].points.size());
+    return std::sqrt(std::max(sum - 2 * m_noise * m_noise, least_part_of_scatter * sum));
+  }
+
+  /// The weighted least squares fit of radii that do not increase from base to tip.
+  void smooth_radii(const Limb& limb)
+  {
+    // Pools of adjacent violators, each with its mean.
+    struct Pool
+    {
+      double sum;
+      double weight;
+      std::size_t size;
+      double mean() const { return sum / weight; }
+    };
+    std::vector<Pool> pools;
+    const std::size_t base = number_in_crotch(limb);
+    for (std::size_t i = base; i < limb.slices.size(); ++i) {
+      const Section& section = m_sections[limb.slices[i]];
+      pools.push_back({section.confidence * section.radius, section.confidence, 1});
+      while (pools.size() > 1 && pools[pools.size() - 2].mean() <= pools.back().mean()) {
+        const Pool last = pools.back();
+        pools.pop_back();
+        pools.back().sum += last.sum;
+        pools.back().weight += last.weight;
+        pools.back().size += last.size;
+      }
+    }
+    pools.front().size += base;
+    std::size_t i = 0;
+    for (const Pool& pool : pools) {
+      for (std::size_t k = 0; k < pool.size; ++k) {
+        double radius = pool.mean();
+        if (limb.joint != no_index) {
+          radius = std::min(radius, m_sections[limb.joint].radius);
+        }
+        m_sections[limb.slices[i++]].radius = radius;
+      }
+    }
+  }
+
+  /// The first sections of a limb, up to the last but one, that are so near its joint that there is bark of the parent
+  /// among their points.
+  std::size_t number_in_crotch(const Limb& limb) const
+  {
+    if (limb.joint == no_index) {
+      return 0;
+    }
+    const Section& joint = m_sections[limb.joint];
+    std::size_t number = 0;
+    while (number + 1 < limb.slices.size() &&
+           (m_sections[limb.slices[number]].center - joint.center).norm() < crotch * joint.radius) {
+      ++number;
+    }
+    return number;
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const std::vector<Slice>& m_slices;
+  std::vector<Section> m_sections;  // of every slice
+  std::vector<double> m_deviations; // of the points from the circles of trunks
+  double m_noise = 0;               // deviation of the points from the bark
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TREE_SECTION_FITTING_H

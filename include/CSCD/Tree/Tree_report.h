@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is told of the skeleton of a tree.
+
+#ifndef CSCD_TREE_TREE_REPORT_H
+#define CSCD_TREE_TREE_REPORT_H
+
+#include <CSCD/Tree/Circle_outcome.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CSCD {
+
+/// The parent of a branch that has none: a trunk.
+inline constexpr std::size_t no_branch = std::numeric_limits<std::size_t>::max();
+
+/// A branch: a limb from where it leaves its parent to its tip, whatever grows from it. Lengths are in the unit of the
+/// input.
+struct Tree_branch
+{
+  std::size_t parent = no_branch; ///< the branch from which it grows, which stands before it; `no_branch` for a trunk
+  std::size_t object = 0;         ///< the object that it belongs to
+  std::size_t order = 0;          ///< centrifugal order: 0 for a trunk, one more than the parent's for any other branch
+  std::size_t strahler_order = 1; ///< at the base: 1 for a branch without branches
+  /// The vertices of the skeleton along the branch, base to tip; the first is that of the parent from which it grows,
+  /// for a trunk the root.
+  std::vector<std::size_t> nodes{};
+  double length = 0;         ///< along the nodes
+  double radius_at_base = 0; ///< at its first own node
+  double radius_at_tip = 0;
+  std::size_t number_of_sections = 0; ///< nodes of which points tell center and radius: all but the first and the last
+  std::size_t number_of_circles = 0;  ///< of these, those where it is by a circle
+};
+
+/// A gap in the points that a branch goes on across.
+struct Tree_gap
+{
+  std::array<double, 3> from{}; ///< a point
+  std::array<double, 3> to{};   ///< and the nearest one beyond the gap
+  double length = 0;
+};
+
+/// Counts, branches, gaps and warnings of the skeletonization of a scan of trees. Lengths are in the unit of the input.
+struct Tree_report
+{
+  std::size_t number_of_points = 0;     ///< of the input
+  std::size_t number_of_duplicates = 0; ///< points that are at the place of another one
+  std::size_t number_of_debris = 0;  ///< points of no object: they belong to the node of the nearest point that has one
+  std::size_t number_of_objects = 0; ///< each is a tree of the skeleton
+  double spacing = 0;                ///< median over the points of the mean distance to the nearest six
+  std::vector<Tree_branch> branches; ///< parents before children
+  std::vector<Tree_gap> gaps;        ///< that were bridged, the shortest first
+  std::size_t number_of_nodes = 0;
+  std::size_t number_of_edges = 0;
+  std::size_t number_of_tips = 0; ///< one for each branch
+  /// What told the sections of the branches, in the order of `Circle_outcome`.
+  std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
+  double seconds = 0; ///< wall-clock time
+  std::vector<std::string> warnings;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_TREE_TREE_REPORT_H

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The skeleton of a scan of trees in one call.
+
+#ifndef CSCD_EXTRACT_TREE_SKELETON_H
+#define CSCD_EXTRACT_TREE_SKELETON_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Traits/Normalization.h>
+#include <CSCD/Tree/Circle_outcome.h>
+#include <CSCD/Tree/Gap_bridging.h>
+#include <CSCD/Tree/Tree_nodes.h>
+#include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Tree/Tree_skeletonization.h>
+#include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/point_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+namespace internal {
+
+/// Makes the graph of a skeleton; `points` are those of the input, of type `Point`.
+template <class Skeleton, class Point, class PointRange>
+Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud,
+                         const Tree_skeletonization& skeletonization)
+{
+  Skeleton result;
+  std::vector<decltype(add_vertex(result))> vertex;
+  for (const Tree_node& node : skeletonization.nodes()) {
+    vertex.push_back(add_vertex(result));
+    auto& bundle = result[vertex.back()];
+    const Vector_3 position = cloud.normalization.to_input(node.position);
+    bundle.point = Point(position.x(), position.y(), position.z());
+    if constexpr (has_radius_v<Skeleton>) {
+      bundle.radius = cloud.normalization.unit * node.radius;
+    }
+    if (node.parent != no_index) {
+      add_edge(vertex[node.parent], vertex.back(), result);
+    }
+  }
+  std::size_t number = 0;
+  for ([[maybe_unused]] const auto& element : points) {
+    auto& sites = result[vertex[skeletonization.node_of_point(cloud.input_point[number])]].vertices;
+    if constexpr (Is_range_of_indices<PointRange>::value) {
+      sites.push_back(element);
+    } else {
+      sites.push_back(number);
+    }
+    ++number;
+  }
+  return result;
+}
+
+/// What the user should know of a scan and its skeleton, one sentence each.
+inline std::vector<std::string> tree_warnings(const Tree_report& report)
+{
+  std::vector<std::string> result;
+  const auto warn = [&result](std::size_t count, const std::string& what) {
+    if (count > 0) {
+      result.push_back(std::to_string(count) + what);
+    }
+  };
+  warn(report.number_of_duplicates, " points at the place of others: they belong to the same nodes");
+  warn(report.number_of_debris, " points of no object: they belong to the nodes of the nearest");
+  warn(report.gaps.size(), " gaps between pieces of the scan: bridged");
+  std::size_t number_of_sections = 0;
+  for (std::size_t number : report.number_of_sections) {
+    number_of_sections += number;
+  }
+  const std::size_t number_without_circle =
+      number_of_sections - report.number_of_sections[std::size_t(Circle_outcome::fitted)];
+  warn(number_without_circle,
+       " of " + std::to_string(number_of_sections) + " sections of branches without a circle: their radii are rough");
+  return result;
+}
+
+/// Everything but number of points, time and warnings.
+inline Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
+{
+  Tree_report report;
+  report.number_of_points = cloud.input_point.size();
+  report.number_of_duplicates = cloud.number_of_duplicates();
+  for (Index point : cloud.input_point) {
+    report.number_of_debris += skeletonization.is_debris(point) ? 1 : 0;
+  }
+  const Normalization& normalization = cloud.normalization;
+  report.number_of_objects = skeletonization.number_of_objects();
+  report.spacing = normalization.unit * skeletonization.spacing();
+  report.number_of_sections = skeletonization.number_of_outcomes();
+  report.number_of_nodes = skeletonization.nodes().size();
+  report.number_of_edges = report.number_of_nodes - report.number_of_objects;
+  report.branches = skeletonization.branches();
+  for (Tree_branch& branch : report.branches) {
+    branch.length *= normalization.unit;
+    branch.radius_at_base *= normalization.unit;
+    branch.radius_at_tip *= normalization.unit;
+  }
+  const auto coordinates = [&](Index point) -> std::array<double, 3> {
+    const Vector_3 p = normalization.to_input(cloud.points[point]);
+    return {p.x(), p.y(), p.z()};
+  };
+  for (const Point_gap& gap : skeletonization.gaps()) {
+    report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
+  }
+  report.warnings = tree_warnings(report);
+  return report;
+}
+
+} // namespace internal
+
+/// extracts the skeletons of trees, or of other branching thin things, from a scan of them.
+///
+/// Scans of trees are no surfaces: twigs are hit by few points, limbs are seen from one side, and what is behind others
+/// is missing. So no surface is made. Points that are near each other for the spacing around are joined to a graph; its
+/// pieces are joined across gaps; the shortest paths from the root cut it into slices, of which limbs are made; circles
+/// are fitted across the limbs. Every object becomes a tree of the skeleton, with radii that do not increase from base
+/// to tip. What stands on the ground apart from the rest is an object of its own: the third coordinate is the height.
+///
+/// Nodes stand in the order of the branches that the report names, parents before children; the first of each object is
+/// its root. Every point of the input belongs to exactly one node. The skeleton is the same, to the last bit, from call
+/// to call and for any order of the points. O(n log n).
+///
+/// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
+/// \tparam Skeleton a model of `CurveSkeletonGraph`; its nodes hold the indices of the points in a `CGAL::Point_set_3`,
+///         for other ranges the numbers of the points in the order of iteration, as `std::size_t`
+/// \param points at least one point
+/// \param skeleton is cleared first; if the function throws, it is left as it was
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{the points of the elements of `points`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+///     \cgalParamDefault{`points.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{root}
+///     \cgalParamDescription{where the trunk of the object next to it begins}
+///     \cgalParamType{a point with coordinates `x()`, `y()`, `z()`}
+///     \cgalParamDefault{the lowest points of the object}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return branches with parent, order, length and radii; the gaps that were bridged; counts and warnings
+/// \throw Input_error if there is no point, too many, or one with a coordinate that is not finite, as that of the root;
+///        the message names the point and the remedy
+template <class PointRange, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
+Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
+                                  const NamedParameters& np = parameters::default_values())
+{
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::root_t>();
+  static_assert(is_point_range_v<PointRange>, "CSCD: extract_tree_skeleton requires a range of points");
+  check_curve_skeleton_graph<Skeleton>();
+  const auto start = std::chrono::steady_clock::now();
+  const auto point_map = internal::point_map(points, np);
+  const internal::Point_cloud cloud = internal::collect_any_points(points, point_map, internal::No_normals());
+  std::optional<internal::Vector_3> root;
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
+    root = cloud.normalization.from_input(internal::to_vector_3(parameters::get_parameter(np, internal_np::root)));
+    if (!root->allFinite()) {
+      throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
+    }
+  }
+  const internal::Tree_skeletonization skeletonization(cloud.points, root);
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  auto result = internal::make_tree_graph<Skeleton, Point>(points, cloud, skeletonization);
+  Tree_report report = internal::make_tree_report(skeletonization, cloud);
+  skeleton = std::move(result);
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+} // namespace CSCD
+
+#endif // CSCD_EXTRACT_TREE_SKELETON_H

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Ways along the edges of a point complex: loops through given places, and what can be reached without crossed edges.
+
+#ifndef CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
+#define CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
+
+#include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Traits/Edge_crossing.h>
+#include <CSCD/Traits/Vertex_loop.h>
+#include <CSCD/internal/Distance_front.h>
+#include <CSCD/internal/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <vector>
+
+namespace CSCD::test {
+
+/// The vertex with edges that is nearest to `point`.
+inline CSCD::internal::Index nearest_vertex(const CSCD::internal::Point_complex& complex,
+                                            const CSCD::internal::Vector_3& point)
+{
+  CSCD::internal::Index nearest = CSCD::internal::no_index;
+  for (CSCD::internal::Index v = 0; v < complex.number_of_vertices(); ++v) {
+    if (!complex.outgoing(v).empty() &&
+        (nearest == CSCD::internal::no_index ||
+         (complex.point(v) - point).squaredNorm() < (complex.point(nearest) - point).squaredNorm())) {
+      nearest = v;
+    }
+  }
+  return nearest;
+}
+
+/// Appends the vertices of the shortest way from `from` to `to`, without the latter, to `loop`.
+inline void append_way(const CSCD::internal::Point_complex& complex, CSCD::internal::Index from,
+                       CSCD::internal::Index to, CSCD::internal::Vertex_loop& loop)
+{
+  using CSCD::internal::Index;
+  CSCD::internal::Distance_front front(complex.number_of_vertices());
+  std::vector<Index> next(complex.number_of_vertices(), CSCD::internal::no_index);
+  front.reach(to, 0);
+  front.spread([&](Index vertex, float distance) {
+    for (const Index h : complex.outgoing(vertex)) {
+      if (front.reach(complex.target(h), distance + float(complex.length(h)))) {
+        next[complex.target(h)] = vertex;
+      }
+    }
+  });
+  for (Index vertex = from; vertex != to && vertex != CSCD::internal::no_index; vertex = next[vertex]) {
+    loop.push_back(vertex);
+  }
+}
+
+/// The loop along edges through the vertices nearest to `places`.
+inline CSCD::internal::Vertex_loop loop_through(const CSCD::internal::Point_complex& complex,
+                                                const std::vector<CSCD::internal::Vector_3>& places)
+{
+  CSCD::internal::Vertex_loop loop;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    append_way(complex, nearest_vertex(complex, places[i]), nearest_vertex(complex, places[(i + 1) % places.size()]),
+               loop);
+  }
+  return loop;
+}
+
+/// The vertices that can be reached from `seeds` over edges not crossed, where `is_allowed(vertex)`.
+template <class Predicate>
+std::set<CSCD::internal::Index> flooded(const CSCD::internal::Point_complex& complex,
+                                        const std::vector<CSCD::internal::Edge_crossing>& crossings,
+                                        const std::set<CSCD::internal::Index>& seeds, const Predicate& is_allowed)
+{
+  using CSCD::internal::Index;
+  std::set<Index> crossed;
+  for (const auto& crossing : crossings) {
+    crossed.insert(complex.edge(crossing.halfedge));
+  }
+  std::set<Index> result = seeds;
+  std::vector<Index> stack(seeds.begin(), seeds.end());
+  while (!stack.empty()) {
+    const Index vertex = stack.back();
+    stack.pop_back();
+    for (const Index h : complex.outgoing(vertex)) {
+      const Index target = complex.target(h);
+      if (crossed.count(complex.edge(h)) == 0 && is_allowed(target) && result.insert(target).second) {
+        stack.push_back(target);
+      }
+    }
+  }
+  return result;
+}
+
+/// Whether no way over edges that are not crossed leads from the left ends of crossed edges to the right ends, among
+/// the vertices where `is_allowed(vertex)`.
+template <class Predicate>
+bool separates(const CSCD::internal::Point_complex& complex,
+               const std::vector<CSCD::internal::Edge_crossing>& crossings, const Predicate& is_allowed)
+{
+  std::set<CSCD::internal::Index> left;
+  for (const auto& crossing : crossings) {
+    left.insert(complex.target(crossing.halfedge));
+  }
+  const std::set<CSCD::internal::Index> reached = flooded(complex, crossings, left, is_allowed);
+  return std::none_of(crossings.begin(), crossings.end(), [&](const CSCD::internal::Edge_crossing& crossing) {
+    return reached.count(complex.origin(crossing.halfedge)) != 0;
+  });
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H

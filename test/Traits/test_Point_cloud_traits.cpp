@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The published method on point clouds, end to end: topology on generated shapes, what must not change the skeleton,
+// and input that samples no surface.
+
+#include "support/Allow_threads.h"
+#include "support/Shape.h"
+#include "support/Similarity.h"
+#include "support/Skeleton_comparison.h"
+#include "support/invariants.h"
+#include "support/name_of_shape.h"
+#include "support/point_skeletons.h"
+#include "support/sampling.h"
+#include "support/shapes.h"
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Published_policies.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Traits/Point_cloud_traits.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/concepts.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Points = std::vector<Point>;
+using Traits = CSCD::Point_cloud_traits<Points>;
+using Policies = CSCD::Published_policies<Traits>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
+using Skeleton = Skeletonization::Skeleton;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Shape;
+using CSCD::test::Shape_maker;
+using CSCD::test::Similarity;
+using CSCD::test::Triple;
+
+constexpr std::size_t number_of_points = 3000;
+constexpr std::size_t number_of_sources = 160;
+/// Enough for what must hold whatever is found.
+constexpr std::size_t few_sources = 32;
+
+struct Outcome
+{
+  Skeleton skeleton;
+  CSCD::Skeletonization_report report;
+};
+
+/// Skeletonizes and checks what must hold for every point set.
+template <class ConcurrencyTag = CGAL::Sequential_tag>
+Outcome skeletonize(const std::vector<Triple>& triples, std::size_t most_sources = number_of_sources,
+                    unsigned number_of_threads = 1)
+{
+  const Points points = CSCD::test::to_points<Point>(triples);
+  const Traits traits(points);
+  Skeletonization skeletonization(traits);
+  skeletonization.set_maximum_number_of_sources(most_sources).set_number_of_threads(number_of_threads);
+  Outcome outcome;
+  outcome.report = skeletonization.operator()<ConcurrencyTag>(outcome.skeleton);
+  CSCD::test::expect_partition(outcome.skeleton, points.size());
+  EXPECT_EQ(points.size(), outcome.report.number_of_sites);
+  EXPECT_FALSE(outcome.report.genus.has_value()) << "nobody knows it";
+  EXPECT_EQ(outcome.report.number_of_skeleton_components, outcome.report.number_of_surface_components);
+  EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));
+  for (const auto packed : skeletonization.packed_separators()) {
+    EXPECT_GE(skeletonization.polyline(skeletonization.separators()[packed]).size(), 3u);
+  }
+  return outcome;
+}
+
+TEST(Point_cloud_traits, are_a_model)
+{
+  EXPECT_TRUE(CSCD::is_skeletonization_traits_v<Traits>);
+  EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Traits>);
+  EXPECT_FALSE(CSCD::is_triangulated_solid_skeletonization_traits_v<Traits>);
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits>));
+}
+
+TEST(Point_cloud_traits, describe_the_surface)
+{
+  const Shape shape = CSCD::test::torus(3, 1, 24);
+  const Points points = CSCD::test::to_points<Point>(sampled(shape, 4000, 1));
+  const Traits traits(points);
+  EXPECT_EQ(traits.number_of_components(), 1u);
+  double area = 0;
+  double largest_error = 0;
+  for (Traits::Index site = 0; site < traits.number_of_sites(); ++site) {
+    area += traits.weight(site);
+    const Point p = traits.to_input_point(traits.point(site));
+    const double radius = std::hypot(p.x(), p.y());
+    const Traits::Vector_3 outward((radius - 3) * p.x() / radius, (radius - 3) * p.y() / radius, p.z());
+    largest_error = std::max(largest_error, 1 - traits.normal(site).dot(outward.normalized()));
+    ASSERT_EQ(traits.descriptors(site).size(), 1u);
+    EXPECT_LT(CGAL::squared_distance(points[*traits.descriptors(site).begin()], p), 1e-24);
+  }
+  EXPECT_LT(largest_error, 0.1);
+  const double unit = traits.to_input_length(1);
+  EXPECT_NEAR(area * unit * unit, 4 * CSCD::test::pi * CSCD::test::pi * 3, 2);
+}
+
+TEST(Point_cloud_traits, know_the_body)
+{
+  const Points points = CSCD::test::to_points<Point>(sampled(CSCD::test::torus(3, 1, 48), 4000, 1));
+  const Traits traits(points);
+  const double unit = traits.to_input_length(1);
+  const Point center = traits.to_input_point(Traits::Vector_3::Zero());
+  const auto normalized = [&](double x, double y, double z) {
+    return Traits::Vector_3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
+  };
+  EXPECT_TRUE(traits.is_inside(normalized(3, 0, 0)));
+  EXPECT_FALSE(traits.is_inside(normalized(0, 0, 0)));
+  EXPECT_FALSE(traits.is_inside(normalized(3, 0, 1.3)));
+  const auto middle = traits.middle_behind(normalized(3, 0, 1.3));
+  ASSERT_TRUE(middle);
+  EXPECT_LT((*middle - normalized(3, 0, 0)).norm() * unit, 0.2);
+  std::vector<double> distances;
+  traits.crossings(normalized(0, 0, 0), normalized(6, 0, 0), distances);
+  ASSERT_EQ(distances.size(), 2u);
+  EXPECT_NEAR(distances[0] * unit, 2, 0.1);
+  EXPECT_NEAR(distances[1] * unit, 4, 0.1);
+  traits.crossings(normalized(0, 0, 0), normalized(0, 0, 0), distances);
+  EXPECT_TRUE(distances.empty());
+}
+
+std::vector<Shape_maker> shapes()
+{
+  using namespace CSCD::test;
+  return {{"capsule", [] { return capsule(8, 1, 24); }},
+          {"torus", [] { return torus(3, 1, 24); }},
+          {"trefoil_knot", [] { return trefoil_knot(0.4, 16); }},
+          {"y_tube", [] { return y_tube(0.15); }},
+          {"double_torus", [] { return double_torus(0.12); }},
+          {"sphere", [] { return sphere(4); }},
+          {"two_components", [] {
+             return merged("", {capsule(8, 1, 16), translated(torus(3, 1, 16), {0, 10, 0})});
+           }}};
+}
+
+class Sampled_cloud : public testing::TestWithParam<Shape_maker>
+{
+protected:
+  void expect_topology(const Outcome& outcome) const
+  {
+    EXPECT_EQ(m_shape.number_of_components, outcome.report.number_of_skeleton_components);
+    EXPECT_EQ(m_shape.genus, outcome.report.betti_number);
+  }
+
+  Shape m_shape = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(All, Sampled_cloud, testing::ValuesIn(shapes()), CSCD::test::name_of_shape);
+
+TEST_P(Sampled_cloud, has_the_topology_of_the_shape)
+{
+  for (const unsigned seed : {1u, 2u}) {
+    SCOPED_TRACE(seed);
+    expect_topology(skeletonize(sampled(m_shape, number_of_points, seed)));
+  }
+}
+
+TEST_P(Sampled_cloud, has_it_under_noise_and_with_missing_data)
+{
+  const double spacing = mean_spacing(m_shape, number_of_points);
+  std::vector<Triple> points = CSCD::test::shaken(sampled(m_shape, number_of_points, 1), 0.3 * spacing, 2);
+  const double radius = 0.02 * diagonal(m_shape);
+  for (const std::size_t i : {0u, 1000u, 2000u}) {
+    points = CSCD::test::without_ball(std::move(points), Triple(points[i]), radius);
+  }
+  expect_topology(skeletonize(points));
+}
+
+TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
+{
+  if (m_shape.name == CSCD::test::sphere(4).name) {
+    GTEST_SKIP() << "a ball has no natural curve skeleton";
+  }
+  using Mesh = CGAL::Surface_mesh<Point>;
+  using Mesh_traits = CSCD::Triangle_mesh_traits<Mesh>;
+  using Mesh_skeletonization = CSCD::Curve_skeletonization<Mesh_traits, CSCD::Published_policies<Mesh_traits>>;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
+  const Mesh_traits traits(mesh);
+  Mesh_skeletonization skeletonization(traits);
+  Mesh_skeletonization::Skeleton expected;
+  skeletonization.set_maximum_number_of_sources(number_of_sources)(expected);
+  const std::vector<Triple> of_mesh = CSCD::test::plain(mesh, expected).points;
+  const std::vector<Triple> of_points =
+      CSCD::test::plain(skeletonize(sampled(m_shape, number_of_points, 1)).skeleton).points;
+  // Separators are drawn from other sources, and nodes are farther from each other than those of the local method.
+  const double tolerance = 0.03 * diagonal(m_shape);
+  EXPECT_LT(CSCD::test::mean_distance(of_points, of_mesh), tolerance);
+  EXPECT_LT(CSCD::test::mean_distance(of_mesh, of_points), tolerance);
+}
+
+std::vector<Triple> some_points()
+{
+  return sampled(CSCD::test::double_torus(0.2), number_of_points, 1);
+}
+
+TEST(Point_cloud_skeleton, does_not_depend_on_the_pose)
+{
+  const std::vector<Triple> points = some_points();
+  const Plain_skeleton skeleton = CSCD::test::plain(skeletonize(points, few_sources).skeleton);
+  for (const Similarity& motion :
+       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {0, 0, 0}},
+        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}}) {
+    SCOPED_TRACE(motion.scale);
+    std::vector<Triple> moved_points;
+    for (const Triple& p : points) {
+      moved_points.push_back(motion(p));
+    }
+    Plain_skeleton expected = skeleton;
+    for (Triple& p : expected.points) {
+      p = motion(p);
+    }
+    EXPECT_EQ("", difference(expected, CSCD::test::plain(skeletonize(moved_points, few_sources).skeleton),
+                             1e-5 * motion.scale));
+  }
+}
+
+TEST(Point_cloud_skeleton, does_not_depend_on_the_order_of_the_points)
+{
+  const std::vector<Triple> points = some_points();
+  std::mt19937_64 random(1);
+  const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
+  std::vector<Triple> shuffled;
+  for (std::size_t number : order) {
+    shuffled.push_back(points[number]);
+  }
+  EXPECT_EQ(CSCD::test::plain(skeletonize(points, few_sources).skeleton),
+            CSCD::test::renamed(CSCD::test::plain(skeletonize(shuffled, few_sources).skeleton), order));
+}
+
+TEST(Point_cloud_skeleton, does_not_depend_on_the_number_of_threads)
+{
+  const CSCD::test::Allow_threads allow(3);
+  const std::vector<Triple> points = some_points();
+  const Plain_skeleton expected = CSCD::test::plain(skeletonize(points, few_sources).skeleton);
+  for (const unsigned number_of_threads : {1u, 2u, 3u}) {
+    const Outcome outcome = skeletonize<CGAL::Parallel_if_available_tag>(points, few_sources, number_of_threads);
+    EXPECT_EQ(expected, CSCD::test::plain(outcome.skeleton));
+  }
+}
+
+TEST(Point_cloud_skeleton, holds_duplicates_and_points_off_the_surface)
+{
+  std::vector<Triple> points = some_points();
+  const std::vector<Triple> twice(points.begin(), points.begin() + 100);
+  points.insert(points.end(), twice.begin(), twice.end());
+  points.push_back({100, 0, 0});
+  points.push_back({0, 200, 0});
+  const Outcome outcome = skeletonize(points, few_sources);
+  EXPECT_EQ(1u, outcome.report.number_of_skeleton_components);
+  const std::vector<std::string>& warnings = outcome.report.warnings;
+  ASSERT_EQ(2u, warnings.size());
+  EXPECT_EQ(0u, warnings[0].find("100 points at the place of others"));
+  EXPECT_NE(std::string::npos, warnings[1].find("points in small fragments or alone"));
+}
+
+TEST(Point_cloud_skeleton, takes_normals)
+{
+  // Elements that carry both.
+  using Element = std::pair<Point, Vector>;
+  std::vector<Element> elements;
+  for (const Triple& p : sampled(CSCD::test::sphere(4), 1000, 1)) {
+    elements.emplace_back(Point(p[0], p[1], p[2]), Vector(p[0], p[1], p[2]));
+  }
+  const CGAL::First_of_pair_property_map<Element> point_map;
+  const CGAL::Second_of_pair_property_map<Element> normal_map;
+  using Element_traits = CSCD::Point_cloud_traits<std::vector<Element>, CGAL::First_of_pair_property_map<Element>>;
+  const Element_traits traits(elements, point_map, normal_map);
+  for (Element_traits::Index site = 0; site < traits.number_of_sites(); ++site) {
+    const Vector& vector = elements[*traits.descriptors(site).begin()].second;
+    const auto normal = CSCD::internal::Vector_3(vector.x(), vector.y(), vector.z()).normalized();
+    EXPECT_LT((traits.normal(site) - normal).norm(), 1e-12);
+  }
+}
+
+TEST(Point_cloud_skeleton, bears_few_points_and_flat_ones)
+{
+  std::mt19937_64 random(1);
+  for (const std::size_t number : {12u, 20u, 50u}) {
+    SCOPED_TRACE(number);
+    EXPECT_LE(1u, skeletonize(sampled(CSCD::test::sphere(3), number, 1), few_sources).report.number_of_nodes);
+  }
+  std::vector<Triple> plane;
+  for (int i = 0; i < 500; ++i) {
+    plane.push_back({CSCD::test::random_unit(random), CSCD::test::random_unit(random), 0});
+  }
+  EXPECT_EQ(1u, skeletonize(plane, few_sources).report.number_of_skeleton_components);
+}
+
+TEST(Point_cloud_skeleton, is_refused_of_what_samples_no_surface)
+{
+  std::vector<Triple> line;
+  for (int i = 0; i < 100; ++i) {
+    line.push_back({0.1 * i, 0, 0});
+  }
+  for (const std::vector<Triple>& triples : {std::vector<Triple>{}, {{0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}, line}) {
+    const Points points = CSCD::test::to_points<Point>(triples);
+    EXPECT_THROW(Traits{points}, CSCD::Input_error);
+  }
+}
+
+} // namespace

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Skeletons of points that are known by their numbers.
+
+#ifndef CSCD_TEST_SUPPORT_POINT_SKELETONS_H
+#define CSCD_TEST_SUPPORT_POINT_SKELETONS_H
+
+#include "Shape.h"
+#include "Skeleton_comparison.h"
+#include "convert_shape.h"
+#include <CSCD/Skeleton_graph.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CSCD::test {
+
+/// `triples` as points of another type.
+template <class Point>
+std::vector<Point> to_points(const std::vector<Triple>& triples)
+{
+  std::vector<Point> result;
+  result.reserve(triples.size());
+  for (const Triple& p : triples) {
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+template <class Point>
+Plain_skeleton plain(const Skeleton_graph<Point, std::size_t>& skeleton)
+{
+  Plain_skeleton result;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    result.points.push_back(to_triple(skeleton[node].point));
+    result.sites.push_back(skeleton[node].vertices);
+    std::sort(result.sites.back().begin(), result.sites.back().end());
+  }
+  const auto range = boost::edges(skeleton);
+  for (auto e = range.first; e != range.second; ++e) {
+    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
+  }
+  return result;
+}
+
+/// Expects that every number below `number_of_points` stands at exactly one node.
+template <class Point>
+void expect_partition(const Skeleton_graph<Point, std::size_t>& skeleton, std::size_t number_of_points)
+{
+  std::vector<std::size_t> numbers;
+  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
+    numbers.insert(numbers.end(), skeleton[node].vertices.begin(), skeleton[node].vertices.end());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  ASSERT_EQ(number_of_points, numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    ASSERT_EQ(i, numbers[i]);
+  }
+}
+
+/// `skeleton`, whose point `i` is named `names[i]` instead.
+inline Plain_skeleton renamed(Plain_skeleton skeleton, const std::vector<std::size_t>& names)
+{
+  for (std::vector<std::size_t>& sites : skeleton.sites) {
+    for (std::size_t& site : sites) {
+      site = names[site];
+    }
+    std::sort(sites.begin(), sites.end());
+  }
+  return skeleton;
+}
+
+/// The distance from each of `a` to the nearest of `b`, on average.
+inline double mean_distance(const std::vector<Triple>& a, const std::vector<Triple>& b)
+{
+  double sum = 0;
+  for (const Triple& p : a) {
+    double least = std::numeric_limits<double>::max();
+    for (const Triple& q : b) {
+      least = std::min(least, norm(p - q));
+    }
+    sum += least;
+  }
+  return sum / static_cast<double>(a.size());
+}
+
+} // namespace CSCD::test
+
+#endif // CSCD_TEST_SUPPORT_POINT_SKELETONS_H
