@@ -106,6 +106,7 @@ TEST(Delaunay_star, of_few_points_is_open)
   EXPECT_TRUE(star.neighbors().empty());
   star.clear();
   star.add({1, 1}, 7);
+  star.add({0, 0}, 8);
   star();
   EXPECT_EQ((std::vector<Index>{7}), star.neighbors());
   EXPECT_FALSE(star.is_closed());

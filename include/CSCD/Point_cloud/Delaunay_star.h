@@ -29,8 +29,14 @@ public:
   /// Forgets all points.
   void clear() { m_points.clear(); }
 
-  /// Adds a point other than the origin, under the number `label`.
-  void add(const Eigen::Vector2d& point, Index label) { m_points.push_back({point / point.squaredNorm(), label}); }
+  /// Adds a point under the number `label`, unless it is at the origin.
+  void add(const Eigen::Vector2d& point, Index label)
+  {
+    const double squared_distance = point.squaredNorm();
+    if (squared_distance > 0) {
+      m_points.push_back({point / squared_distance, label});
+    }
+  }
 
   /// Finds the neighbors; O(k log k) for k points. Those of four points on a circle are found or not.
   void operator()()

@@ -27,8 +27,7 @@ public:
   /// O(n log n).
   /// \param complex is referred to and must outlive this object
   explicit Point_body(const Point_complex& complex)
-      : m_complex(complex), m_winding_number(complex),
-        m_tree(complex.points()), m_step(complex.mean_edge_length() / 2)
+      : m_complex(complex), m_winding_number(complex), m_tree(complex.points()), m_step(complex.mean_edge_length() / 2)
   {
   }
   explicit Point_body(Point_complex&&) = delete;

@@ -57,7 +57,8 @@ public:
     orient(triangles);
     close_small_gaps(m_points, m_normals, triangles);
     if (triangles.empty()) {
-      throw Input_error("no triangle could be made between the points: they do not sample a surface densely enough");
+      throw Input_error(
+          "no triangle could be made between the points: they do not sample a surface; sample it more densely");
     }
     turn_outwards(triangles);
     for (Vector_3& normal : m_normals) {

@@ -42,9 +42,10 @@ void estimate_geodesic_distances(const PointRange& points, const Sources& source
                                  const NamedParameters& np = parameters::default_values())
 {
   using Estimator = Point_set_distance_estimator<PointRange>;
+  using Descriptor = typename Estimator::Point_descriptor;
   const Estimator estimator(points, np);
-  if constexpr (std::is_convertible_v<const Sources&, typename Estimator::Point_descriptor>) {
-    estimator.estimate(std::array<typename Estimator::Point_descriptor, 1>{sources}, distances);
+  if constexpr (std::is_convertible_v<const Sources&, Descriptor>) {
+    estimator.estimate(std::array<Descriptor, 1>{Descriptor(sources)}, distances);
   } else {
     estimator.estimate(sources, distances);
   }
