@@ -82,10 +82,16 @@ public:
   /// on one other. The shortest first.
   std::vector<Point_gap> entries(const Root_distances& distances) const
   {
-    std::vector<Index> first(m_points.size(), no_index); // for every piece, the point that is reached first
+    std::vector<char> has_root(m_points.size(), 0); // of every piece
+    for (Index point = 0; point < m_points.size(); ++point) {
+      if (distances.parent(point) == no_index) {
+        has_root[m_piece[point]] = 1;
+      }
+    }
+    std::vector<Index> first(m_points.size(), no_index); // of every piece, the point that is reached first
     for (Index point = 0; point < m_points.size(); ++point) {
       const Index parent = distances.parent(point);
-      if (parent != no_index && m_piece[parent] != m_piece[point]) {
+      if (parent != no_index && m_piece[parent] != m_piece[point] && has_root[m_piece[point]] == 0) {
         Index& of_piece = first[m_piece[point]];
         if (of_piece == no_index || distances.cost(point) < distances.cost(of_piece)) {
           of_piece = point;

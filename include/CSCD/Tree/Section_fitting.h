@@ -104,6 +104,8 @@ private:
   /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
   static constexpr double least_part_of_scatter = 0.1;
   static constexpr double least_confidence = 0.02;
+  /// The scatter of fewer points does not tell a radius.
+  static constexpr std::size_t least_scatter_points = 4;
 
   void find_directions(const Limb& limb)
   {
@@ -287,6 +289,10 @@ private:
     const std::size_t base = number_in_crotch(limb);
     for (std::size_t i = base; i < limb.slices.size(); ++i) {
       const Section& section = m_sections[limb.slices[i]];
+      if (!pools.empty() && section.is_rough && m_slices[limb.slices[i]].points.size() < least_scatter_points) {
+        ++pools.back().size; // nothing is known of it
+        continue;
+      }
       pools.push_back({section.confidence * section.radius, section.confidence, 1});
       while (pools.size() > 1 && pools[pools.size() - 2].mean() <= pools.back().mean()) {
         const Pool last = pools.back();

@@ -107,7 +107,8 @@ private:
     if (task.parent != no_index) {
       begin = std::max(begin, slices[task.parent].end); // a shortest path may leap over its end
     }
-    const float end = begin + task.width;
+    // Where all points are at one place, the width is 0.
+    const float end = std::max(begin + task.width, std::nextafter(begin, std::numeric_limits<float>::max()));
     std::vector<Index> band;
     std::vector<Index> ends;
     gather(task.starts, end, band, ends);
