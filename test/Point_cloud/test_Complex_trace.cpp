@@ -50,13 +50,11 @@ std::vector<Projected_point> curve_around_tube(const Point_complex& complex, dou
   return curve;
 }
 
-const auto anywhere = [](Index) { return true; };
-
 /// Expects that `crossings` cut a tube, near a curve at `x`, with the larger part of the x axis on the left.
 void expect_cut(const Point_complex& complex, const std::vector<Edge_crossing>& crossings, double x, double width)
 {
   ASSERT_GE(crossings.size(), 3u);
-  EXPECT_TRUE(CSCD::test::separates(complex, crossings, anywhere));
+  EXPECT_TRUE(CSCD::test::separates(complex, crossings, CSCD::test::anywhere));
   std::set<Index> edges;
   for (const Edge_crossing& crossing : crossings) {
     EXPECT_TRUE(edges.insert(complex.edge(crossing.halfedge)).second) << "every edge once";
