@@ -66,6 +66,12 @@ inline CSCD::internal::Vertex_loop loop_through(const CSCD::internal::Point_comp
   return loop;
 }
 
+/// Allows all vertices.
+inline bool anywhere(CSCD::internal::Index)
+{
+  return true;
+}
+
 /// The vertices that can be reached from `seeds` over edges not crossed, where `is_allowed(vertex)`.
 template <class Predicate>
 std::set<CSCD::internal::Index> flooded(const CSCD::internal::Point_complex& complex,

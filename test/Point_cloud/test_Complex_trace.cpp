@@ -4,6 +4,7 @@
 // The edges that curves around tubes cross: they cut, on manifolds and others.
 
 #include "Point_cloud/edge_ways.h"
+#include "Point_cloud/joined_shell.h"
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
@@ -49,13 +50,11 @@ std::vector<Projected_point> curve_around_tube(const Point_complex& complex, dou
   return curve;
 }
 
-const auto anywhere = [](Index) { return true; };
-
 /// Expects that `crossings` cut a tube, near a curve at `x`, with the larger part of the x axis on the left.
 void expect_cut(const Point_complex& complex, const std::vector<Edge_crossing>& crossings, double x, double width)
 {
   ASSERT_GE(crossings.size(), 3u);
-  EXPECT_TRUE(CSCD::test::separates(complex, crossings, anywhere));
+  EXPECT_TRUE(CSCD::test::separates(complex, crossings, CSCD::test::anywhere));
   std::set<Index> edges;
   for (const Edge_crossing& crossing : crossings) {
     EXPECT_TRUE(edges.insert(complex.edge(crossing.halfedge)).second) << "every edge once";
@@ -158,18 +157,38 @@ TEST(Complex_trace, cuts_what_is_no_manifold)
 
 TEST(Complex_trace, keeps_to_its_sheet)
 {
-  // Two tubes, the outer one nearer to the inner one than their points are to each other.
-  const CSCD::test::Shape inner = CSCD::test::tube(10, 1, 24, Tube_end::flat);
-  const CSCD::test::Shape outer = CSCD::test::moved(inner, [](const CSCD::test::Triple& p) {
-    return CSCD::test::Triple{p[0], 1.1 * p[1], 1.1 * p[2]};
+  // A pipe with a wall that is thinner than its points are apart.
+  const CSCD::test::Shape outer = CSCD::test::tube(10, 1, 24, Tube_end::flat);
+  const CSCD::test::Shape inner = CSCD::test::moved(outer, [](const CSCD::test::Triple& p) {
+    return CSCD::test::Triple{p[0], 0.9 * p[1], 0.9 * p[2]};
   });
-  const Point_complex complex = CSCD::test::to_point_complex(CSCD::test::merged("", {inner, outer}));
-  std::vector<Projected_point> curve = curve_around_tube(complex, 5.03, 0.2, 40);
-  Complex_trace trace(complex);
+  const Point_complex complex = CSCD::test::to_point_complex(CSCD::test::joined_shell(outer, inner, 8));
+  const std::size_t size = complex.number_of_vertices() / 2;
   std::vector<Edge_crossing> crossings;
-  ASSERT_TRUE(trace(curve, crossings));
+  ASSERT_TRUE(Complex_trace(complex)(curve_around_tube(complex, 5.03, 0.2, 40), crossings));
   for (const Edge_crossing& crossing : crossings) {
-    EXPECT_LT(complex.origin(crossing.halfedge), complex.number_of_vertices() / 2);
+    EXPECT_TRUE(complex.origin(crossing.halfedge) < size || complex.target(crossing.halfedge) < size);
+  }
+  EXPECT_TRUE(CSCD::test::separates(complex, crossings, [&](Index vertex) { return vertex < size; }));
+}
+
+TEST(Complex_trace, cuts_through_vertices_with_wrong_normals)
+{
+  const Point_complex right = CSCD::test::to_point_complex(CSCD::test::tube(10, 1, 24, Tube_end::flat));
+  std::vector<Vector_3> normals;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index vertex = 0; vertex < right.number_of_vertices(); ++vertex) {
+    normals.push_back((vertex % 10 == 0 ? -1. : 1.) * right.normal(vertex));
+  }
+  for (Index face = 0; face < right.number_of_faces(); ++face) {
+    triangles.push_back(right.face_vertices(face));
+  }
+  const Point_complex complex(std::vector<Vector_3>(right.points()), std::move(normals), triangles);
+  Complex_trace trace(complex);
+  for (double x = 2; x < 8; x += 0.37) {
+    std::vector<Edge_crossing> crossings;
+    ASSERT_TRUE(trace(curve_around_tube(complex, x, 0.3, 40), crossings));
+    expect_cut(complex, crossings, x, 0.3 + 2 * complex.mean_edge_length());
   }
 }
 

@@ -3,6 +3,7 @@
 //
 // How near projected points come to the surfaces that were sampled.
 
+#include "Point_cloud/joined_shell.h"
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
@@ -132,22 +133,26 @@ TEST(Moving_least_squares_projection, follows_uneven_density)
 
 TEST(Moving_least_squares_projection, stays_on_its_sheet)
 {
-  // Two spheres nearer to each other than their points are.
-  const Shape inner = CSCD::test::sphere(3);
-  const double gap = 0.5 * CSCD::test::mean_edge_length(inner);
+  // A shell that is thinner than its points are apart.
+  const Shape outer = CSCD::test::sphere(3);
+  const double gap = 0.5 * CSCD::test::mean_edge_length(outer);
   const Point_complex complex =
-      CSCD::test::to_point_complex(CSCD::test::merged("", {inner, CSCD::test::scaled(inner, 1 + gap)}));
+      CSCD::test::to_point_complex(CSCD::test::joined_shell(outer, CSCD::test::scaled(outer, 1 - gap), 8));
   const Point_neighborhoods neighborhoods(complex);
   const Moving_least_squares_projection project(complex, neighborhoods);
   const Index size = complex.number_of_vertices() / 2;
-  for (Index vertex = 0; vertex < size; ++vertex) {
-    const Vector_3 between = (1 + 0.9 * gap) * complex.point(vertex);
-    const Projected_point below = project(between, vertex);
-    EXPECT_LT(below.site, size);
-    EXPECT_NEAR(below.point.norm(), 1, 0.05 * gap);
-    const Projected_point above = project(between, size + vertex);
-    EXPECT_GE(above.site, size);
-    EXPECT_NEAR(above.point.norm(), 1 + gap, 0.05 * gap);
+  for (Index h = 0; h < complex.number_of_halfedges(); ++h) {
+    const Index from = complex.origin(h);
+    const bool is_above = from < size;
+    if (is_above != (complex.target(h) < size)) {
+      continue;
+    }
+    for (const double depth : {0.1, 0.9}) {
+      const Vector_3 between = (1 - depth * gap) * complex.point(complex.target(h)).normalized();
+      const Projected_point p = project(between, from);
+      EXPECT_EQ(p.site < size, is_above);
+      EXPECT_NEAR(p.point.norm(), is_above ? 1 : 1 - gap, 0.1 * gap);
+    }
   }
 }
 

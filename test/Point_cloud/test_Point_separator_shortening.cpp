@@ -132,8 +132,8 @@ TEST(Point_separator_shortening, cuts_the_ends_of_a_tube_apart)
       const Vertex_loop loop = CSCD::test::loop_through(complex, places_around_axis(x, 1, 0.2));
       ASSERT_NE(fixture.shorten(loop, separator), Shortening_outcome::collapsed);
       EXPECT_GT(separator.normal.x(), 0.98);
-      const auto anywhere = [](Index) { return true; };
-      EXPECT_EQ(CSCD::test::flooded(complex, separator.crossings, {left_tip}, anywhere).count(right_tip), 0u);
+      EXPECT_EQ(CSCD::test::flooded(complex, separator.crossings, {left_tip}, CSCD::test::anywhere).count(right_tip),
+                0u);
       for (const Edge_crossing& crossing : separator.crossings) {
         const Vector_3& origin = complex.point(complex.origin(crossing.halfedge));
         const Vector_3& target = complex.point(complex.target(crossing.halfedge));

@@ -83,7 +83,7 @@ private:
   /// inequality; along the curve, a little more.
   static constexpr double longest_way = 3;
   /// So much of a curve may lead over holes, relative to its length: those are narrow beside the limb.
-  static constexpr double largest_gap_share = 0.2;
+  static constexpr double largest_gap_share = 0.25;
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-6;
 
