@@ -3,9 +3,9 @@
 #
 """Compares two JSON files of Google Benchmark with repetitions, such as those in benchmark/results.
 
-For each benchmark it prints the medians, their ratio, and the spread of the ratio: from the lower quartile of the second
-over the upper quartile of the first to the upper over the lower one. A difference counts if 1 is outside of the spread
-and the ratio differs from 1 by more than the tolerance.
+For each benchmark it prints the medians, their ratio, and the spread of the ratio: from the lower quartile of the
+second over the upper quartile of the first to the upper over the lower one. A difference counts if 1 is outside of the
+spread and the ratio differs from 1 by more than the tolerance.
 
 Exit status: 0 if nothing is slower, 1 if something is, 2 if the files cannot be compared.
 """

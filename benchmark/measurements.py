@@ -63,7 +63,7 @@ def commit():
 def cache_of(build_dir):
     """The entries of CMake's cache."""
     text = (pathlib.Path(build_dir) / "CMakeCache.txt").read_text()
-    return dict(re.findall(r"^([^#/][^:=]*):[^=]*=(.*)$", text, re.MULTILINE))
+    return dict(re.findall(r"^([^#/\n][^:=\n]*):[^=\n]*=(.*)$", text, re.MULTILINE))
 
 
 def compiler(build_dir):

@@ -63,7 +63,8 @@ class Compare_results(unittest.TestCase):
         self.assertIn("within the spread", text)
 
     def test_a_large_ratio_within_the_spread_does_not_count(self):
-        status, text = self.compare(runs_of("find", [80, 100, 120, 140, 160]), runs_of("find", [110, 130, 150, 170, 190]))
+        status, text = self.compare(runs_of("find", [80, 100, 120, 140, 160]),
+                                    runs_of("find", [110, 130, 150, 170, 190]))
         self.assertEqual(status, 0)
         self.assertRegex(text, r"find .* 1\.250 .*within the spread\n")
 
@@ -130,7 +131,8 @@ class Compare_results(unittest.TestCase):
             run = subprocess.run([sys.executable, SCRIPT, good, bad], capture_output=True, text=True, check=False)
             self.assertEqual(run.returncode, 2, text)
             self.assertIn("compare_results.py: ", run.stderr)
-        run = subprocess.run([sys.executable, SCRIPT, good, self.folder / "none.json"], capture_output=True, check=False)
+        none = self.folder / "none.json"
+        run = subprocess.run([sys.executable, SCRIPT, good, none], capture_output=True, check=False)
         self.assertEqual(run.returncode, 2)
 
 
