@@ -4,8 +4,8 @@
 // Skeletons of point sets, held against the meshes from which the points are drawn and against their skeletons: clouds
 // of two densities, with noise, and with missing data, by default and as published; and the cost of up to a million
 // points. One thread.
-// Meshes are the closed ones among the OFF files in the folder that the environment variable CSCD_BENCHMARK_MESHES
-// names, by default some of CGAL's data.
+// Meshes are some of CGAL's data, and the closed ones among the OFF files in the folder that the environment variable
+// CSCD_MODELS names, if there is one.
 
 #include "convert_shape.h"
 #include "sampling.h"

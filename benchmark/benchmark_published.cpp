@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The published method beside the local one: quality and time of both, and of the published one with other targets and
-// shortenings, numbers of sources, with noise, and with fewer vertices. One thread.
-// Meshes are the closed ones among the OFF files in the folder that the environment variable CSCD_BENCHMARK_MESHES
-// names, by default some of CGAL's data.
+// The published method beside the local one and CGAL's mean curvature flow (MCF): quality and time; the published one
+// also with other targets, shortenings and numbers of sources; both with noise, fewer vertices, holes, and threads. One
+// thread but for the last.
+// Meshes are generated ones, some of CGAL's data, and the OFF files in the folder that the environment variable
+// CSCD_MODELS names, if there is one; all must be closed.
 
 #include "convert_shape.h"
+#include "sampling.h"
 #include "shape_operations.h"
+#include "support/generated_shapes.h"
 #include "support/mesh_paths.h"
 #include "support/run_benchmarks.h"
 #include <CSCD/Curve_skeletonization.h>
@@ -24,15 +27,22 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_ratio_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/extract_mean_curvature_flow_skeleton.h>
+#include <CGAL/tags.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -40,41 +50,107 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using Mcf_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
 using CSCD::Shortening_rule;
 using CSCD::Target_rule;
+using CSCD::test::Shape;
+using CSCD::test::Triple;
+using CSCD::test::operator+; // of triples, which argument-dependent lookup does not find
+using CSCD::test::operator*;
 
-/// What is done to a mesh, and how its skeleton is computed.
+/// Cells along the diagonal to reconstruct by where nothing of the reconstruction is used.
+constexpr std::size_t coarse_resolution = 20;
+
+enum class Method
+{
+  local,
+  published,
+  mean_curvature_flow
+};
+
+/// How a skeleton is computed.
 struct Variant
 {
-  bool is_published = true;
+  Method method = Method::published;
   std::optional<std::size_t> number_of_sources{};
   Target_rule target_rule = Target_rule::nearest_in_space;
   Shortening_rule shortening_rule = Shortening_rule::edge_flips;
-  double noise = 0;         ///< standard deviation of each coordinate, relative to the mean edge length
-  double edges_to_keep = 1; ///< of all edges, when the mesh is simplified
+  unsigned number_of_threads = 1;
+  bool is_reconstructed = false; ///< whether the error of the convolution surface is measured
 };
 
-Mesh prepare(const std::string& path, const Variant& variant)
+/// Where a mesh comes from, and what is done to it before.
+struct Input
 {
-  Mesh mesh;
-  CSCD::read_triangle_mesh(path, mesh);
-  if (variant.noise > 0) {
-    const CSCD::test::Shape shape = CSCD::test::to_shape(mesh);
-    mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::noisy(shape, variant.noise * CSCD::test::mean_edge_length(shape), 1));
-  }
-  if (variant.edges_to_keep < 1) {
-    CGAL::Surface_mesh_simplification::Count_ratio_stop_predicate<Mesh> stop(variant.edges_to_keep);
-    CGAL::Surface_mesh_simplification::edge_collapse(mesh, stop);
-    mesh.collect_garbage();
-  }
+  std::string name;
+  std::function<Mesh()> make;             ///< the original, by which skeletons are measured
+  std::function<Mesh(const Mesh&)> alter; ///< where given, what is skeletonized in its place
+};
+
+Input input_of(const std::string& path)
+{
+  return {std::filesystem::path(path).stem().string(),
+          [path] {
+            Mesh mesh;
+            CSCD::read_triangle_mesh(path, mesh);
+            return mesh;
+          },
+          {}};
+}
+
+Input input_of(const CSCD::benchmark::Sized_shape& shape)
+{
+  constexpr std::int64_t number_of_vertices = 12500;
+  return {shape.name, [shape] { return CSCD::test::to_mesh<Mesh>(shape.make(number_of_vertices)); }, {}};
+}
+
+/// Each coordinate moved by a normally distributed number, its standard deviation relative to the mean edge length.
+Mesh with_noise(const Mesh& mesh, double deviation)
+{
+  Shape shape = CSCD::test::to_shape(mesh);
+  shape.points = CSCD::test::shaken(shape.points, deviation * CSCD::test::mean_edge_length(shape), 1);
+  return CSCD::test::to_mesh<Mesh>(shape);
+}
+
+/// Simplified until this part of the edges is left.
+Mesh simplified(Mesh mesh, double edges_to_keep)
+{
+  CGAL::Surface_mesh_simplification::Count_ratio_stop_predicate<Mesh> stop(edges_to_keep);
+  CGAL::Surface_mesh_simplification::edge_collapse(mesh, stop);
+  mesh.collect_garbage();
   return mesh;
 }
 
-template <class Policies>
-void measure(benchmark::State& state, const Mesh& mesh, const Mesh& original, const Policies& policies,
-             const Variant& variant)
+/// Without the triangles around so many vertices.
+Mesh with_holes(const Mesh& mesh, std::size_t number)
 {
-  CSCD::Skeleton_graph<Point, Mesh::Vertex_index> skeleton;
+  return CSCD::test::to_mesh<Mesh>(CSCD::test::with_small_holes(CSCD::test::to_shape(mesh), number, 1));
+}
+
+/// The torus of which the paper shows the skeleton (supplement, H.3): with two holes back to back and, on the other
+/// side of the ring, perhaps a break all around the tube.
+Mesh torus_with_holes(const Mesh& mesh, bool is_broken)
+{
+  constexpr double major_radius = 3;
+  constexpr double hole_radius = 0.4;
+  constexpr double half_width_of_break = 0.3;
+  Shape shape = CSCD::test::to_shape(mesh);
+  std::vector<bool> is_removed;
+  for (const CSCD::test::Triangle& t : shape.triangles) {
+    const Triple center = (1. / 3) * (shape.points[t[0]] + shape.points[t[1]] + shape.points[t[2]]);
+    const bool is_in_hole = std::hypot(center[0] - major_radius, center[1]) < hole_radius; // above and below
+    const bool is_in_break = is_broken && center[0] < 0 && std::fabs(center[1]) < half_width_of_break;
+    is_removed.push_back(is_in_hole || is_in_break);
+  }
+  remove_triangles(shape, is_removed);
+  return CSCD::test::to_mesh<Mesh>(shape);
+}
+
+template <class Policies>
+void run(benchmark::State& state, const Mesh& mesh, const Policies& policies, const Variant& variant,
+         Skeleton& skeleton)
+{
   CSCD::Skeletonization_report report;
   for (auto _ : state) {
     const Traits traits(mesh);
@@ -82,85 +158,159 @@ void measure(benchmark::State& state, const Mesh& mesh, const Mesh& original, co
     if (variant.number_of_sources) {
       skeletonization.set_maximum_number_of_sources(*variant.number_of_sources);
     }
-    report = skeletonization(skeleton);
+    if (variant.number_of_threads > 1) {
+      skeletonization.set_number_of_threads(variant.number_of_threads);
+      report = skeletonization.template operator()<CGAL::Parallel_if_available_tag>(skeleton);
+    } else {
+      report = skeletonization(skeleton);
+    }
   }
-  // Of the reconstructed surfaces nothing is used: they may be coarse.
-  const CSCD::Skeleton_measures measures =
-      CSCD::evaluate_skeleton(original, skeleton, CSCD::parameters::resolution(20));
-  state.counters["vertices"] = double(num_vertices(mesh));
   state.counters["sources"] = double(report.number_of_sources);
   state.counters["packed"] = double(report.number_of_packed_separators);
-  state.counters["genus"] = double(measures.position.genus);
-  state.counters["betti_number"] = double(measures.counts.betti_number);
-  state.counters["surface_components"] = double(measures.position.number_of_surface_components);
-  state.counters["components"] = double(measures.counts.number_of_components);
-  state.counters["tips"] = double(measures.counts.number_of_tips);
-  state.counters["percent_inside"] = 100 * measures.position.fraction_of_length_inside;
-  state.counters["error"] = measures.mean_distance_from_round_cones;
 }
 
-/// The error is measured against the mesh without noise and with all its vertices.
-void skeletonize(benchmark::State& state, const std::string& path, const Variant& variant)
+/// Errors are measured against the original mesh, topology and position against the one that was skeletonized.
+template <class AnySkeleton>
+void tell(benchmark::State& state, const Mesh& original, const Mesh* altered, const Variant& variant,
+          const AnySkeleton& skeleton)
 {
-  const Mesh original = prepare(path, {});
-  const Mesh mesh = prepare(path, variant);
-  if (variant.is_published) {
-    const CSCD::Published_policies<Traits> policies(variant.target_rule, variant.shortening_rule);
-    measure(state, mesh, original, policies, variant);
-  } else {
-    measure(state, mesh, original, CSCD::Local_policies<Traits>(), variant);
+  const auto coarsely = CSCD::parameters::resolution(coarse_resolution);
+  const CSCD::Skeleton_measures measures = variant.is_reconstructed
+                                               ? CSCD::evaluate_skeleton(original, skeleton)
+                                               : CSCD::evaluate_skeleton(original, skeleton, coarsely);
+  const CSCD::Position_measures position =
+      altered == nullptr ? measures.position : CSCD::evaluate_skeleton(*altered, skeleton, coarsely).position;
+  state.counters["genus"] = double(position.genus);
+  state.counters["surface_components"] = double(position.number_of_surface_components);
+  state.counters["percent_inside"] = 100 * position.fraction_of_length_inside;
+  state.counters["betti_number"] = double(measures.counts.betti_number);
+  state.counters["components"] = double(measures.counts.number_of_components);
+  state.counters["tips"] = double(measures.counts.number_of_tips);
+  state.counters["error"] = measures.mean_distance_from_round_cones;
+  if (variant.is_reconstructed) {
+    state.counters["convolution_error"] = measures.convolution.mean;
   }
 }
 
-void add(const std::string& name, const std::string& path, const Variant& variant)
+void skeletonize(benchmark::State& state, const Input& input, const Variant& variant)
 {
-  benchmark::RegisterBenchmark(name.c_str(), skeletonize, path, variant)
+  const Mesh original = input.make();
+  std::optional<Mesh> altered;
+  if (input.alter) {
+    altered = input.alter(original);
+  }
+  const Mesh& mesh = altered ? *altered : original;
+  state.counters["vertices"] = double(num_vertices(mesh));
+  state.counters["faces"] = double(num_faces(mesh));
+  const auto tell_of = [&](const auto& skeleton) {
+    tell(state, original, altered ? &*altered : nullptr, variant, skeleton);
+  };
+  if (variant.method == Method::mean_curvature_flow) {
+    Mcf_skeleton skeleton;
+    for (auto _ : state) {
+      CGAL::extract_mean_curvature_flow_skeleton(mesh, skeleton);
+    }
+    tell_of(skeleton);
+  } else {
+    Skeleton skeleton;
+    if (variant.method == Method::published) {
+      const CSCD::Published_policies<Traits> policies(variant.target_rule, variant.shortening_rule);
+      run(state, mesh, policies, variant, skeleton);
+    } else {
+      run(state, mesh, CSCD::Local_policies<Traits>(), variant, skeleton);
+    }
+    tell_of(skeleton);
+  }
+}
+
+benchmark::internal::Benchmark* add(const std::string& name, const Input& input, const Variant& variant)
+{
+  const auto skeletonize_or_tell_why_not = [input, variant](benchmark::State& state) {
+    try {
+      skeletonize(state, input, variant);
+    } catch (const std::exception& error) {
+      state.SkipWithError(error.what());
+    }
+  };
+  return benchmark::RegisterBenchmark(name.c_str(), skeletonize_or_tell_why_not)
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1)
       ->MeasureProcessCPUTime();
 }
 
-void add_methods(const std::vector<std::string>& paths)
+void add_methods(const std::vector<Input>& inputs)
 {
   // The variational flow takes several times as long as edge flips: fewer sources must do to compare the two.
   constexpr std::size_t few = 500;
-  for (const std::string& path : paths) {
-    const std::string prefix = "method/" + std::filesystem::path(path).stem().string() + '/';
-    add(prefix + "local", path, {false});
-    add(prefix + "published", path, {});
-    add(prefix + "geodesic target", path, {true, {}, Target_rule::nearest_along_surface});
-    add(prefix + "flips, 500 sources", path, {true, few});
-    add(prefix + "variational, 500 sources", path,
-        {true, few, Target_rule::nearest_in_space, Shortening_rule::variational});
+  for (const Input& input : inputs) {
+    const std::string prefix = "method/" + input.name + '/';
+    for (const auto& [name, method] : {std::pair{"local", Method::local}, std::pair{"published", Method::published},
+                                       std::pair{"MCF", Method::mean_curvature_flow}}) {
+      Variant variant{method};
+      variant.is_reconstructed = true;
+      add(prefix + name, input, variant);
+    }
+    add(prefix + "geodesic target", input, {Method::published, {}, Target_rule::nearest_along_surface});
+    add(prefix + "flips, 500 sources", input, {Method::published, few});
+    add(prefix + "variational, 500 sources", input,
+        {Method::published, few, Target_rule::nearest_in_space, Shortening_rule::variational});
   }
 }
 
-void add_numbers_of_sources(const std::vector<std::string>& paths)
+void add_numbers_of_sources(const std::vector<Input>& inputs)
 {
-  for (const std::string& path : paths) {
+  for (const Input& input : inputs) {
     for (std::size_t number = 8; number <= 8192; number *= 4) {
-      add("sources/" + std::filesystem::path(path).stem().string() + '/' + std::to_string(number), path,
-          {true, number});
+      add("sources/" + input.name + '/' + std::to_string(number), input, {Method::published, number});
     }
   }
 }
 
-void add_noise_and_resolution(const std::vector<std::string>& paths)
+/// Adds both methods on what `alter` makes of the mesh.
+void add_altered(const std::string& name, Input input, const std::function<Mesh(const Mesh&)>& alter)
 {
-  for (const std::string& path : paths) {
-    const std::string mesh = std::filesystem::path(path).stem().string() + '/';
-    for (const bool is_published : {false, true}) {
-      const std::string method = is_published ? "/published" : "/local";
-      for (const int percent : {0, 10, 20, 30, 50}) {
-        Variant variant{is_published};
-        variant.noise = percent / 100.;
-        add("noise/" + mesh + std::to_string(percent) + method, path, variant);
-      }
-      for (const int part : {1, 2, 4, 8}) {
-        Variant variant{is_published};
-        variant.edges_to_keep = 1. / part;
-        add("resolution/" + mesh + std::to_string(part) + method, path, variant);
-      }
+  input.alter = alter;
+  add(name + "/local", input, {Method::local});
+  add(name + "/published", input, {Method::published});
+}
+
+void add_noise_and_resolution_and_holes(const std::vector<Input>& inputs)
+{
+  for (const Input& input : inputs) {
+    for (const int percent : {0, 10, 20, 30, 50}) {
+      add_altered("noise/" + input.name + '/' + std::to_string(percent), input,
+                  [percent](const Mesh& mesh) { return with_noise(mesh, percent / 100.); });
+    }
+    for (const int part : {1, 2, 4, 8}) {
+      add_altered("resolution/" + input.name + '/' + std::to_string(part), input,
+                  [part](const Mesh& mesh) { return simplified(mesh, 1. / part); });
+    }
+    for (const std::size_t number : {0u, 10u, 30u, 100u}) {
+      add_altered("holes/" + input.name + '/' + std::to_string(number), input,
+                  [number](const Mesh& mesh) { return with_holes(mesh, number); });
+    }
+  }
+}
+
+void add_ring(const Input& torus)
+{
+  add("ring/whole/local", torus, {Method::local});
+  add("ring/whole/published", torus, {Method::published});
+  add_altered("ring/two holes", torus, [](const Mesh& mesh) { return torus_with_holes(mesh, false); });
+  add_altered("ring/two holes and a break", torus, [](const Mesh& mesh) { return torus_with_holes(mesh, true); });
+}
+
+/// One thread, two, four, and so on, up to all there are.
+void add_threads(const Input& input)
+{
+  const unsigned all = std::max(1u, std::thread::hardware_concurrency());
+  for (unsigned number = 1; number <= all; number *= 2) {
+    for (const Method method : {Method::local, Method::published}) {
+      Variant variant{method};
+      variant.number_of_threads = number;
+      add("threads/" + input.name + '/' + std::to_string(number) + (method == Method::local ? "/local" : "/published"),
+          input, variant)
+          ->UseRealTime();
     }
   }
 }
@@ -170,10 +320,20 @@ void add_noise_and_resolution(const std::vector<std::string>& paths)
 int main(int argc, char** argv)
 {
   return CSCD::benchmark::run_benchmarks(argc, argv, [] {
-    add_methods(CSCD::benchmark::mesh_paths(
-        {"armadillo", "camel", "cow", "dino", "elephant", "femur", "hand", "homer", "knot1", "triceratops"}));
-    const std::vector<std::string> two = {CSCD::benchmark::cgal_mesh("camel"), CSCD::benchmark::cgal_mesh("elephant")};
+    std::vector<Input> inputs;
+    for (const CSCD::benchmark::Sized_shape& shape : CSCD::benchmark::generated_shapes) {
+      inputs.push_back(input_of(shape));
+    }
+    for (const std::string& path : CSCD::benchmark::mesh_paths(
+             {"armadillo", "camel", "cow", "dino", "elephant", "femur", "hand", "homer", "knot1", "triceratops"})) {
+      inputs.push_back(input_of(path));
+    }
+    add_methods(inputs);
+    const std::vector<Input> two = {input_of(CSCD::benchmark::cgal_mesh("camel")),
+                                    input_of(CSCD::benchmark::cgal_mesh("elephant"))};
     add_numbers_of_sources(two);
-    add_noise_and_resolution(two);
+    add_noise_and_resolution_and_holes(two);
+    add_ring(inputs.front());
+    add_threads(input_of(CSCD::benchmark::cgal_mesh("armadillo")));
   });
 }

@@ -3,8 +3,8 @@
 //
 // The whole skeletonization of real meshes, beside CGAL's mean curvature flow (MCF), with what the skeletons are worth;
 // and its cost from a few thousand to some million vertices. CPU time is that of the whole process, all threads.
-// Meshes are the OFF files in the folder that the environment variable CSCD_BENCHMARK_MESHES names, by default some of
-// CGAL's data.
+// Meshes are some of CGAL's data, and the OFF files in the folder that the environment variable CSCD_MODELS names, if
+// there is one.
 
 #include "Inside_count.h"
 #include "Surface_facts.h"

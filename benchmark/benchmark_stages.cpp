@@ -5,9 +5,7 @@
 // "coarsen" is a part of "compile"; the other stages follow each other.
 
 #include "convert_shape.h"
-#include "limb_shapes.h"
-#include "shape_operations.h"
-#include "swept_shapes.h"
+#include "support/generated_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/Traits/Surface_levels.h>
@@ -19,7 +17,6 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -32,44 +29,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits>;
 
-/// A shape by name, at any size.
-struct Sized_shape
-{
-  const char* name;
-  CSCD::test::Shape (*make)(std::int64_t number_of_vertices);
-};
-
-/// Edges around a tube of which every `area` squared radii of surface have so many vertices.
-std::size_t edges_around(std::int64_t number_of_vertices, double area)
-{
-  const double edge_length = std::sqrt(area / double(number_of_vertices));
-  return std::size_t(std::lround(2 * CSCD::test::pi / edge_length));
-}
-
-CSCD::test::Shape make_torus(std::int64_t number_of_vertices)
-{
-  const double area = 4 * CSCD::test::pi * CSCD::test::pi * 3;
-  return CSCD::test::torus(3, 1, edges_around(number_of_vertices, area));
-}
-
-CSCD::test::Shape make_knot(std::int64_t number_of_vertices)
-{
-  constexpr double radius = 0.4;
-  constexpr double length = 32; // of the knot's curve
-  return CSCD::test::trefoil_knot(radius, edges_around(number_of_vertices, 2 * CSCD::test::pi * length / radius));
-}
-
-/// Five limbs; its sizes are those of repeated subdivision.
-CSCD::test::Shape make_star(std::int64_t number_of_vertices)
-{
-  CSCD::test::Shape shape = CSCD::test::star(5, 3, 0.35, 0.22);
-  while (2 * std::int64_t(shape.points.size()) < number_of_vertices) {
-    shape = CSCD::test::midpoint_subdivided(shape);
-  }
-  return shape;
-}
-
-constexpr Sized_shape shapes[] = {{"torus", make_torus}, {"knot", make_knot}, {"star", make_star}};
+using CSCD::benchmark::Sized_shape;
 
 /// Numbers of vertices to aim at.
 constexpr std::int64_t sizes[] = {3125, 12500, 50000, 200000, 800000};
@@ -167,7 +127,7 @@ void run(benchmark::State& state, const Stage& stage, const Sized_shape& shape)
 bool register_benchmarks()
 {
   for (const Stage& stage : stages) {
-    for (const Sized_shape& shape : shapes) {
+    for (const Sized_shape& shape : CSCD::benchmark::generated_shapes) {
       const std::string name = std::string(stage.name) + '/' + shape.name;
       auto* registered =
           benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) { run(state, stage, shape); });

@@ -3,17 +3,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the pictures of doc/cut_locus.md in doc/fig: cut loci on meshes of CGAL's data, seen from both sides.
-# Usage: doc/make_cut_locus_pictures.sh PROGRAM, the path of a built cut_locus_example. Needs three.js when that is
-# built, Chromium, and Debian's libcgal-demo.
+# Usage: doc/make_cut_locus_pictures.sh PROGRAM [FOLDER]: the path of a built cut_locus_example, and where pictures go, by default
+# doc/fig. Needs three.js
+# when that is built, Chromium, and Debian's libcgal-demo.
 
 set -eu
 
-if [ $# -ne 1 ]; then
-  echo "usage: $0 PROGRAM (the path of a built cut_locus_example)" >&2
+if [ $# -lt 1 ] || [ $# -gt 2 ]; then
+  echo "usage: $0 PROGRAM [FOLDER] (the path of a built cut_locus_example; where pictures go)" >&2
   exit 1
 fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-figures=$(cd "$(dirname "$0")" && pwd)/fig
+figures=${2:-$(dirname "$0")/fig}
+mkdir -p "$figures"
+figures=$(cd "$figures" && pwd)
 archive=/usr/share/doc/libcgal-dev/data.tar.gz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -39,7 +42,6 @@ show() {
   take "cut_locus_$1_behind" "turn=$(($3 + 180))"
 }
 
-mkdir -p "$figures"
 show camel 100 0
 show elephant 100 330
 show armadillo 100 180

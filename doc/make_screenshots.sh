@@ -3,16 +3,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the pictures in doc/fig: skeletonizes meshes and points of CGAL's data and takes screenshots of the viewer pages.
-# Usage: doc/make_screenshots.sh PROGRAM, the path of a built cscd. Needs Chromium and Debian's libcgal-demo.
+# Usage: doc/make_screenshots.sh PROGRAM [FOLDER]: the path of a built cscd, and where pictures go, by default
+# doc/fig. Needs Chromium and Debian's libcgal-demo.
 
 set -eu
 
-if [ $# -ne 1 ]; then
-  echo "usage: $0 PROGRAM (the path of a built cscd)" >&2
+if [ $# -lt 1 ] || [ $# -gt 2 ]; then
+  echo "usage: $0 PROGRAM [FOLDER] (the path of a built cscd; where pictures go)" >&2
   exit 1
 fi
 program=$1
-figures=$(cd "$(dirname "$0")" && pwd)/fig
+figures=${2:-$(dirname "$0")/fig}
+mkdir -p "$figures"
+figures=$(cd "$figures" && pwd)
 archive=/usr/share/doc/libcgal-dev/data.tar.gz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -35,7 +38,6 @@ take() {
   echo "$figures/$1.png"
 }
 
-mkdir -p "$figures"
 take viewer_armadillo meshes/armadillo.off "turn=180"
 take viewer_camel_branches meshes/camel.off "separators=1&colour=1"
 take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"

@@ -46,9 +46,25 @@ step "format" cmake --build --preset release --target format_check
 step "build" cmake --build --preset release --parallel "$jobs"
 step "build for the address sanitizer" build_preset asan-ubsan
 step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
+# clang-tidy reads one file, and takes as long as all of the thread sanitizer.
+output_of_tidy=$(mktemp)
+set -m # a process group of its own, so that it can be ended whole
+build_preset tidy >"$output_of_tidy" 2>&1 &
+tidy=$!
+set +m
+trap 'kill -- "-$tidy" 2>/dev/null || true; rm -f "$output_of_tidy"' EXIT
+jobs=$((jobs > 1 ? jobs - 1 : 1))
 step "build for the thread sanitizer" build_preset tsan
 step "tests under the thread sanitizer" ctest --preset tsan
-step "clang-tidy" build_preset tidy
+finish_tidy()
+{
+  local status=0
+  wait "$tidy" || status=$?
+  cat "$output_of_tidy"
+  return "$status"
+}
+step "clang-tidy, what was left of it" finish_tidy
+jobs=$(number_of_jobs)
 
 echo "Seconds up to here:"
 for name in "${!seconds[@]}"; do

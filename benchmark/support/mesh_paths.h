@@ -6,10 +6,9 @@
 #ifndef CSCD_BENCHMARK_SUPPORT_MESH_PATHS_H
 #define CSCD_BENCHMARK_SUPPORT_MESH_PATHS_H
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,22 +20,32 @@ inline std::string cgal_mesh(const std::string& name)
   return std::string(CSCD_CGAL_DATA_DIR) + '/' + name + ".off";
 }
 
-/// The OFF files in the folder that the environment variable CSCD_BENCHMARK_MESHES names, else those of CGAL's meshes
-/// with `default_names`.
-inline std::vector<std::string> mesh_paths(const std::vector<std::string>& default_names)
+/// The OFF files in the folder that the environment variable CSCD_MODELS names, if there is one, by name.
+inline std::map<std::string, std::string> models()
 {
-  std::vector<std::string> paths;
-  const char* folder = std::getenv("CSCD_BENCHMARK_MESHES");
-  if (folder == nullptr) {
-    std::transform(default_names.begin(), default_names.end(), std::back_inserter(paths), cgal_mesh);
-    return paths;
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() == ".off") {
-      paths.push_back(entry.path().string());
+  std::map<std::string, std::string> path_of_name;
+  if (const char* folder = std::getenv("CSCD_MODELS")) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+      if (entry.path().extension() == ".off") {
+        path_of_name[entry.path().stem().string()] = entry.path().string();
+      }
     }
   }
-  std::sort(paths.begin(), paths.end());
+  return path_of_name;
+}
+
+/// The files of those of CGAL's meshes with `names`, then those of other names among the models.
+inline std::vector<std::string> mesh_paths(const std::vector<std::string>& names)
+{
+  std::vector<std::string> paths;
+  std::map<std::string, std::string> others = models();
+  for (const std::string& name : names) {
+    paths.push_back(cgal_mesh(name));
+    others.erase(name);
+  }
+  for (const auto& [name, path] : others) {
+    paths.push_back(path);
+  }
   return paths;
 }
 

@@ -1,21 +1,20 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Writes the tables of doc/geodesics.md from what benchmark_geodesics measured.
+"""Tables of benchmark_geodesics."""
 
-Usage: write_geodesics_tables.py GEODESICS.json
-"""
-
-import sys
-
-from write_tables import ROOT, count, markdown, read_medians, replace_between_markers
+from markdown_tables import count, markdown
 
 NUMBER_OF_SOURCES = 8  # that each run of the benchmark computes distances from
 
 
-def error_table(medians, meshes):
+def meshes_of(medians):
+    return [name.split("/")[1] for name in medians if name.startswith("prepare/")]
+
+
+def error_table(medians):
     rows = []
-    for mesh in meshes:
+    for mesh in meshes_of(medians):
         ours, theirs = medians[f"together/{mesh}"], medians[f"cgal_one_by_one/{mesh}"]
         rows.append([mesh, count(ours["vertices"]), count(ours["diameter"])]
                     + [f"{ours[key]:.2f} / {theirs[key]:.2f}"
@@ -24,9 +23,9 @@ def error_table(medians, meshes):
                      "relative error, %"], rows)
 
 
-def time_table(medians, meshes):
+def time_table(medians):
     rows = []
-    for mesh in meshes:
+    for mesh in meshes_of(medians):
         def milliseconds(name, mesh=mesh):
             return medians[f"{name}/{mesh}"]["cpu_time"]
 
@@ -48,18 +47,4 @@ def tube_table(medians):
     return markdown(["edges along", "CSCD", "CGAL"], rows)
 
 
-def main():
-    context, medians = read_medians(sys.argv[1])
-    meshes = [name.split("/")[1] for name in medians if name.startswith("prepare/")]
-    path = ROOT / "doc" / "geodesics.md"
-    replace_between_markers(path, {
-        "tubes": tube_table(medians),
-        "errors": error_table(medians, meshes),
-        "times": time_table(medians, meshes),
-        "geodesics_circumstances": f"Made on {context['date'][:10]}, {context['num_cpus']} cores, load average "
-                                   f"{context['load_avg'][0]:.1f} at the start.",
-    })
-    print(path)
-
-
-main()
+TABLES = {"tubes": tube_table, "errors": error_table, "times": time_table}

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# For scripts of bash, to be read by `source`: sets source_dir and build_dir.
+# shellcheck shell=bash
+
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir=$source_dir/build
+# shellcheck source=cmake/install_packages.sh
+source "$source_dir/cmake/install_packages.sh"
+
+# build_benchmarks <program>... installs what is missing (Debian, Ubuntu) and builds the programs in a Release build.
+build_benchmarks()
+{
+  install_packages "${library_packages[@]}" git libbenchmark-dev python3 gnuplot-nox
+  # In a build folder that has the tests or examples, they stay.
+  local -a configure=(
+    cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON)
+  if [[ ! -e $build_dir/CMakeCache.txt ]]; then
+    configure+=(-DCSCD_BUILD_TESTS=OFF)
+  fi
+  "${configure[@]}" >/dev/null
+  cmake --build "$build_dir" --target "$@"
+}
