@@ -159,6 +159,9 @@ def about(kind, table):
     return lambda medians: table(medians) if runs_of(medians, kind) else None
 
 
+# By the name of what tells when, where and how they were made: the benchmarks that it tells of.
+CIRCUMSTANCES = {f"circumstances_of_{kind}": kind
+                 for kind in ("method", "sources", "noise", "resolution", "holes", "ring", "threads")}
 TABLES = {
     "methods": about("method", method_quality_table),
     "method_times": about("method", method_time_table),

@@ -160,7 +160,7 @@ TABLES_OF_PROGRAM = {
         "growing_cloud": growing_cloud_table,
     },
     "benchmark_geodesics": {"circumstances_of_geodesics": None, **geodesics_tables.TABLES},
-    "benchmark_published": {"circumstances_of_methods": None, **published_tables.TABLES},
+    "benchmark_published": published_tables.TABLES,
     "benchmark_trees": {"circumstances_of_trees": None, **tree_tables.TABLES},
 }
 
@@ -178,6 +178,9 @@ def main():
             if text is not None:
                 tables[name] = text
         if program == "benchmark_published":
+            for name, kind in published_tables.CIRCUMSTANCES.items():
+                if published_tables.runs_of(medians, kind):
+                    tables[name] = told
             published_tables.plot(medians, folder / "doc" / "fig")
     for path in [*sorted((folder / "doc").glob("*.md")), folder / "README.md"]:
         if replace_between_markers(path, tables):

@@ -8,7 +8,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Growing_policy.h>
-#include <CSCD/Point_cloud/Point_cut_locus_graph.h>
+#include <CSCD/Cut_locus/Point_cut_locus_graph.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 

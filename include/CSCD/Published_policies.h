@@ -6,11 +6,11 @@
 #ifndef CSCD_PUBLISHED_POLICIES_H
 #define CSCD_PUBLISHED_POLICIES_H
 
-#include <CSCD/Point_cloud/Point_field_search_space.h>
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Field_search_space.h>
+#include <CSCD/Separator/Point_field_search_space.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>

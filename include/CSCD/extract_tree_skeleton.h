@@ -7,7 +7,7 @@
 #define CSCD_EXTRACT_TREE_SKELETON_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Tree/Circle_outcome.h>

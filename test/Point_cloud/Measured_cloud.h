@@ -8,15 +8,15 @@
 
 #include "Point_cloud/to_point_cloud.h"
 #include "support/Shape.h"
+#include <CSCD/Cut_locus/Point_derivatives.h>
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_derivatives.h>
-#include <CSCD/Point_cloud/Point_frames.h>
-#include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/internal/Vector_3.h>
 

@@ -6,7 +6,7 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_cut_measures.h>
+#include <CSCD/Cut_locus/Point_cut_measures.h>
 #include <CSCD/Separator/Cut_loop.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Cut_loop_outcome.h>

@@ -7,7 +7,7 @@
 #define CSCD_TEST_POINT_CLOUD_TO_POINT_CLOUD_H
 
 #include "support/Shape.h"
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/collect_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>

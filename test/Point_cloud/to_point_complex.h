@@ -10,7 +10,7 @@
 #include "support/Shape.h"
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <utility>

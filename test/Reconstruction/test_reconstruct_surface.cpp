@@ -7,7 +7,7 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/internal/Vector_3.h>
 

@@ -7,8 +7,8 @@
 #define CSCD_POINT_CLOUD_POINT_BODY_H
 
 #include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Point_cloud/Point_tree.h>
 #include <CSCD/Point_cloud/Winding_number.h>
-#include <CSCD/Reconstruction/Point_tree.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>

@@ -6,8 +6,8 @@
 #ifndef CSCD_POINT_CLOUD_SHEET_FITTING_H
 #define CSCD_POINT_CLOUD_SHEET_FITTING_H
 
-#include <CSCD/Reconstruction/Neighbor_table.h>
-#include <CSCD/Reconstruction/fit_quadrics.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
+#include <CSCD/Point_cloud/fit_quadrics.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <Eigen/Core>

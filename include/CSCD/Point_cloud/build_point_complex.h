@@ -6,17 +6,17 @@
 #ifndef CSCD_POINT_CLOUD_BUILD_POINT_COMPLEX_H
 #define CSCD_POINT_CLOUD_BUILD_POINT_COMPLEX_H
 
+#include <CSCD/Point_cloud/Cloud_sampling.h>
 #include <CSCD/Point_cloud/Delaunay_star.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Sheet_fitting.h>
 #include <CSCD/Point_cloud/Triangle_selection.h>
 #include <CSCD/Point_cloud/close_small_gaps.h>
+#include <CSCD/Point_cloud/collect_points.h>
+#include <CSCD/Point_cloud/fit_quadrics.h>
 #include <CSCD/Point_cloud/orient_normals.h>
-#include <CSCD/Reconstruction/Cloud_sampling.h>
-#include <CSCD/Reconstruction/Neighbor_table.h>
-#include <CSCD/Reconstruction/collect_points.h>
-#include <CSCD/Reconstruction/fit_quadrics.h>
-#include <CSCD/Reconstruction/pseudo_random_vector.h>
+#include <CSCD/Point_cloud/pseudo_random_vector.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Vector_3.h>

@@ -6,8 +6,8 @@
 #ifndef CSCD_RECONSTRUCTION_FRAGMENT_JOINING_H
 #define CSCD_RECONSTRUCTION_FRAGMENT_JOINING_H
 
-#include <CSCD/Reconstruction/Neighbor_table.h>
-#include <CSCD/Reconstruction/Point_tree.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
+#include <CSCD/Point_cloud/Point_tree.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
 #include <CSCD/internal/Disjoint_sets.h>

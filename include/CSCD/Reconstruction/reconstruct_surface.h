@@ -6,15 +6,15 @@
 #ifndef CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 #define CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 
-#include <CSCD/Reconstruction/Cloud_sampling.h>
+#include <CSCD/Point_cloud/Cloud_sampling.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
+#include <CSCD/Point_cloud/collect_points.h>
+#include <CSCD/Point_cloud/pseudo_random_vector.h>
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Reconstruction/Handle_repair.h>
-#include <CSCD/Reconstruction/Neighbor_table.h>
 #include <CSCD/Reconstruction/Reconstruction_report.h>
 #include <CSCD/Reconstruction/advance_front.h>
-#include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Reconstruction/cut_along_loops.h>
-#include <CSCD/Reconstruction/pseudo_random_vector.h>
 #include <CSCD/Reconstruction/split_pinched_vertices.h>
 #include <CSCD/Traits/Halfedge_pairing.h>
 #include <CSCD/Traits/Indexed_triangles.h>
@@ -120,8 +120,8 @@ private:
     const std::size_t number_of_vertices = triangles.points.size();
     if (double(m_result.report.number_of_border_edges) > most_border_edges * double(number_of_vertices)) {
       throw Surface_error("the points do not sample a surface: what connects them has " +
-                        std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
-                        std::to_string(number_of_vertices) + " points; sample the surface more densely");
+                          std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
+                          std::to_string(number_of_vertices) + " points; sample the surface more densely");
     }
   }
 

@@ -9,8 +9,8 @@
 #include <CSCD/Point_cloud/Point_body.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Point_cloud/drop_fragments.h>
-#include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/Points_of_sites.h>
 #include <CSCD/internal/Vector_3.h>

@@ -6,8 +6,8 @@
 #ifndef CSCD_TRAITS_POINT_SET_TRAITS_H
 #define CSCD_TRAITS_POINT_SET_TRAITS_H
 
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Reconstruction/Reconstruction_report.h>
-#include <CSCD/Reconstruction/collect_points.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Traits/Compiled_surface_traits.h>
 #include <CSCD/Traits/Points_of_sites.h>

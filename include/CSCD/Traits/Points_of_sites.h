@@ -6,8 +6,8 @@
 #ifndef CSCD_TRAITS_POINTS_OF_SITES_H
 #define CSCD_TRAITS_POINTS_OF_SITES_H
 
-#include <CSCD/Reconstruction/Point_tree.h>
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/Point_tree.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/point_map.h>
 

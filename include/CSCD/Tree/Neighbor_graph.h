@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_NEIGHBOR_GRAPH_H
 #define CSCD_TREE_NEIGHBOR_GRAPH_H
 
-#include <CSCD/Reconstruction/Neighbor_table.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>

@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_TREE_SKELETONIZATION_H
 #define CSCD_TREE_TREE_SKELETONIZATION_H
 
-#include <CSCD/Reconstruction/Point_tree.h>
+#include <CSCD/Point_cloud/Point_tree.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Limb_base_absorption.h>

@@ -3,8 +3,8 @@
 //
 // The graph that holds a cut locus on a point cloud.
 
-#ifndef CSCD_POINT_CLOUD_POINT_CUT_LOCUS_GRAPH_H
-#define CSCD_POINT_CLOUD_POINT_CUT_LOCUS_GRAPH_H
+#ifndef CSCD_CUT_LOCUS_POINT_CUT_LOCUS_GRAPH_H
+#define CSCD_CUT_LOCUS_POINT_CUT_LOCUS_GRAPH_H
 
 #include <boost/graph/adjacency_list.hpp>
 
@@ -35,4 +35,4 @@ using Point_cut_locus_graph =
 
 } // namespace CSCD
 
-#endif // CSCD_POINT_CLOUD_POINT_CUT_LOCUS_GRAPH_H
+#endif // CSCD_CUT_LOCUS_POINT_CUT_LOCUS_GRAPH_H

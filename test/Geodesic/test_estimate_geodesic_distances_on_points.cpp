@@ -7,9 +7,9 @@
 #include "support/Shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
+#include <CSCD/Geodesic/Point_set_distance_estimator.h>
+#include <CSCD/Geodesic/estimate_geodesic_distances_on_points.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/Point_set_distance_estimator.h>
-#include <CSCD/Point_cloud/estimate_geodesic_distances_on_points.h>
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Simple_cartesian.h>

@@ -3,13 +3,13 @@
 //
 // What tells the cut locus from the rest of a distance field on a point cloud, vertex by vertex.
 
-#ifndef CSCD_POINT_CLOUD_POINT_CUT_MEASURES_H
-#define CSCD_POINT_CLOUD_POINT_CUT_MEASURES_H
+#ifndef CSCD_CUT_LOCUS_POINT_CUT_MEASURES_H
+#define CSCD_CUT_LOCUS_POINT_CUT_MEASURES_H
 
 #include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Cut_locus/Front_sector.h>
-#include <CSCD/Point_cloud/Point_derivatives.h>
-#include <CSCD/Point_cloud/Point_frames.h>
+#include <CSCD/Cut_locus/Point_derivatives.h>
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -158,4 +158,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_CUT_MEASURES_H
+#endif // CSCD_CUT_LOCUS_POINT_CUT_MEASURES_H

@@ -9,7 +9,7 @@
 #include "support/shapes.h"
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Point_neighborhoods.h>
-#include <CSCD/Point_cloud/Point_separator_shortening.h>
+#include <CSCD/Separator/Point_separator_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/curve_measures.h>

@@ -9,9 +9,9 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
+#include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/internal/Vector_3.h>
 

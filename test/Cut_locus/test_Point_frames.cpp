@@ -6,8 +6,8 @@
 #include "Cut_locus/to_open_triangulation.h"
 #include "Point_cloud/Measured_cloud.h"
 #include "support/shapes.h"
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
 //
 // The nearest neighbors of every point of a cloud.
 
-#ifndef CSCD_RECONSTRUCTION_NEIGHBOR_TABLE_H
-#define CSCD_RECONSTRUCTION_NEIGHBOR_TABLE_H
+#ifndef CSCD_POINT_CLOUD_NEIGHBOR_TABLE_H
+#define CSCD_POINT_CLOUD_NEIGHBOR_TABLE_H
 
-#include <CSCD/Reconstruction/Point_tree.h>
+#include <CSCD/Point_cloud/Point_tree.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -89,4 +89,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_NEIGHBOR_TABLE_H
+#endif // CSCD_POINT_CLOUD_NEIGHBOR_TABLE_H

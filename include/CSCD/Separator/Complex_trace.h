@@ -3,8 +3,8 @@
 //
 // From closed curves near a point complex to the edges that they cross.
 
-#ifndef CSCD_POINT_CLOUD_COMPLEX_TRACE_H
-#define CSCD_POINT_CLOUD_COMPLEX_TRACE_H
+#ifndef CSCD_SEPARATOR_COMPLEX_TRACE_H
+#define CSCD_SEPARATOR_COMPLEX_TRACE_H
 
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Separator/Closest_point_projection.h>
@@ -264,4 +264,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_COMPLEX_TRACE_H
+#endif // CSCD_SEPARATOR_COMPLEX_TRACE_H

@@ -3,8 +3,8 @@
 //
 // Two copies of each triangle of a complex, glued so that every edge has two faces.
 
-#ifndef CSCD_POINT_CLOUD_TUFTED_COVER_H
-#define CSCD_POINT_CLOUD_TUFTED_COVER_H
+#ifndef CSCD_GEODESIC_TUFTED_COVER_H
+#define CSCD_GEODESIC_TUFTED_COVER_H
 
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/internal/Triangle_halfedges.h>
@@ -113,4 +113,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_TUFTED_COVER_H
+#endif // CSCD_GEODESIC_TUFTED_COVER_H

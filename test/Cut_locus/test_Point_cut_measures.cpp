@@ -9,7 +9,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_criterion.h>
-#include <CSCD/Point_cloud/Point_cut_measures.h>
+#include <CSCD/Cut_locus/Point_cut_measures.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <gtest/gtest.h>

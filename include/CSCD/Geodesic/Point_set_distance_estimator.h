@@ -3,17 +3,17 @@
 //
 // Geodesic distances on a point set: prepared once, asked often.
 
-#ifndef CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
-#define CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
+#ifndef CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
+#define CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 
 #include <CSCD/Geodesic/Geodesic_source.h>
 #include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Reconstruction/collect_points.h>
+#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/point_map.h>
 
@@ -210,4 +210,4 @@ private:
 
 } // namespace CSCD
 
-#endif // CSCD_POINT_CLOUD_POINT_SET_DISTANCE_ESTIMATOR_H
+#endif // CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H

@@ -5,9 +5,9 @@
 
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Reconstruction/Neighbor_table.h>
-#include <CSCD/Reconstruction/collect_points.h>
-#include <CSCD/Reconstruction/fit_quadrics.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
+#include <CSCD/Point_cloud/collect_points.h>
+#include <CSCD/Point_cloud/fit_quadrics.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Vector_3.h>
 

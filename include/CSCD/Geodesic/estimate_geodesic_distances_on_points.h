@@ -3,11 +3,11 @@
 //
 // Geodesic distances on a point set in one call; apart from those on a mesh, which compile in half the time.
 
-#ifndef CSCD_POINT_CLOUD_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H
-#define CSCD_POINT_CLOUD_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H
+#ifndef CSCD_GEODESIC_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H
+#define CSCD_GEODESIC_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H
 
+#include <CSCD/Geodesic/Point_set_distance_estimator.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/Point_set_distance_estimator.h>
 #include <CSCD/concepts.h>
 
 #include <array>
@@ -53,4 +53,4 @@ void estimate_geodesic_distances(const PointRange& points, const Sources& source
 
 } // namespace CSCD
 
-#endif // CSCD_POINT_CLOUD_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H
+#endif // CSCD_GEODESIC_ESTIMATE_GEODESIC_DISTANCES_ON_POINTS_H

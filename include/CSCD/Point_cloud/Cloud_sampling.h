@@ -3,11 +3,11 @@
 //
 // How densely and how exactly the points of a cloud sample a surface.
 
-#ifndef CSCD_RECONSTRUCTION_CLOUD_SAMPLING_H
-#define CSCD_RECONSTRUCTION_CLOUD_SAMPLING_H
+#ifndef CSCD_POINT_CLOUD_CLOUD_SAMPLING_H
+#define CSCD_POINT_CLOUD_CLOUD_SAMPLING_H
 
-#include <CSCD/Reconstruction/Neighbor_table.h>
-#include <CSCD/Reconstruction/fit_quadrics.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
+#include <CSCD/Point_cloud/fit_quadrics.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
@@ -126,4 +126,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_CLOUD_SAMPLING_H
+#endif // CSCD_POINT_CLOUD_CLOUD_SAMPLING_H

@@ -3,12 +3,12 @@
 //
 // A point complex with a distance field, as what the points of its cut locus move on.
 
-#ifndef CSCD_POINT_CLOUD_POINT_GROUND_H
-#define CSCD_POINT_CLOUD_POINT_GROUND_H
+#ifndef CSCD_CUT_LOCUS_POINT_GROUND_H
+#define CSCD_CUT_LOCUS_POINT_GROUND_H
 
+#include <CSCD/Cut_locus/Point_cut_measures.h>
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_cut_measures.h>
-#include <CSCD/Point_cloud/Point_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <cmath>
@@ -117,4 +117,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_GROUND_H
+#endif // CSCD_CUT_LOCUS_POINT_GROUND_H

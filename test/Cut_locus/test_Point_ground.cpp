@@ -6,8 +6,8 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_cut_measures.h>
-#include <CSCD/Point_cloud/Point_ground.h>
+#include <CSCD/Cut_locus/Point_cut_measures.h>
+#include <CSCD/Cut_locus/Point_ground.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 //
 // The tangent plane of every vertex of a point complex.
 
-#ifndef CSCD_POINT_CLOUD_POINT_FRAMES_H
-#define CSCD_POINT_CLOUD_POINT_FRAMES_H
+#ifndef CSCD_CUT_LOCUS_POINT_FRAMES_H
+#define CSCD_CUT_LOCUS_POINT_FRAMES_H
 
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/internal/Vector_3.h>
@@ -116,4 +116,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_FRAMES_H
+#endif // CSCD_CUT_LOCUS_POINT_FRAMES_H

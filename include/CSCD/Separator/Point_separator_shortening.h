@@ -3,14 +3,14 @@
 //
 // Makes separators of point clouds of curves along edges, by the variational flow.
 
-#ifndef CSCD_POINT_CLOUD_POINT_SEPARATOR_SHORTENING_H
-#define CSCD_POINT_CLOUD_POINT_SEPARATOR_SHORTENING_H
+#ifndef CSCD_SEPARATOR_POINT_SEPARATOR_SHORTENING_H
+#define CSCD_SEPARATOR_POINT_SEPARATOR_SHORTENING_H
 
-#include <CSCD/Point_cloud/Complex_trace.h>
-#include <CSCD/Point_cloud/Moving_least_squares_projection.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Point_neighborhoods.h>
 #include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/Separator/Complex_trace.h>
+#include <CSCD/Separator/Moving_least_squares_projection.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Shortening_outcome.h>
 #include <CSCD/Separator/Variational_shortening.h>
@@ -97,4 +97,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_SEPARATOR_SHORTENING_H
+#endif // CSCD_SEPARATOR_POINT_SEPARATOR_SHORTENING_H

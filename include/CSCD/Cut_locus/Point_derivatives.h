@@ -3,11 +3,11 @@
 //
 // The derivatives of functions on a point complex.
 
-#ifndef CSCD_POINT_CLOUD_POINT_DERIVATIVES_H
-#define CSCD_POINT_CLOUD_POINT_DERIVATIVES_H
+#ifndef CSCD_CUT_LOCUS_POINT_DERIVATIVES_H
+#define CSCD_CUT_LOCUS_POINT_DERIVATIVES_H
 
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Point_cloud/Point_frames.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -169,4 +169,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_DERIVATIVES_H
+#endif // CSCD_CUT_LOCUS_POINT_DERIVATIVES_H

@@ -3,10 +3,10 @@
 //
 // A smooth surface through the neighborhood of every point of a cloud.
 
-#ifndef CSCD_RECONSTRUCTION_FIT_QUADRICS_H
-#define CSCD_RECONSTRUCTION_FIT_QUADRICS_H
+#ifndef CSCD_POINT_CLOUD_FIT_QUADRICS_H
+#define CSCD_POINT_CLOUD_FIT_QUADRICS_H
 
-#include <CSCD/Reconstruction/Neighbor_table.h>
+#include <CSCD/Point_cloud/Neighbor_table.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <Eigen/Cholesky>
@@ -98,4 +98,4 @@ inline std::vector<Quadric_fit> fit_quadrics(const std::vector<Vector_3>& points
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_FIT_QUADRICS_H
+#endif // CSCD_POINT_CLOUD_FIT_QUADRICS_H

@@ -3,20 +3,20 @@
 //
 // What the search for separators from distance fields needs to know of a point cloud.
 
-#ifndef CSCD_POINT_CLOUD_POINT_FIELD_SEARCH_SPACE_H
-#define CSCD_POINT_CLOUD_POINT_FIELD_SEARCH_SPACE_H
+#ifndef CSCD_SEPARATOR_POINT_FIELD_SEARCH_SPACE_H
+#define CSCD_SEPARATOR_POINT_FIELD_SEARCH_SPACE_H
 
+#include <CSCD/Cut_locus/Point_cut_measures.h>
+#include <CSCD/Cut_locus/Point_derivatives.h>
+#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_cut_measures.h>
-#include <CSCD/Point_cloud/Point_derivatives.h>
-#include <CSCD/Point_cloud/Point_frames.h>
 #include <CSCD/Point_cloud/Point_neighborhoods.h>
-#include <CSCD/Point_cloud/Point_separator_shortening.h>
-#include <CSCD/Point_cloud/Tufted_cover.h>
 #include <CSCD/Separator/Field_search_space.h>
 #include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Point_separator_shortening.h>
 #include <CSCD/Separator/Shortening_rule.h>
 #include <CSCD/Separator/Target_rule.h>
 
@@ -62,4 +62,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_POINT_FIELD_SEARCH_SPACE_H
+#endif // CSCD_SEPARATOR_POINT_FIELD_SEARCH_SPACE_H

@@ -3,8 +3,8 @@
 //
 // Finds nearest points: CGAL's search tree over the points of a cloud.
 
-#ifndef CSCD_RECONSTRUCTION_POINT_TREE_H
-#define CSCD_RECONSTRUCTION_POINT_TREE_H
+#ifndef CSCD_POINT_CLOUD_POINT_TREE_H
+#define CSCD_POINT_CLOUD_POINT_TREE_H
 
 #include <CSCD/internal/Vector_3.h>
 
@@ -84,4 +84,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_POINT_TREE_H
+#endif // CSCD_POINT_CLOUD_POINT_TREE_H

@@ -7,10 +7,10 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Moving_least_squares_projection.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Point_neighborhoods.h>
 #include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/Separator/Moving_least_squares_projection.h>
 #include <CSCD/internal/Vector_3.h>
 
 #include <gtest/gtest.h>

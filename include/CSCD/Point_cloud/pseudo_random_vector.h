@@ -3,8 +3,8 @@
 //
 // Small shifts of points, for no four of them to lie on one circle.
 
-#ifndef CSCD_RECONSTRUCTION_PSEUDO_RANDOM_VECTOR_H
-#define CSCD_RECONSTRUCTION_PSEUDO_RANDOM_VECTOR_H
+#ifndef CSCD_POINT_CLOUD_PSEUDO_RANDOM_VECTOR_H
+#define CSCD_POINT_CLOUD_PSEUDO_RANDOM_VECTOR_H
 
 #include <CSCD/internal/Vector_3.h>
 
@@ -26,4 +26,4 @@ inline Vector_3 pseudo_random_vector(Index point)
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_PSEUDO_RANDOM_VECTOR_H
+#endif // CSCD_POINT_CLOUD_PSEUDO_RANDOM_VECTOR_H

@@ -8,9 +8,9 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Complex_trace.h>
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Separator/Closest_point_projection.h>
+#include <CSCD/Separator/Complex_trace.h>
 #include <CSCD/Separator/curve_measures.h>
 #include <CSCD/Traits/Edge_crossing.h>
 #include <CSCD/internal/Vector_3.h>

@@ -3,8 +3,8 @@
 //
 // Brings points back to the surface that a point cloud samples.
 
-#ifndef CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H
-#define CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H
+#ifndef CSCD_SEPARATOR_MOVING_LEAST_SQUARES_PROJECTION_H
+#define CSCD_SEPARATOR_MOVING_LEAST_SQUARES_PROJECTION_H
 
 #include <CSCD/Point_cloud/Point_complex.h>
 #include <CSCD/Point_cloud/Point_neighborhoods.h>
@@ -115,4 +115,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_POINT_CLOUD_MOVING_LEAST_SQUARES_PROJECTION_H
+#endif // CSCD_SEPARATOR_MOVING_LEAST_SQUARES_PROJECTION_H

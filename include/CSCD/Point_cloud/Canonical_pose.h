@@ -3,8 +3,8 @@
 //
 // Turns and scales points so that their coordinates depend on the shape alone.
 
-#ifndef CSCD_RECONSTRUCTION_CANONICAL_POSE_H
-#define CSCD_RECONSTRUCTION_CANONICAL_POSE_H
+#ifndef CSCD_POINT_CLOUD_CANONICAL_POSE_H
+#define CSCD_POINT_CLOUD_CANONICAL_POSE_H
 
 #include <CSCD/internal/Vector_3.h>
 
@@ -66,4 +66,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_CANONICAL_POSE_H
+#endif // CSCD_POINT_CLOUD_CANONICAL_POSE_H

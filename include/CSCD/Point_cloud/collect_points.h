@@ -3,10 +3,10 @@
 //
 // Reads a range of points of any type into flat arrays, and refuses what no surface can be made of.
 
-#ifndef CSCD_RECONSTRUCTION_COLLECT_POINTS_H
-#define CSCD_RECONSTRUCTION_COLLECT_POINTS_H
+#ifndef CSCD_POINT_CLOUD_COLLECT_POINTS_H
+#define CSCD_POINT_CLOUD_COLLECT_POINTS_H
 
-#include <CSCD/Reconstruction/Canonical_pose.h>
+#include <CSCD/Point_cloud/Canonical_pose.h>
 #include <CSCD/Traits/Normalization.h>
 #include <CSCD/Traits/normalize_extent.h>
 #include <CSCD/exceptions.h>
@@ -211,4 +211,4 @@ Point_cloud collect_points(const PointRange& range, const PointMap& point_map, c
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_COLLECT_POINTS_H
+#endif // CSCD_POINT_CLOUD_COLLECT_POINTS_H
