@@ -4,7 +4,8 @@
 #
 # Makes the pictures in doc/fig: skeletonizes meshes and points of CGAL's data and takes screenshots of the viewer pages.
 # Usage: doc/make_screenshots.sh PROGRAM [FOLDER]: the path of a built cscd, and where pictures go, by default
-# doc/fig. Needs Chromium and Debian's libcgal-demo.
+# doc/fig. Needs Chromium and Debian's libcgal-demo. The picture of a tree is made if the environment variable
+# CSCD_BENCHMARK_TREES names a folder with the scan tree1.xyz.
 
 set -eu
 
@@ -43,3 +44,7 @@ take viewer_camel_branches meshes/camel.off "separators=1&colour=1"
 take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"
 take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
 take viewer_hippo_repairs points_3/hippo1.ply "repairs=1"
+if [ -n "${CSCD_BENCHMARK_TREES:-}" ]; then
+  cp "$CSCD_BENCHMARK_TREES/tree1.xyz" "$work/data"
+  take viewer_tree tree1.xyz "points=1&colour=1&up=z"
+fi

@@ -6,6 +6,7 @@
 #ifndef CSCD_TREE_SECTION_FITTING_H
 #define CSCD_TREE_SECTION_FITTING_H
 
+#include <CSCD/Tree/Circle_outcome.h>
 #include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Section.h>
 #include <CSCD/Tree/Slice.h>
