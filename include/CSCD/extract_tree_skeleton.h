@@ -44,8 +44,7 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud,
   for (const Tree_node& node : skeletonization.nodes()) {
     vertex.push_back(add_vertex(result));
     auto& bundle = result[vertex.back()];
-    const Vector_3 position = cloud.normalization.to_input(node.position);
-    bundle.point = Point(position.x(), position.y(), position.z());
+    bundle.point = to_input_point<Point>(cloud.normalization, node.position);
     if constexpr (has_radius_v<Skeleton>) {
       bundle.radius = cloud.normalization.unit * node.radius;
     }

@@ -140,7 +140,7 @@ private:
       longest = std::max(longest, m_complex.length(h));
     }
     const double width = band_width * longest;
-    Vector_3 normal;
+    Vector_3 normal = Vector_3::Zero();
     const Foot foot = find_foot(vertex, side, 2 * width, normal);
     if (foot.distance <= width) {
       m_is_met.mark(vertex);

@@ -8,6 +8,7 @@
 
 #include <CSCD/Point_cloud/Point_body.h>
 #include <CSCD/Point_cloud/Point_complex.h>
+#include <CSCD/Point_cloud/assign_to_nearest.h>
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Point_cloud/drop_fragments.h>
@@ -188,7 +189,7 @@ private:
     std::vector<Index> site_of_point;
     m_complex = internal::drop_fragments(internal::build_point_complex(cloud), site_of_point);
     m_number_of_points_off_surface = cloud.points.size() - m_complex.number_of_vertices();
-    internal::assign_to_nearest(cloud, site_of_point);
+    internal::assign_to_nearest(cloud.points, site_of_point);
     m_points = {points, cloud, site_of_point, number_of_sites()};
     m_body = std::make_unique<internal::Point_body>(m_complex);
     m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -6,6 +6,7 @@
 #ifndef CSCD_TRAITS_POINT_SET_TRAITS_H
 #define CSCD_TRAITS_POINT_SET_TRAITS_H
 
+#include <CSCD/Point_cloud/assign_to_nearest.h>
 #include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Reconstruction/Reconstruction_report.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
@@ -156,7 +157,7 @@ private:
         result[point_of_vertex[vertex]] = site;
       }
     }
-    internal::assign_to_nearest(cloud, result);
+    internal::assign_to_nearest(cloud.points, result);
     return result;
   }
 

@@ -6,7 +6,6 @@
 #ifndef CSCD_TRAITS_POINTS_OF_SITES_H
 #define CSCD_TRAITS_POINTS_OF_SITES_H
 
-#include <CSCD/Point_cloud/Point_tree.h>
 #include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/internal/Vector_3.h>
 #include <CSCD/internal/point_map.h>
@@ -18,30 +17,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// Gives the points of a cloud that are no site themselves that of the nearest one that is; O(n log n).
-/// \param sites of every point of the cloud, `no_index` where it is none
-/// \pre some point is a site
-inline void assign_to_nearest(const Point_cloud& cloud, std::vector<Index>& sites)
-{
-  std::vector<Index> used;
-  std::vector<Vector_3> used_points;
-  for (Index point = 0; point < sites.size(); ++point) {
-    if (sites[point] != no_index) {
-      used.push_back(point);
-      used_points.push_back(cloud.points[point]);
-    }
-  }
-  if (used.size() == sites.size()) {
-    return;
-  }
-  const Point_tree tree(used_points);
-  for (Index point = 0; point < sites.size(); ++point) {
-    if (sites[point] == no_index) {
-      sites[point] = sites[used[tree.nearest(cloud.points[point])]];
-    }
-  }
-}
 
 /// For every site, the points of the input for which it stands, by what identifies them there.
 template <class PointRange>

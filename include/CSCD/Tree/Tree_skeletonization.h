@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_TREE_SKELETONIZATION_H
 #define CSCD_TREE_TREE_SKELETONIZATION_H
 
-#include <CSCD/Point_cloud/Point_tree.h>
+#include <CSCD/Point_cloud/assign_to_nearest.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Limb_base_absorption.h>
@@ -153,22 +153,7 @@ private:
         m_node_of_point[point] = tree_nodes.node(host[slice]);
       }
     }
-    std::vector<Index> assigned;
-    std::vector<Vector_3> assigned_points;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      if (m_node_of_point[point] != no_index) {
-        assigned.push_back(point);
-        assigned_points.push_back(m_points[point]);
-      }
-    }
-    if (assigned.size() < m_points.size()) {
-      const Point_tree tree(assigned_points);
-      for (Index point = 0; point < m_points.size(); ++point) {
-        if (m_node_of_point[point] == no_index) {
-          m_node_of_point[point] = m_node_of_point[assigned[tree.nearest(m_points[point])]];
-        }
-      }
-    }
+    assign_to_nearest(m_points, m_node_of_point);
   }
 
   /// Limbs stand in the order of their slices, trunks in that of the objects.
