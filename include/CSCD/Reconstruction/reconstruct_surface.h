@@ -120,8 +120,8 @@ private:
     const std::size_t number_of_vertices = triangles.points.size();
     if (double(m_result.report.number_of_border_edges) > most_border_edges * double(number_of_vertices)) {
       throw Surface_error("the points do not sample a surface: what connects them has " +
-                        std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
-                        std::to_string(number_of_vertices) + " points; sample the surface more densely");
+                          std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
+                          std::to_string(number_of_vertices) + " points; sample the surface more densely");
     }
   }
 
