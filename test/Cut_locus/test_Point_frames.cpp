@@ -4,7 +4,7 @@
 // Tangent planes of a point complex: vectors in them and in space, and what is carried from one to the next.
 
 #include "Cut_locus/to_open_triangulation.h"
-#include "Point_cloud/Measured_cloud.h"
+#include "Point_cloud/to_point_complex.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Point_cloud/Point_complex.h>

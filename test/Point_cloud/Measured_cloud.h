@@ -7,6 +7,7 @@
 #define CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
 
 #include "Point_cloud/to_point_cloud.h"
+#include "Point_cloud/to_point_complex.h"
 #include "support/Shape.h"
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Cut_locus/Point_frames.h>
@@ -20,15 +21,10 @@
 #include <CSCD/Point_cloud/build_point_complex.h>
 #include <CSCD/internal/Vector_3.h>
 
+#include <utility>
 #include <vector>
 
 namespace CSCD::test {
-
-/// The complex of `points`, in the unit of the cube around them, which is centred.
-inline CSCD::internal::Point_complex to_point_complex(const std::vector<Triple>& points)
-{
-  return CSCD::internal::build_point_complex(to_point_cloud(points));
-}
 
 /// A complex, its derivatives and its distances.
 class Measured_cloud
@@ -37,10 +33,15 @@ public:
   using Index = CSCD::internal::Index;
   using Vector_3 = CSCD::internal::Vector_3;
 
-  /// \param input a shape or points
-  template <class Input>
-  explicit Measured_cloud(const Input& input)
-      : m_complex(to_point_complex(input)), m_frames(m_complex), m_cover(m_complex),
+  /// Has the triangles of `shape`.
+  explicit Measured_cloud(const Shape& shape) : Measured_cloud(to_point_complex(shape)) {}
+  /// Joins `points`, in normalized coordinates.
+  explicit Measured_cloud(const std::vector<Triple>& points)
+      : Measured_cloud(CSCD::internal::build_point_complex(to_point_cloud(points)))
+  {
+  }
+  explicit Measured_cloud(CSCD::internal::Point_complex&& complex)
+      : m_complex(std::move(complex)), m_frames(m_complex), m_cover(m_complex),
         m_heat(CSCD::internal::make_intrinsic_delaunay(m_cover)), m_derivatives(m_frames, m_heat.operators().elements)
   {
   }
