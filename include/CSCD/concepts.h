@@ -144,6 +144,8 @@ using levels = decltype(std::declval<const T&>().levels());
 template <class T>
 using surface = decltype(std::declval<const T&>().surface());
 template <class T>
+using address_of_surface = decltype(&std::declval<const T&>().surface());
+template <class T>
 using crossed_edge = decltype(std::declval<const surface<T>&>().edge(Index()));
 template <class T>
 using outgoing_halfedge = Element<decltype(std::declval<const surface<T>&>().outgoing(Index()))>;
@@ -405,8 +407,8 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// |---|---|
 /// | `t.surface()` | what separators lie on: a `const internal::Triangulated_surface&` or `internal::Point_complex&` |
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
-/// | `t.middle_behind(p)` | a `std::optional` point: the middle of the body behind where the surface is nearest to `p`
-/// | | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
+/// | `t.middle_behind(p)` | an optional point: the middle of the body behind where the surface is nearest to `p` |
+/// | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
 ///
 /// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`, `Point_cloud_traits`}
 /// \cgalArchetype{Solid_traits_archetype.h}
@@ -425,7 +427,7 @@ struct Solid_skeletonization_traits_requirements
 {
   static constexpr bool has_surface = internal::gives_v<std::size_t, internal::expressions::crossed_edge, T> &&
                                       internal::gives_v<std::size_t, internal::expressions::outgoing_halfedge, T> &&
-                                      std::is_lvalue_reference_v<internal::expressions::surface<T>>;
+                                      internal::is_valid_v<internal::expressions::address_of_surface, T>;
   static constexpr bool has_is_inside = internal::gives_v<bool, internal::expressions::is_inside, T>;
   static constexpr bool has_middle_behind =
       internal::gives_v<std::optional<internal::Vector_3>, internal::expressions::middle_behind, T>;
