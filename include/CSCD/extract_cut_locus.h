@@ -19,9 +19,7 @@
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/find_cut_tree.h>
 #include <CSCD/Cut_locus/find_loop_vertices.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
-#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/distances_from_vertices.h>
 #include <CSCD/Intrinsic/Edge_trace.h>
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
@@ -87,18 +85,7 @@ public:
   }
 
   /// Estimates the distances by the heat method.
-  void estimate_distances()
-  {
-    std::vector<Geodesic_source> sources;
-    for (Index source : m_sources) {
-      sources.push_back(Geodesic_source::at_vertex(source));
-    }
-    Heat_field field;
-    Heat_method::Workspace workspace;
-    const Heat_method method(m_triangulation);
-    method(sources, field, workspace);
-    m_distances = std::move(field.distances);
-  }
+  void estimate_distances() { m_distances = distances_from_vertices(m_triangulation, m_sources); }
 
   template <class VertexDistanceMap>
   void read_distances(const VertexDistanceMap& map)

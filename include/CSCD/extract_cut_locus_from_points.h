@@ -18,10 +18,8 @@
 #include <CSCD/Cut_locus/Pruning_policy.h>
 #include <CSCD/Cut_locus/filter_org_tree.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
-#include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
+#include <CSCD/Geodesic/distances_from_vertices.h>
 #include <CSCD/Intrinsic/Intrinsic_triangulation.h>
 #include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
@@ -91,18 +89,7 @@ public:
   }
 
   /// Estimates the distances by the heat method, on the intrinsic Delaunay triangulation of the tufted cover.
-  void estimate_distances()
-  {
-    std::vector<Geodesic_source> sources;
-    for (Index source : m_sources) {
-      sources.push_back(Geodesic_source::at_vertex(source));
-    }
-    Heat_field field;
-    Heat_method::Workspace workspace;
-    const Heat_method method(m_triangulation);
-    method(sources, field, workspace);
-    m_distances = std::move(field.distances);
-  }
+  void estimate_distances() { m_distances = distances_from_vertices(m_triangulation, m_sources); }
 
   template <class PointDistanceMap>
   void read_distances(const PointDistanceMap& map)
