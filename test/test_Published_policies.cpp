@@ -5,6 +5,7 @@
 
 #include "support/Allow_threads.h"
 #include "support/Inside_count.h"
+#include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
 #include "support/invariants.h"
 #include "support/name_of_shape.h"
@@ -39,7 +40,10 @@ using Policies = CSCD::Published_policies<Traits>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
 using CSCD::Skeletonization_report;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
+using CSCD::test::Similarity;
 
 constexpr std::size_t number_of_sources = 200;
 /// Enough for what must hold whatever is found.
@@ -165,6 +169,51 @@ INSTANTIATE_TEST_SUITE_P(Closed, Published_method_on_hard_shapes, testing::Value
                          CSCD::test::name_of_shape);
 INSTANTIATE_TEST_SUITE_P(Open, Published_method_on_hard_shapes, testing::ValuesIn(CSCD::test::open_shapes()),
                          CSCD::test::name_of_shape);
+
+class Published_invariance : public testing::TestWithParam<Shape_maker>
+{
+protected:
+  static Plain_skeleton skeletonized(const Shape& shape)
+  {
+    const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
+    Skeleton skeleton;
+    skeletonize(mesh, skeleton, 0, 1, Policies(), few_sources);
+    return CSCD::test::plain(mesh, skeleton);
+  }
+
+  /// Distances that may be due to rounding, relative to the diagonal of the bounding box.
+  static constexpr double relative_tolerance = 1e-6;
+
+  Shape m_shape = GetParam().make();
+};
+
+INSTANTIATE_TEST_SUITE_P(Asymmetric, Published_invariance, testing::ValuesIn(CSCD::test::asymmetric_shapes()),
+                         CSCD::test::name_of_shape);
+
+TEST_P(Published_invariance, under_moves_and_rotations)
+{
+  for (const Similarity& motion :
+       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {1, 2, 3}},
+        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}}) {
+    SCOPED_TRACE(motion.scale);
+    const Shape other = CSCD::test::moved(m_shape, motion, motion.scale);
+    const double tolerance = relative_tolerance * diagonal(other);
+    EXPECT_EQ(difference(moved(skeletonized(m_shape), motion), skeletonized(other), tolerance), "");
+  }
+}
+
+TEST_P(Published_invariance, under_scalings_by_powers_of_two_to_the_last_bit)
+{
+  const Similarity doubling{2, {0, 0, 1}, 0, {0, 0, 0}};
+  EXPECT_EQ(moved(skeletonized(m_shape), doubling), skeletonized(CSCD::test::scaled(m_shape, 2)));
+}
+
+TEST_P(Published_invariance, under_renumbering)
+{
+  const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(m_shape, 1);
+  const Plain_skeleton expected = renamed(skeletonized(m_shape), other.new_number);
+  EXPECT_EQ(difference(expected, skeletonized(other.shape), relative_tolerance * diagonal(m_shape)), "");
+}
 
 struct Stopping_visitor : CSCD::Default_skeletonization_visitor
 {

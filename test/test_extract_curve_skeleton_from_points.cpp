@@ -193,15 +193,8 @@ TEST(Point_skeleton, does_not_depend_on_the_pose)
        {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {0, 0, 0}},
         Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
     SCOPED_TRACE(motion.scale);
-    std::vector<Triple> moved_points;
-    for (const Triple& p : points) {
-      moved_points.push_back(motion(p));
-    }
-    Plain_skeleton expected = skeleton;
-    for (Triple& p : expected.points) {
-      p = motion(p);
-    }
-    EXPECT_EQ("", difference(expected, plain(skeletonize(moved_points).skeleton), 1e-5 * motion.scale));
+    const Plain_skeleton expected = moved(skeleton, motion);
+    EXPECT_EQ("", difference(expected, plain(skeletonize(moved(points, motion)).skeleton), 1e-5 * motion.scale));
   }
 }
 

@@ -55,21 +55,6 @@ Tree_points points_of(const std::vector<Triple>& triples)
   return result;
 }
 
-Plain_skeleton plain_tree(const Tree_graph& skeleton)
-{
-  Plain_skeleton result;
-  for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
-    result.points.push_back(CSCD::test::to_triple(skeleton[node].point));
-    result.sites.push_back(skeleton[node].vertices);
-    std::sort(result.sites.back().begin(), result.sites.back().end());
-  }
-  const auto range = boost::edges(skeleton);
-  for (auto e = range.first; e != range.second; ++e) {
-    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
-  }
-  return result;
-}
-
 struct Tree_outcome
 {
   Tree_graph skeleton;
@@ -244,22 +229,15 @@ std::vector<Triple> some_scan()
 TEST(Tree_skeleton, is_the_same_from_call_to_call_and_for_any_order)
 {
   const std::vector<Triple> points = some_scan();
-  const Plain_skeleton expected = plain_tree(tree_of(points).skeleton);
-  EXPECT_EQ(expected, plain_tree(tree_of(points).skeleton));
+  const Plain_skeleton expected = CSCD::test::plain(tree_of(points).skeleton);
+  EXPECT_EQ(expected, CSCD::test::plain(tree_of(points).skeleton));
   std::mt19937_64 random(1);
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
   std::vector<Triple> shuffled;
   for (std::size_t number : order) {
     shuffled.push_back(points[number]);
   }
-  Plain_skeleton skeleton = plain_tree(tree_of(shuffled).skeleton);
-  for (std::vector<std::size_t>& sites : skeleton.sites) {
-    for (std::size_t& site : sites) {
-      site = order[site];
-    }
-    std::sort(sites.begin(), sites.end());
-  }
-  EXPECT_EQ(expected, skeleton);
+  EXPECT_EQ(expected, renamed(CSCD::test::plain(tree_of(shuffled).skeleton), order));
 }
 
 TEST(Tree_skeleton, moves_with_the_scan)
@@ -270,19 +248,12 @@ TEST(Tree_skeleton, moves_with_the_scan)
        {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, {0, 0, 1}, 1, {0, 0, 0}},
         Similarity{1e-6, {0, 0, 1}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
     SCOPED_TRACE(motion.scale);
-    std::vector<Triple> moved_points;
-    for (const Triple& p : points) {
-      moved_points.push_back(motion(p));
-    }
-    Plain_skeleton expected = plain_tree(outcome.skeleton);
-    for (Triple& p : expected.points) {
-      p = motion(p);
-    }
-    const Tree_outcome moved = tree_of(moved_points);
-    EXPECT_EQ("", difference(expected, plain_tree(moved.skeleton), 1e-4 * motion.scale));
-    ASSERT_EQ(outcome.report.branches.size(), moved.report.branches.size());
+    const Plain_skeleton expected = moved(CSCD::test::plain(outcome.skeleton), motion);
+    const Tree_outcome other = tree_of(moved(points, motion));
+    EXPECT_EQ("", difference(expected, CSCD::test::plain(other.skeleton), 1e-4 * motion.scale));
+    ASSERT_EQ(outcome.report.branches.size(), other.report.branches.size());
     EXPECT_NEAR(motion.scale * outcome.report.branches.front().radius_at_base,
-                moved.report.branches.front().radius_at_base, 1e-4 * motion.scale);
+                other.report.branches.front().radius_at_base, 1e-4 * motion.scale);
   }
 }
 
@@ -343,7 +314,7 @@ TEST(Tree_skeleton, is_the_same_for_all_ranges)
   Tree_graph of_pairs;
   CSCD::extract_tree_skeleton(
       pairs, of_pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>()));
-  EXPECT_EQ(plain_tree(expected), plain_tree(of_pairs));
+  EXPECT_EQ(CSCD::test::plain(expected), CSCD::test::plain(of_pairs));
   CSCD::Skeleton_graph<Tree_point, CGAL::Point_set_3<Tree_point>::Index> of_point_set;
   CSCD::extract_tree_skeleton(point_set, of_point_set);
   ASSERT_EQ(num_vertices(expected), num_vertices(of_point_set));

@@ -7,6 +7,7 @@
 #define CSCD_TEST_POINT_CLOUD_TO_POINT_CLOUD_H
 
 #include "support/Shape.h"
+#include "support/point_skeletons.h"
 #include <CSCD/Point_cloud/collect_points.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,11 +20,7 @@ namespace CSCD::test {
 inline CSCD::internal::Point_cloud to_point_cloud(const std::vector<Triple>& triples)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
-  std::vector<Point> points;
-  for (const Triple& p : triples) {
-    points.emplace_back(p[0], p[1], p[2]);
-  }
-  return CSCD::internal::collect_points(points, CGAL::Identity_property_map<const Point>(),
+  return CSCD::internal::collect_points(to_points<Point>(triples), CGAL::Identity_property_map<const Point>(),
                                         CSCD::internal::No_normals());
 }
 

@@ -49,6 +49,41 @@ TEST(Solid_queries, knows_the_cube)
   }
 }
 
+TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
+{
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
+  const Solid_queries queries(surface);
+  const Vector_3 center(0.5, 0.5, 0.5);
+  for (int x = -1; x <= 1; ++x) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int z = -1; z <= 1; ++z) {
+        if (x == 0 && y == 0 && z == 0) {
+          continue;
+        }
+        // Faces are met in the interior of one of their triangles.
+        const Vector_3 shift(x == 0 ? 0.03 : 0, y == 0 ? 0.06 : 0, z == 0 ? 0.02 : 0);
+        const bool is_over_face = std::abs(x) + std::abs(y) + std::abs(z) == 1;
+        const Vector_3 aside = is_over_face ? shift : Vector_3(0, 0, 0);
+        for (const double distance : {1., 1e-3}) {
+          const Vector_3 point = center + aside + (0.5 + distance) * Vector_3(x, y, z);
+          const auto middle = queries.middle_behind(point);
+          ASSERT_TRUE(middle) << point.transpose();
+          EXPECT_LT((*middle - center - aside).norm(), 1e-12) << point.transpose();
+        }
+      }
+    }
+  }
+}
+
+TEST(Solid_queries, finds_the_middle_behind_points_of_the_surface)
+{
+  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
+  const Solid_queries queries(surface);
+  const auto middle = queries.middle_behind(Vector_3(0.53, 0.46, 1));
+  ASSERT_TRUE(middle);
+  EXPECT_LT((*middle - Vector_3(0.53, 0.46, 0.5)).norm(), 1e-12);
+}
+
 TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
 {
   // Points of a grid, from which any direction of small integer slope meets edges and vertices.

@@ -9,6 +9,7 @@
 #include "Shape.h"
 
 #include <cmath>
+#include <vector>
 
 namespace CSCD::test {
 
@@ -28,6 +29,14 @@ struct Similarity
     return scale * rotated + offset;
   }
 };
+
+inline std::vector<Triple> moved(std::vector<Triple> points, const Similarity& motion)
+{
+  for (Triple& p : points) {
+    p = motion(p);
+  }
+  return points;
+}
 
 } // namespace CSCD::test
 

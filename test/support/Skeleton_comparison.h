@@ -7,6 +7,7 @@
 #define CSCD_TEST_SUPPORT_SKELETON_COMPARISON_H
 
 #include "Shape.h"
+#include "Similarity.h"
 #include "convert_shape.h"
 
 #include <boost/graph/adjacency_list.hpp>
@@ -32,6 +33,18 @@ inline bool operator==(const Plain_skeleton& a, const Plain_skeleton& b)
   return a.points == b.points && a.sites == b.sites && a.edges == b.edges;
 }
 
+/// The edges of a skeleton in the order of the graph, the lower end first.
+template <class Skeleton>
+std::vector<std::pair<std::size_t, std::size_t>> plain_edges(const Skeleton& skeleton)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> result;
+  const auto range = boost::edges(skeleton);
+  for (auto e = range.first; e != range.second; ++e) {
+    result.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
+  }
+  return result;
+}
+
 /// `skeleton` with the vertices of `mesh` numbered in their order.
 template <class Mesh, class Skeleton>
 Plain_skeleton plain(const Mesh& mesh, const Skeleton& skeleton)
@@ -50,11 +63,26 @@ Plain_skeleton plain(const Mesh& mesh, const Skeleton& skeleton)
     }
     std::sort(result.sites.back().begin(), result.sites.back().end());
   }
-  const auto range = boost::edges(skeleton);
-  for (auto e = range.first; e != range.second; ++e) {
-    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
-  }
+  result.edges = plain_edges(skeleton);
   return result;
+}
+
+inline Plain_skeleton moved(Plain_skeleton skeleton, const Similarity& motion)
+{
+  skeleton.points = moved(std::move(skeleton.points), motion);
+  return skeleton;
+}
+
+/// `skeleton`, whose site `i` is named `names[i]` instead.
+inline Plain_skeleton renamed(Plain_skeleton skeleton, const std::vector<std::size_t>& names)
+{
+  for (std::vector<std::size_t>& sites : skeleton.sites) {
+    for (std::size_t& site : sites) {
+      site = names[site];
+    }
+    std::sort(sites.begin(), sites.end());
+  }
+  return skeleton;
 }
 
 /// Why `a` and `b` differ by more than the order of nodes and edges and `tolerance` in position; empty if they do not.

@@ -32,8 +32,8 @@ std::vector<Point> to_points(const std::vector<Triple>& triples)
   return result;
 }
 
-template <class Point>
-Plain_skeleton plain(const Skeleton_graph<Point, std::size_t>& skeleton)
+template <class Skeleton>
+Plain_skeleton plain(const Skeleton& skeleton)
 {
   Plain_skeleton result;
   for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
@@ -41,10 +41,7 @@ Plain_skeleton plain(const Skeleton_graph<Point, std::size_t>& skeleton)
     result.sites.push_back(skeleton[node].vertices);
     std::sort(result.sites.back().begin(), result.sites.back().end());
   }
-  const auto range = boost::edges(skeleton);
-  for (auto e = range.first; e != range.second; ++e) {
-    result.edges.emplace_back(std::minmax(source(*e, skeleton), target(*e, skeleton)));
-  }
+  result.edges = plain_edges(skeleton);
   return result;
 }
 
@@ -61,18 +58,6 @@ void expect_partition(const Skeleton_graph<Point, std::size_t>& skeleton, std::s
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     ASSERT_EQ(i, numbers[i]);
   }
-}
-
-/// `skeleton`, whose point `i` is named `names[i]` instead.
-inline Plain_skeleton renamed(Plain_skeleton skeleton, const std::vector<std::size_t>& names)
-{
-  for (std::vector<std::size_t>& sites : skeleton.sites) {
-    for (std::size_t& site : sites) {
-      site = names[site];
-    }
-    std::sort(sites.begin(), sites.end());
-  }
-  return skeleton;
 }
 
 /// The distance from each of `a` to the nearest of `b`, on average.

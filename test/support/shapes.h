@@ -81,6 +81,17 @@ inline std::vector<Shape_maker> hard_closed_shapes()
           {"subdivided_y_tube", [] { return midpoint_subdivided(y_tube(0.3), 1); }}};
 }
 
+/// Bodies without symmetry: in a symmetric one, rounding decides between equals.
+inline std::vector<Shape_maker> asymmetric_shapes()
+{
+  return {{"noisy_y_tube", [] { return noisy(y_tube(0.2), 0.05, 1); }},
+          {"noisy_double_torus", [] { return noisy(double_torus(0.2), 0.05, 2); }},
+          {"noisy_hand", [] { return noisy(hand(0.2), 0.05, 3); }},
+          {"noisy_chain", [] { return noisy(chain_of_rings(3, 12), 0.05, 4); }},
+          {"noisy_sphere", [] { return noisy(sphere(3), 0.05, 5); }},
+          {"noisy_capsule_with_holes", [] { return with_small_holes(noisy(capsule(8, 1, 24), 0.05, 6), 5, 7); }}};
+}
+
 /// Surfaces with borders.
 inline std::vector<Shape_maker> open_shapes()
 {

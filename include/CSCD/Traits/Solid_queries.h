@@ -97,12 +97,16 @@ public:
     return minimizer.hit;
   }
 
-  /// The middle of the body behind the point of the surface that is nearest to `point`; none where the body is too thin
-  /// to tell, or the surface cuts itself.
+  /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
+  /// `point` through there leaves the body again. None where the body is too thin to tell, or the surface cuts itself.
+  /// \pre `point` is not inside the body
   std::optional<Vector_3> middle_behind(const Vector_3& point) const
   {
     const Surface_point nearest = closest_point(point);
-    const Vector_3 inward = -m_surface.face_vector(nearest.face).normalized();
+    // On an edge or at a vertex no face stands for the surface; but very near to it, the line is lost to rounding.
+    const Vector_3 through = nearest.point - point;
+    const Vector_3 inward =
+        (through.norm() > m_offset ? through : Vector_3(-m_surface.face_vector(nearest.face))).normalized();
     const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
     if (!hit) {
       return std::nullopt;
