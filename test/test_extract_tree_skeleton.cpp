@@ -10,6 +10,7 @@
 #include "support/Tree_match.h"
 #include "support/found_branches.h"
 #include "support/invariants.h"
+#include "support/point_skeletons.h"
 #include "support/sampling.h"
 #include "support/shape_operations.h"
 #include <CSCD/IO/write_swc.h>
@@ -45,15 +46,6 @@ using CSCD::test::Tree_match;
 using CSCD::test::Triple;
 using CSCD::test::operator+;
 using CSCD::test::operator-;
-
-Tree_points points_of(const std::vector<Triple>& triples)
-{
-  Tree_points result;
-  for (const Triple& p : triples) {
-    result.emplace_back(p[0], p[1], p[2]);
-  }
-  return result;
-}
 
 struct Tree_outcome
 {
@@ -99,7 +91,7 @@ void expect_branches(const Tree_outcome& outcome)
 Tree_outcome tree_of(const std::vector<Triple>& triples)
 {
   Tree_outcome outcome;
-  outcome.report = CSCD::extract_tree_skeleton(points_of(triples), outcome.skeleton);
+  outcome.report = CSCD::extract_tree_skeleton(CSCD::test::to_points<Tree_point>(triples), outcome.skeleton);
   std::vector<std::size_t> numbers;
   for (std::size_t node = 0; node < num_vertices(outcome.skeleton); ++node) {
     numbers.insert(numbers.end(), outcome.skeleton[node].vertices.begin(), outcome.skeleton[node].vertices.end());
@@ -289,7 +281,7 @@ TEST(Tree_skeleton, counts_orders)
 TEST(Tree_skeleton, begins_at_the_given_root)
 {
   const Synthetic_tree tree({{{{0, 0, 0}, {0, 0, 5}}, {0.1, 0.1}, std::nullopt, 0}});
-  const Tree_points points = points_of(tree.scanned(3000, 1, 1));
+  const Tree_points points = CSCD::test::to_points<Tree_point>(tree.scanned(3000, 1, 1));
   Tree_graph skeleton;
   CSCD::extract_tree_skeleton(points, skeleton);
   EXPECT_LT(skeleton[0].point.z(), 0.2);
@@ -302,7 +294,7 @@ TEST(Tree_skeleton, begins_at_the_given_root)
 
 TEST(Tree_skeleton, is_the_same_for_all_ranges)
 {
-  const Tree_points points = points_of(some_scan());
+  const Tree_points points = CSCD::test::to_points<Tree_point>(some_scan());
   Tree_graph expected;
   CSCD::extract_tree_skeleton(points, expected);
   CGAL::Point_set_3<Tree_point> point_set;
