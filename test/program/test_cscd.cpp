@@ -212,10 +212,10 @@ std::string pole()
   for (int i = 0; i <= 300; ++i) {
     const double t = 0.02 * i;
     for (int side = -1; side <= 1; side += 2) {
-      add(0.1 * side, 0, t);
-      add(0, 0.1 * side, t);
+      add(0.05 * side, 0, t);
+      add(0, 0.05 * side, t);
       if (i >= 5 && i < 100) {
-        add(t, 0.06 * side, 3 + 0.4 * t);
+        add(t, 0.03 * side, 3 + 0.4 * t);
       }
     }
   }

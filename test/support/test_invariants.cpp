@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -51,6 +52,7 @@ protected:
     }
     m_report.number_of_sites = m_mesh.number_of_vertices();
     m_report.number_of_surface_components = 1;
+    m_report.genus = 0;
     m_report.number_of_nodes = nodes;
     m_report.number_of_edges = nodes - 1;
     m_report.number_of_skeleton_components = 1;
@@ -126,6 +128,8 @@ TEST_F(Invariants, notice_a_report_that_lies)
   m_report.number_of_tips = 3;
   m_report.number_of_isolated_vertices = 1;
   EXPECT_EQ(violations().size(), 2u);
+  m_report.genus = std::nullopt;
+  EXPECT_EQ(violations().size(), 3u);
 }
 
 TEST_F(Invariants, notice_nodes_outside)
