@@ -32,8 +32,8 @@ number_of_jobs()
 {
   local cores memory
   cores=$(nproc)
-  # A compiler takes up to 2 GB.
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 1024 / 1024 / 2) }' /proc/meminfo)
+  # A compiler takes up to 3 GB.
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1024 / 1024 / 3) }' /proc/meminfo)
   echo $((memory < 1 ? 1 : memory < cores ? memory : cores))
 }
 
