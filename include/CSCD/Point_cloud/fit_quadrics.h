@@ -28,6 +28,25 @@ struct Quadric_fit
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
+/// The principal axes of `neighbors` around their mean with that of least extent, the normal of their plane, first.
+/// \param unit what offsets are measured in
+template <class Neighbors>
+Eigen::Matrix3d principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
+                               double unit)
+{
+  const double size = double(neighbors.size()) + 1;
+  Vector_3 mean = Vector_3::Zero();
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Index neighbor : neighbors) {
+    const Vector_3 offset = (points[neighbor] - points[point]) / unit;
+    mean += offset / size;
+    moments += offset * offset.transpose() / size;
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments - mean * mean.transpose());
+  return solver.eigenvectors();
+}
+
 /// Fits the plane and the height field through `point` and `neighbors`.
 /// \param neighbors a range of indices of points, none of them `point`
 /// \param reach the distance of the farthest of them
@@ -36,32 +55,22 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
 {
   using Coefficients = Eigen::Matrix<double, 6, 1>;
   constexpr std::size_t number_of_coefficients = 6;
-  const std::size_t number_of_neighbors = neighbors.size();
-  const double size = double(number_of_neighbors) + 1;
   // Relative to the point and the reach, so that nothing is lost by cancellation.
   const double unit = reach;
-  Vector_3 mean = Vector_3::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (const Index neighbor : neighbors) {
-    const Vector_3 offset = (points[neighbor] - points[point]) / unit;
-    mean += offset / size;
-    moments += offset * offset.transpose() / size;
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> frame;
-  frame.computeDirect(moments - mean * mean.transpose());
+  const Eigen::Matrix3d axes = principal_axes(points, point, neighbors, unit);
   Quadric_fit result;
-  result.normal = frame.eigenvectors().col(0);
+  result.normal = axes.col(0);
   result.surface_normal = result.normal;
   result.projection = points[point];
-  if (number_of_neighbors < 2 * number_of_coefficients) {
+  if (neighbors.size() < 2 * number_of_coefficients) {
     return result;
   }
   Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
   Coefficients right_side = Coefficients::Zero();
   double squared_heights = 0;
   const auto add = [&](const Vector_3& offset) {
-    const double x = offset.dot(frame.eigenvectors().col(1));
-    const double y = offset.dot(frame.eigenvectors().col(2));
+    const double x = offset.dot(axes.col(1));
+    const double y = offset.dot(axes.col(2));
     const double height = offset.dot(result.normal);
     Coefficients row;
     row << 1, x, y, x * x, x * y, y * y;
@@ -78,8 +87,8 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   if (std::isfinite(squared_error) && std::abs(coefficients[0]) <= 1) {
     result.projection += unit * coefficients[0] * result.normal;
     result.surface_normal =
-        (result.normal - coefficients[1] * frame.eigenvectors().col(1) - coefficients[2] * frame.eigenvectors().col(2))
-            .normalized();
+        (result.normal - coefficients[1] * axes.col(1) - coefficients[2] * axes.col(2)).normalized();
+    const double size = double(neighbors.size()) + 1;
     result.deviation = unit * std::sqrt(std::max(0., squared_error) / (size - double(number_of_coefficients)));
   }
   return result;

@@ -94,46 +94,59 @@ inline void measure_fit(const std::vector<Eigen::Vector2d>& points, double toler
   circle.inlier_part = double(angles.size()) / double(points.size());
 }
 
+/// The standard deviation of the distances of `points` from `circle`, by their median, which outliers hardly move.
+inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle)
+{
+  constexpr double deviation_of_median = 1.4826; // a normal distribution's standard deviation, relative to its median
+  constexpr double least_deviation = 1e-6;       // relative to the radius: exact points have none
+  std::vector<double> deviations(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    deviations[i] = std::abs((points[i] - circle.center).norm() - circle.radius);
+  }
+  const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  return std::max(deviation_of_median * *middle, least_deviation * circle.radius);
+}
+
+/// The step of a Gauss-Newton iteration for `circle`, two coordinates and the radius, in which points that deviate by
+/// more count less and those beyond `cutoff` do not (Tukey's biweight).
+inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle,
+                                         double cutoff)
+{
+  constexpr double damping = 1e-3; // a short arc hardly tells the radius from the center
+  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d d = p - circle.center;
+    const double distance = d.norm();
+    const double relative = (distance - circle.radius) / cutoff;
+    if (std::abs(relative) >= 1 || distance == 0) {
+      continue;
+    }
+    const double weight = (1 - relative * relative) * (1 - relative * relative);
+    const Eigen::Vector3d row(d.x() / distance, d.y() / distance, 1);
+    normal_matrix += weight * row * row.transpose();
+    right_side += weight * (distance - circle.radius) * row;
+  }
+  normal_matrix.diagonal() *= 1 + damping;
+  return normal_matrix.ldlt().solve(right_side);
+}
+
 /// Fits a circle to `points`: algebraically first, then by least squares of the distances from it, in which points far
-/// from it, compared with the median, count less and less (Tukey's biweight). O(n log n).
+/// from it, compared with the median, count less and less. O(n log n).
 /// \return nothing if the points are at one place or on a line
 inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& points)
 {
   constexpr int rounds = 12;
-  constexpr double deviation_of_median = 1.4826; // a normal distribution's standard deviation, relative to its median
-  constexpr double cutoff = 4;                   // in standard deviations: weights vanish
-  constexpr double least_deviation = 1e-6;       // relative to the radius: exact points have none
-  std::vector<double> weights(points.size(), 1.);
-  std::optional<Circle_fit> circle = fit_circle_algebraically(points, weights);
+  constexpr double cutoff = 4; // in standard deviations: weights vanish
+  std::optional<Circle_fit> circle = fit_circle_algebraically(points, std::vector<double>(points.size(), 1.));
   if (!circle) {
     return std::nullopt;
   }
-  std::vector<double> deviations(points.size());
-  double scale = 0;
+  double deviation = 0;
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      deviations[i] = std::abs((points[i] - circle->center).norm() - circle->radius);
-    }
-    const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
-    std::nth_element(deviations.begin(), middle, deviations.end());
-    scale = std::max(deviation_of_median * *middle, least_deviation * circle->radius);
-    Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
-    for (const Eigen::Vector2d& p : points) {
-      const Eigen::Vector2d d = p - circle->center;
-      const double distance = d.norm();
-      const double relative = (distance - circle->radius) / (cutoff * scale);
-      if (std::abs(relative) >= 1 || distance == 0) {
-        continue;
-      }
-      const double weight = (1 - relative * relative) * (1 - relative * relative);
-      const Eigen::Vector3d row(d.x() / distance, d.y() / distance, 1);
-      normal_matrix += weight * row * row.transpose();
-      right_side += weight * (distance - circle->radius) * row;
-    }
-    // A little damping: a short arc hardly tells the radius from the center.
-    normal_matrix.diagonal() *= 1 + 1e-3;
-    const Eigen::Vector3d step = normal_matrix.ldlt().solve(right_side);
+    deviation = robust_deviation(points, *circle);
+    const Eigen::Vector3d step = gauss_newton_step(points, *circle, cutoff * deviation);
     if (!step.allFinite()) {
       break;
     }
@@ -143,7 +156,7 @@ inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& 
       return std::nullopt;
     }
   }
-  measure_fit(points, cutoff / 2 * scale, *circle);
+  measure_fit(points, cutoff / 2 * deviation, *circle);
   return circle;
 }
 
