@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Unpacks the real meshes of Debian's package libcgal-demo into the build folder.
-# Sets CSCD_CGAL_DATA_DIR to the folder of meshes; the folder is missing where the package is.
+# Unpacks the real meshes and points of Debian's package libcgal-demo into the build folder.
+# Sets CSCD_CGAL_DATA_DIR to the folder of meshes and CSCD_CGAL_POINTS_DIR to that of points; they are missing where the
+# package is.
 
 set(CSCD_CGAL_DATA_ARCHIVE
     "/usr/share/doc/libcgal-dev/data.tar.gz"
@@ -10,11 +11,12 @@ set(CSCD_CGAL_DATA_ARCHIVE
 mark_as_advanced(CSCD_CGAL_DATA_ARCHIVE)
 
 set(CSCD_CGAL_DATA_DIR "${PROJECT_BINARY_DIR}/cgal_data/data/meshes")
-if(EXISTS "${CSCD_CGAL_DATA_ARCHIVE}" AND NOT EXISTS "${CSCD_CGAL_DATA_DIR}")
+set(CSCD_CGAL_POINTS_DIR "${PROJECT_BINARY_DIR}/cgal_data/data/points_3")
+if(EXISTS "${CSCD_CGAL_DATA_ARCHIVE}" AND NOT (EXISTS "${CSCD_CGAL_DATA_DIR}" AND EXISTS "${CSCD_CGAL_POINTS_DIR}"))
   # Renamed at the end, so that an interrupted extraction is not taken for a complete one.
   file(REMOVE_RECURSE "${PROJECT_BINARY_DIR}/cgal_data" "${PROJECT_BINARY_DIR}/cgal_data_partial")
   file(ARCHIVE_EXTRACT INPUT "${CSCD_CGAL_DATA_ARCHIVE}" DESTINATION "${PROJECT_BINARY_DIR}/cgal_data_partial"
-       PATTERNS "data/meshes/*")
+       PATTERNS "data/meshes/*" "data/points_3/*")
   file(RENAME "${PROJECT_BINARY_DIR}/cgal_data_partial" "${PROJECT_BINARY_DIR}/cgal_data")
 endif()
 if(NOT EXISTS "${CSCD_CGAL_DATA_DIR}")

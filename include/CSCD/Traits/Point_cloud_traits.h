@@ -93,7 +93,9 @@ public:
 
   /// \name Sites
   /// @{
+  /// One for each place of points.
   Index number_of_sites() const { return m_complex.number_of_vertices(); }
+  /// Its place, in the normalized frame.
   const Vector_3& point(Index site) const { return m_complex.point(site); }
   /// The part of the area that the site stands for.
   double weight(Index site) const { return m_complex.vertex_area(site); }
@@ -113,6 +115,7 @@ public:
 
   /// \name Triangles
   /// @{
+  /// Those that join the points.
   Index number_of_triangles() const { return m_complex.number_of_faces(); }
   /// The three sites of a triangle, counterclockwise seen from outside.
   std::array<Index, 3> triangle(Index face) const { return m_complex.face_vertices(face); }
@@ -122,7 +125,9 @@ public:
 
   /// \name Coordinates of the input
   /// @{
+  /// A point of the normalized frame in the coordinates of the input.
   Point to_input_point(const Vector_3& point) const { return internal::to_input_point<Point>(m_normalization, point); }
+  /// A length of the normalized frame in the unit of the input.
   double to_input_length(double length) const { return length * m_normalization.unit; }
   /// @}
 

@@ -30,9 +30,9 @@ struct Tree_branch
   /// The vertices of the skeleton along the branch, base to tip; the first is that of the parent from which it grows,
   /// for a trunk the root.
   std::vector<std::size_t> nodes{};
-  double length = 0;         ///< along the nodes
-  double radius_at_base = 0; ///< at its first own node
-  double radius_at_tip = 0;
+  double length = 0;                  ///< along the nodes
+  double radius_at_base = 0;          ///< at its first own node
+  double radius_at_tip = 0;           ///< at its last node
   std::size_t number_of_sections = 0; ///< nodes of which points tell center and radius: all but the first and the last
   std::size_t number_of_circles = 0;  ///< of these, those where it is by a circle
 };
@@ -42,7 +42,7 @@ struct Tree_gap
 {
   std::array<double, 3> from{}; ///< a point
   std::array<double, 3> to{};   ///< and the nearest one beyond the gap
-  double length = 0;
+  double length = 0;            ///< the distance between the two
 };
 
 /// Counts, branches, gaps and warnings of the skeletonization of a scan of trees. Lengths are in the unit of the input.
@@ -55,13 +55,13 @@ struct Tree_report
   double spacing = 0;                ///< median over the points of the mean distance to the nearest six
   std::vector<Tree_branch> branches; ///< parents before children
   std::vector<Tree_gap> gaps;        ///< that were bridged, the shortest first
-  std::size_t number_of_nodes = 0;
-  std::size_t number_of_edges = 0;
-  std::size_t number_of_tips = 0; ///< one for each branch
+  std::size_t number_of_nodes = 0;   ///< of the skeleton
+  std::size_t number_of_edges = 0;   ///< of the skeleton
+  std::size_t number_of_tips = 0;    ///< one for each branch
   /// What told the sections of the branches, in the order of `Circle_outcome`.
   std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
-  double seconds = 0; ///< wall-clock time
-  std::vector<std::string> warnings;
+  double seconds = 0;                ///< wall-clock time
+  std::vector<std::string> warnings; ///< what the user should know, one sentence each
 };
 
 } // namespace CSCD
