@@ -11,7 +11,6 @@
 #include <CSCD/Point_cloud/Winding_number.h>
 #include <CSCD/internal/Vector_3.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -60,12 +59,12 @@ public:
   {
     distances.clear();
     const double length = (to - from).norm();
-    const double number_of_steps = std::ceil(length / m_step);
+    const auto number_of_steps = std::size_t(std::ceil(length / m_step));
     bool is_last_inside = is_inside(from);
-    for (double step = 1; step <= number_of_steps; ++step) {
-      const bool is_next_inside = is_inside(from + step / number_of_steps * (to - from));
+    for (std::size_t step = 1; step <= number_of_steps; ++step) {
+      const bool is_next_inside = is_inside(from + double(step) / double(number_of_steps) * (to - from));
       if (is_next_inside != is_last_inside) {
-        distances.push_back((step - 0.5) / number_of_steps * length);
+        distances.push_back((double(step) - 0.5) / double(number_of_steps) * length);
       }
       is_last_inside = is_next_inside;
     }

@@ -21,8 +21,8 @@ struct Vertex_neighbors
 {
   /// O(n) for bounded degrees.
   /// \param triangles a range of what `vertices_of` maps to three vertices
-  template <class Triangles, class Vertices_of>
-  Vertex_neighbors(std::size_t number_of_vertices, const Triangles& triangles, const Vertices_of& vertices_of)
+  template <class Triangles, class VerticesOf>
+  Vertex_neighbors(std::size_t number_of_vertices, const Triangles& triangles, const VerticesOf& vertices_of)
       : begin(number_of_vertices + 1, 0)
   {
     for (const auto& triangle : triangles) {

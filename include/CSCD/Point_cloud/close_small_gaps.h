@@ -114,6 +114,7 @@ private:
   void fill(const std::vector<Index>& loop)
   {
     std::vector<Index> polygon;
+    polygon.reserve(loop.size());
     for (const Index edge : loop) {
       polygon.push_back(m_border[edge].first);
     }

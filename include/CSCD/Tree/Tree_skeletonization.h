@@ -92,6 +92,7 @@ private:
   void measure_over(const std::vector<Point_gap>& gaps)
   {
     std::vector<Neighbor_graph::Edge> bridges;
+    bridges.reserve(gaps.size());
     for (const Point_gap& gap : gaps) {
       bridges.emplace_back(gap.a, gap.b);
     }
