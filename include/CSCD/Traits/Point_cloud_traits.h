@@ -93,6 +93,7 @@ public:
 
   /// \name Sites
   /// @{
+
   /// One for each place of points.
   Index number_of_sites() const { return m_complex.number_of_vertices(); }
   /// Its place, in the normalized frame.
@@ -115,6 +116,7 @@ public:
 
   /// \name Triangles
   /// @{
+
   /// Those that join the points.
   Index number_of_triangles() const { return m_complex.number_of_faces(); }
   /// The three sites of a triangle, counterclockwise seen from outside.
@@ -125,6 +127,7 @@ public:
 
   /// \name Coordinates of the input
   /// @{
+
   /// A point of the normalized frame in the coordinates of the input.
   Point to_input_point(const Vector_3& point) const { return internal::to_input_point<Point>(m_normalization, point); }
   /// A length of the normalized frame in the unit of the input.
