@@ -24,6 +24,7 @@ fi
 
 install_packages "${library_packages[@]}" chromium
 cmake -S "$source_dir" -B "$build_dir" -DCSCD_BUILD_EXAMPLES=ON >/dev/null
-cmake --build "$build_dir" --target cscd cut_locus_example
+cmake --build "$build_dir" --target cscd cut_locus_example point_cut_locus_example
 "$source_dir/doc/make_screenshots.sh" "$build_dir/bin/cscd" "$figures"
 "$source_dir/doc/make_cut_locus_pictures.sh" "$build_dir/bin/cut_locus_example" "$figures"
+"$source_dir/doc/make_point_cut_locus_pictures.sh" "$build_dir/bin/point_cut_locus_example" "$figures"

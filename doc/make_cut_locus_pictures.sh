@@ -3,9 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the pictures of doc/cut_locus.md in doc/fig: cut loci on meshes of CGAL's data, seen from both sides.
-# Usage: doc/make_cut_locus_pictures.sh PROGRAM [FOLDER]: the path of a built cut_locus_example, and where pictures go, by default
-# doc/fig. Needs three.js
-# when that is built, Chromium, and Debian's libcgal-demo.
+# Usage: doc/make_cut_locus_pictures.sh PROGRAM [FOLDER]: the path of a built cut_locus_example, and where pictures go,
+# by default doc/fig. Needs three.js when that is built, Chromium, and Debian's libcgal-demo.
 
 set -eu
 

@@ -2,19 +2,21 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes the pictures of clouds of doc/cut_locus.md in doc/fig: cut loci on the vertices of meshes of CGAL's data, without
-# their faces, seen from both sides: the source black, its cut locus red.
-# Usage: doc/make_point_cut_locus_pictures.sh PROGRAM, the path of a built point_cut_locus_example. Needs Chromium and
-# Debian's libcgal-demo.
+# Makes the pictures of clouds of doc/cut_locus.md: cut loci on the vertices of meshes of CGAL's data, without their
+# faces, seen from both sides: the source black, its cut locus red.
+# Usage: doc/make_point_cut_locus_pictures.sh PROGRAM [FOLDER]: the path of a built point_cut_locus_example, and where
+# pictures go, by default doc/fig. Needs Chromium and Debian's libcgal-demo.
 
 set -eu
 
-if [ $# -ne 1 ]; then
-  echo "usage: $0 PROGRAM (the path of a built point_cut_locus_example)" >&2
+if [ $# -lt 1 ] || [ $# -gt 2 ]; then
+  echo "usage: $0 PROGRAM [FOLDER] (the path of a built point_cut_locus_example; where pictures go)" >&2
   exit 1
 fi
 program=$(cd "$(dirname "$1")" && pwd)/$(basename "$1")
-figures=$(cd "$(dirname "$0")" && pwd)/fig
+figures=${2:-$(dirname "$0")/fig}
+mkdir -p "$figures"
+figures=$(cd "$figures" && pwd)
 archive=/usr/share/doc/libcgal-dev/data.tar.gz
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
