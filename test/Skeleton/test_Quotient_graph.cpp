@@ -131,34 +131,81 @@ TEST(Quotient_graph, goes_on_across_holes)
   }
 }
 
-/// On a sphere everything is planar: whatever the regions, the graph is a tree.
+/// Rings around a tube, several of which a hole breaks, stay a row.
+TEST(Quotient_graph, keeps_rings_in_a_row_across_holes)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(12, 1, 48, CSCD::test::Tube_end::flat));
+  const auto ring = [](const Vector_3& point) { return Index(std::floor(std::clamp(2 * point.x(), 0., 23.))); };
+  Meetings expected;
+  for (Index i = 0; i + 1 < 24; ++i) {
+    expected.push_back({i, i + 1});
+  }
+  EXPECT_EQ(meetings(surface, ring), expected);
+  for (const double radius : {0.2, 0.5, 0.9}) {
+    const std::vector<Vector_3> centers{{3.1, 1, 0}, {6, 0, 1}, {6.3, 0, -1}, {9.2, 0, 1}};
+    EXPECT_EQ(meetings(with_holes(surface, centers, radius), ring), expected) << radius;
+  }
+}
+
+/// Regions that meet around a hole, with others that only reach into it.
+TEST(Quotient_graph, joins_what_meets_around_a_hole)
+{
+  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(5));
+  const auto region = [](const Vector_3& point) {
+    const double angle = std::atan2(point.y(), point.x()) / CSCD::test::pi + 1; // 0 to 2
+    const double polar = std::atan2(std::hypot(point.x(), point.y()), point.z());
+    if (polar > 1) {
+      return Index(3);
+    }
+    const auto sector = Index(std::min(2., std::floor(1.5 * angle)));
+    const double within = 1.5 * angle - sector;
+    return sector == 1 && polar < 0.6 && within > 0.3 && within < 0.7 ? Index(4) : sector;
+  };
+  const Meetings expected{{0, 1, 2, 3}, {1, 4}};
+  EXPECT_EQ(meetings(with_holes(surface, {Vector_3::UnitZ()}, 0.3), region), expected);
+}
+
+/// Whether the graph of the parts of one color that are connected is a tree.
+template <class Surface>
+void expect_tree(const Surface& surface, const std::vector<unsigned>& color)
+{
+  CSCD::internal::Disjoint_sets regions(color.size());
+  std::size_t number_of_regions = 0;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    number_of_regions += surface.outgoing(vertex).empty() ? 0 : 1;
+  }
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    const Index a = surface.origin(h);
+    const Index b = surface.target(h);
+    number_of_regions -= color[a] == color[b] && regions.join(a, b) ? 1 : 0;
+  }
+  const Quotient_graph graph(surface, [&](Index vertex) { return regions.find(vertex); });
+  const Index number_of_meetings = Index(graph.meetings().size());
+  CSCD::internal::Disjoint_sets joined(color.size() + number_of_meetings);
+  for (Index i = 0; i < number_of_meetings; ++i) {
+    EXPECT_GE(graph.meetings()[i].size(), 2u);
+    for (Index region : graph.meetings()[i]) {
+      EXPECT_TRUE(joined.join(region, Index(color.size()) + i)) << "a cycle";
+      --number_of_regions;
+    }
+  }
+  EXPECT_EQ(number_of_regions + number_of_meetings, 1u) << "not connected";
+}
+
+/// On a sphere everything is planar: whatever the regions and the holes, the graph is a tree.
 TEST(Quotient_graph, of_any_regions_of_a_sphere_is_a_tree)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(4));
+  const Point_complex with_hole = with_holes(surface, {Vector_3::UnitX()}, 0.5);
+  const Point_complex with_many = with_holes(surface, {Vector_3::UnitX(), Vector_3::UnitY(), -Vector_3::UnitZ()}, 0.2);
   std::mt19937 random(1);
   for (unsigned number_of_colors : {2U, 3U, 7U}) {
     for (int trial = 0; trial < 20; ++trial) {
       std::vector<unsigned> color(surface.number_of_vertices());
       std::generate(color.begin(), color.end(), [&] { return unsigned(random()) % number_of_colors; });
-      // The parts of one color that are connected are the regions.
-      CSCD::internal::Disjoint_sets regions(color.size());
-      std::size_t number_of_regions = color.size();
-      for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-        const Index a = surface.origin(h);
-        const Index b = surface.target(h);
-        number_of_regions -= color[a] == color[b] && regions.join(a, b) ? 1 : 0;
-      }
-      const Quotient_graph graph(surface, [&](Index vertex) { return regions.find(vertex); });
-      const Index number_of_meetings = Index(graph.meetings().size());
-      CSCD::internal::Disjoint_sets joined(color.size() + number_of_meetings);
-      for (Index i = 0; i < number_of_meetings; ++i) {
-        EXPECT_GE(graph.meetings()[i].size(), 2u);
-        for (Index region : graph.meetings()[i]) {
-          EXPECT_TRUE(joined.join(region, Index(color.size()) + i)) << "a cycle";
-          --number_of_regions;
-        }
-      }
-      EXPECT_EQ(number_of_regions + number_of_meetings, 1u) << "not connected";
+      expect_tree(surface, color);
+      expect_tree(with_hole, color);
+      expect_tree(with_many, color);
     }
   }
 }

@@ -12,7 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <iterator>
+#include <tuple>
 #include <vector>
 
 namespace CSCD::internal {
@@ -23,9 +24,9 @@ namespace CSCD::internal {
 /// a region on either side, which an edge joins. Where curves meet, at faces that have corners in three regions, all
 /// regions around that part of the network meet, and a junction joins them in place of a clique of edges. A region
 /// counts for every one of its border cycles: three regions around a thin handle, which meet in three separate curves,
-/// stay a cycle. Where the surface has a hole, all that ends there goes on as if it was a point. If all regions, and
-/// the neighborhoods of all parts of the network, are planar, the first Betti number of the graph is the genus of the
-/// surface.
+/// stay a cycle. Curves that end at a hole of the surface go on across it, two and two where they are between the same
+/// regions. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number of
+/// the graph is the genus of the surface.
 class Quotient_graph
 {
 public:
@@ -66,9 +67,19 @@ private:
     }
   }
 
-  /// Joins what ends at the same hole, or at holes that touch.
+  /// An edge of a hole between two regions, where a curve of the network ends, seen from one of them.
+  struct Hole_end
+  {
+    Index hole; ///< a vertex that stands for it
+    Index from; ///< a region
+    Index to;   ///< the other one
+    Index halfedge;
+  };
+  using Hole_ends = std::vector<Hole_end>;
+
+  /// All ends, by hole and regions; holes that touch are one.
   template <class Surface, class Region, class Predicate>
-  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
+  static Hole_ends find_hole_ends(const Surface& surface, const Region& region, const Predicate& is_between)
   {
     std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
     for (Index face = 0; face < surface.number_of_faces(); ++face) {
@@ -77,25 +88,72 @@ private:
       }
     }
     Disjoint_sets holes(surface.number_of_vertices());
-    std::vector<Index> ends; // of curves of the network: the halfedges where they are
+    Hole_ends ends;
     for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
       if (number_of_faces[surface.edge(h)] == 1) {
         holes.join(surface.origin(h), surface.target(h));
         if (is_between(h)) {
-          ends.push_back(h);
+          ends.push_back({0, region(surface.origin(h)), region(surface.target(h)), h});
         }
       }
     }
-    const auto place = [&](Index h) {
-      return std::make_pair(holes.find(surface.origin(h)), region(surface.origin(h)));
-    };
-    std::stable_sort(ends.begin(), ends.end(), [&](Index a, Index b) { return place(a) < place(b); });
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-      if (place(ends[i - 1]).first == place(ends[i]).first) {
-        m_networks.join(surface.edge(ends[i - 1]), surface.edge(ends[i]));
+    for (Hole_end& end : ends) {
+      end.hole = holes.find(surface.origin(end.halfedge));
+    }
+    std::sort(ends.begin(), ends.end(), [](const Hole_end& a, const Hole_end& b) {
+      return std::tie(a.hole, a.from, a.to, a.halfedge) < std::tie(b.hole, b.from, b.to, b.halfedge);
+    });
+    return ends;
+  }
+
+  template <class Surface, class Region, class Predicate>
+  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
+  {
+    const Hole_ends ends = find_hole_ends(surface, region, is_between);
+    for (auto begin = ends.begin(); begin != ends.end();) {
+      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.hole != begin->hole; });
+      join_at_hole(surface, Hole_ends(begin, end));
+      begin = end;
+    }
+  }
+
+  /// Joins what ends at one hole. A region that has only one other beside it there is a finger of it into the hole, and
+  /// the curve between the two goes on around its tip; without it, its neighbor may be one. What cannot be taken away
+  /// like that meets in a point.
+  template <class Surface>
+  void join_at_hole(const Surface& surface, Hole_ends ends)
+  {
+    for (auto finger = find_finger(ends); finger != ends.end(); finger = find_finger(ends)) {
+      const Index tip = finger->from;
+      const auto rest = std::stable_partition(ends.begin(), ends.end(),
+                                              [tip](const Hole_end& end) { return end.from != tip && end.to != tip; });
+      join_ends(surface, Hole_ends(rest, ends.end()));
+      ends.erase(rest, ends.end());
+    }
+    join_ends(surface, ends);
+  }
+
+  /// The first end of a region all of whose ends lead to the same other one. \pre `ends` are sorted
+  static Hole_ends::iterator find_finger(Hole_ends& ends)
+  {
+    for (auto begin = ends.begin(); begin != ends.end();) {
+      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.from != begin->from; });
+      if (begin->to == std::prev(end)->to) {
+        return begin;
       }
-      if (place(ends[i - 1]) == place(ends[i])) {
-        m_cycles.join(ends[i - 1], ends[i]);
+      begin = end;
+    }
+    return ends.end();
+  }
+
+  /// Joins all of `ends`, and the border cycles of each region there. \pre they are sorted
+  template <class Surface>
+  void join_ends(const Surface& surface, const Hole_ends& ends)
+  {
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      m_networks.join(surface.edge(ends[i - 1].halfedge), surface.edge(ends[i].halfedge));
+      if (ends[i - 1].from == ends[i].from) {
+        m_cycles.join(ends[i - 1].halfedge, ends[i].halfedge);
       }
     }
   }
