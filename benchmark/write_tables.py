@@ -138,6 +138,8 @@ def growing_cloud_table(medians):
     for name, run in medians.items():
         if name.startswith("growing/"):
             rows.append([count(run["points"]), f"{seconds(run):.2f}", count(run["megabytes"])])
+    if not rows:
+        return None
     return markdown(["points", "CPU s", "MB"], rows)
 
 
@@ -152,7 +154,6 @@ TABLES_OF_PROGRAM = {
     },
     "benchmark_stages": {"circumstances_of_stages": None, "stages": stage_table},
     "benchmark_points": {
-        "circumstances_of_clouds": None,
         "samplings": lambda medians: sampling_table(medians, "cloud"),
         "clouds": lambda medians: cloud_table(medians, "cloud"),
         "published_samplings": lambda medians: sampling_table(medians, "published"),
@@ -162,6 +163,12 @@ TABLES_OF_PROGRAM = {
     "benchmark_geodesics": {"circumstances_of_geodesics": None, **geodesics_tables.TABLES},
     "benchmark_published": published_tables.TABLES,
     "benchmark_trees": {"circumstances_of_trees": None, **tree_tables.TABLES},
+}
+
+# By program, what is told when, where and how runs of one kind were measured, for programs whose kinds are run apart.
+CIRCUMSTANCES_OF_KINDS = {
+    "benchmark_points": {"circumstances_of_clouds": "cloud", "circumstances_of_published_clouds": "published"},
+    "benchmark_published": published_tables.CIRCUMSTANCES,
 }
 
 
@@ -177,10 +184,10 @@ def main():
             text = table(medians) if table else told
             if text is not None:
                 tables[name] = text
+        for name, kind in CIRCUMSTANCES_OF_KINDS.get(program, {}).items():
+            if runs_of(medians, kind):
+                tables[name] = told
         if program == "benchmark_published":
-            for name, kind in published_tables.CIRCUMSTANCES.items():
-                if published_tables.runs_of(medians, kind):
-                    tables[name] = told
             published_tables.plot(medians, folder / "doc" / "fig")
     for path in [*sorted((folder / "doc").glob("*.md")), folder / "README.md"]:
         if replace_between_markers(path, tables):
