@@ -76,8 +76,8 @@ private:
   static constexpr double jitter = 1e-6;
 
   /// The squared radius of a triangle's circumcircle, relative to that of the neighborhood: in a circle that is much
-  /// larger there may be points that nobody looked at, and an empty one is a hole. Neither half nor twice as much makes a
-  /// difference: of 104 clouds, the skeletons of 71, 70 and 69 have the right topology with 1, 2 and 4.
+  /// larger there may be points that nobody looked at, and an empty one is a hole. Neither half nor twice as much makes
+  /// a difference: of 104 clouds, the skeletons of 71, 70 and 69 have the right topology with 1, 2 and 4.
   static constexpr double largest_circle = 2;
   /// The sine of the angle between an edge and the tangent plane of an end: an edge that is steeper at both ends leads
   /// to another sheet.
