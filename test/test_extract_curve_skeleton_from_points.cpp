@@ -206,11 +206,8 @@ TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
   const std::vector<Triple> points = some_points();
   std::mt19937_64 random(1);
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
-  std::vector<Triple> shuffled;
-  for (std::size_t number : order) {
-    shuffled.push_back(points[number]);
-  }
-  EXPECT_EQ(plain(skeletonize(points).skeleton), renamed(plain(skeletonize(shuffled).skeleton), order));
+  EXPECT_EQ(plain(skeletonize(points).skeleton),
+            renamed(plain(skeletonize(CSCD::test::permuted(points, order)).skeleton), order));
 }
 
 /// On a grid, all triangles have the same size: what is taken first must not hang on addresses.

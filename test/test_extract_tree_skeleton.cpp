@@ -225,11 +225,7 @@ TEST(Tree_skeleton, is_the_same_from_call_to_call_and_for_any_order)
   EXPECT_EQ(expected, CSCD::test::plain(tree_of(points).skeleton));
   std::mt19937_64 random(1);
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
-  std::vector<Triple> shuffled;
-  for (std::size_t number : order) {
-    shuffled.push_back(points[number]);
-  }
-  EXPECT_EQ(expected, renamed(CSCD::test::plain(tree_of(shuffled).skeleton), order));
+  EXPECT_EQ(expected, renamed(CSCD::test::plain(tree_of(CSCD::test::permuted(points, order)).skeleton), order));
 }
 
 TEST(Tree_skeleton, moves_with_the_scan)

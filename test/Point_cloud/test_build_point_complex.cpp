@@ -206,12 +206,8 @@ TEST_P(Complex_of_shape, does_not_depend_on_order_and_pose)
 
   std::mt19937_64 random(1);
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
-  std::vector<Triple> reordered(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    reordered[i] = points[order[i]];
-  }
   std::set<std::array<std::size_t, 3>> renumbered;
-  for (std::array<std::size_t, 3> triangle : triangles_of_input(reordered)) {
+  for (std::array<std::size_t, 3> triangle : triangles_of_input(CSCD::test::permuted(points, order))) {
     for (std::size_t& vertex : triangle) {
       vertex = order[vertex];
     }

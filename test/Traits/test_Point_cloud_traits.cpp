@@ -231,12 +231,9 @@ TEST(Point_cloud_skeleton, does_not_depend_on_the_order_of_the_points)
   const std::vector<Triple> points = some_points();
   std::mt19937_64 random(1);
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
-  std::vector<Triple> shuffled;
-  for (std::size_t number : order) {
-    shuffled.push_back(points[number]);
-  }
   EXPECT_EQ(CSCD::test::plain(skeletonize(points, few_sources).skeleton),
-            CSCD::test::renamed(CSCD::test::plain(skeletonize(shuffled, few_sources).skeleton), order));
+            CSCD::test::renamed(
+                CSCD::test::plain(skeletonize(CSCD::test::permuted(points, order), few_sources).skeleton), order));
 }
 
 TEST(Point_cloud_skeleton, does_not_depend_on_the_number_of_threads)

@@ -31,6 +31,17 @@ inline std::vector<std::size_t> random_permutation(std::size_t n, std::mt19937_6
   return order;
 }
 
+/// `points` in another order: number `order[i]` comes as number i.
+inline std::vector<Triple> permuted(const std::vector<Triple>& points, const std::vector<std::size_t>& order)
+{
+  std::vector<Triple> result;
+  result.reserve(order.size());
+  for (const std::size_t number : order) {
+    result.push_back(points[number]);
+  }
+  return result;
+}
+
 /// A number in [-1, 1) drawn from `random`; the same on every platform.
 inline double random_signed_unit(std::mt19937_64& random)
 {
