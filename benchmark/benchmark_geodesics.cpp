@@ -103,12 +103,12 @@ void count_errors(benchmark::State& state, const Prepared& input)
   double number = 0;
   double relative_number = 0;
   double largest = 0;
-  double greatest_distance = 0;
+  double max_distance = 0;
   for (std::size_t i = 0; i < input.exact.size(); ++i) {
     for (const Vertex vertex : input.mesh.vertices()) {
       const double exact = input.exact[i][vertex];
       const double error = std::fabs(input.maps[i][vertex] - exact);
-      greatest_distance = std::max(greatest_distance, exact);
+      max_distance = std::max(max_distance, exact);
       largest = std::max(largest, error);
       sum += error;
       number += 1;
@@ -119,9 +119,9 @@ void count_errors(benchmark::State& state, const Prepared& input)
     }
   }
   state.counters["vertices"] = double(input.mesh.number_of_vertices());
-  state.counters["diameter"] = greatest_distance / input.edge_length;
+  state.counters["diameter"] = max_distance / input.edge_length;
   state.counters["mean_error"] = sum / number / input.edge_length;
-  state.counters["largest_error"] = largest / input.edge_length;
+  state.counters["max_error"] = largest / input.edge_length;
   state.counters["percent_error"] = 100 * relative_sum / relative_number;
 }
 

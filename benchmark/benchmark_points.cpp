@@ -17,7 +17,7 @@
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/Point_cloud_traits.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/extract_curve_skeleton.h>
 #include <CSCD/extract_curve_skeleton_from_points.h>
 
@@ -119,7 +119,7 @@ void skeletonize_by_default(const Points& points, CSCD::Skeleton_graph<Point, st
 void skeletonize_as_published(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
 {
   constexpr std::size_t number_of_sources = 1000;
-  using Traits = CSCD::Point_cloud_traits<Points>;
+  using Traits = CSCD::Point_set_traits<Points>;
   const Traits traits(points);
   CSCD::Curve_skeletonization<Traits, CSCD::Published_policies<Traits>> skeletonization(traits);
   skeletonization.set_maximum_number_of_sources(number_of_sources)(skeleton);

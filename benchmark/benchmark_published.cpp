@@ -18,8 +18,8 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 

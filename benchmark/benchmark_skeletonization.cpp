@@ -38,7 +38,7 @@ using Skeleton = CSCD::Skeleton_graph<Mesh::Point, Mesh::Vertex_index>;
 using Mcf_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
 
 /// MCF takes seconds beyond this number of vertices.
-constexpr std::size_t largest_for_mcf = 50000;
+constexpr std::size_t max_for_mcf = 50000;
 
 /// A file and how often its mesh is subdivided after Loop.
 struct Source
@@ -87,7 +87,7 @@ void run(benchmark::State& state, const Source& source, const Extract& extract)
   state.counters["nodes"] = double(facts.number_of_nodes);
   state.counters["tips"] = double(facts.number_of_tips);
   state.counters["betti_number"] = double(facts.betti_number);
-  if (num_vertices(mesh) <= largest_for_mcf) {
+  if (num_vertices(mesh) <= max_for_mcf) {
     state.counters["genus"] = double(CSCD::test::surface_facts(mesh).genus);
     state.counters["percent_inside"] = 100 * CSCD::test::count_inside(mesh, skeleton).fraction_of_length_inside();
   }
@@ -130,7 +130,7 @@ void add_real_meshes()
     const Source source{path, 0};
     add("mesh/" + mesh + "/CSCD", sequential, source);
     add("mesh/" + mesh + "/CSCD_2_threads", on_two_threads, source)->UseRealTime();
-    if (num_vertices(mesh_of(source)) <= largest_for_mcf) {
+    if (num_vertices(mesh_of(source)) <= max_for_mcf) {
       add("mesh/" + mesh + "/MCF", mean_curvature_flow, source);
     }
   }
@@ -139,8 +139,8 @@ void add_real_meshes()
 /// One shape from 2775 vertices to 2.8 million.
 void add_growing_mesh()
 {
-  constexpr int most_subdivisions = 5;
-  for (int subdivisions = 0; subdivisions <= most_subdivisions; ++subdivisions) {
+  constexpr int max_subdivisions = 5;
+  for (int subdivisions = 0; subdivisions <= max_subdivisions; ++subdivisions) {
     const Source source{CSCD::benchmark::cgal_mesh("elephant"), subdivisions};
     const std::string name = "growing/elephant_" + std::to_string(subdivisions);
     add(name + "/CSCD", sequential, source);

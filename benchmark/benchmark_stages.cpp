@@ -7,10 +7,10 @@
 #include "convert_shape.h"
 #include "support/generated_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -75,9 +75,9 @@ void coarsen(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
     state.PauseTiming();
-    CSCD::internal::Triangulated_surface surface = input.traits.levels().finest().surface;
+    CSCD::Triangulated_surface surface = input.traits.levels().finest().surface;
     state.ResumeTiming();
-    const CSCD::internal::Surface_levels levels(std::move(surface));
+    const CSCD::Surface_levels levels(std::move(surface));
     benchmark::DoNotOptimize(levels.size());
   }
 }

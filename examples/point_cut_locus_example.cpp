@@ -5,7 +5,7 @@
 // ways. No surface is made of the points. Writes the curves as point_cut_locus.polylines.txt.
 // Usage: point_cut_locus_example [point file [number of the point]]
 
-#include <CSCD/Cut_locus/Point_cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_graph.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_polylines.h>

@@ -46,7 +46,7 @@ struct Short_and_round_weight
 class Impatient_visitor : public CSCD::Default_skeletonization_visitor
 {
 public:
-  explicit Impatient_visitor(double most_seconds) : m_most_seconds(most_seconds) {}
+  explicit Impatient_visitor(double max_seconds) : m_max_seconds(max_seconds) {}
 
   void on_stage_begin(CSCD::Skeletonization_stage stage) { std::cout << name(stage) << " ... " << std::flush; }
   void on_stage_end(CSCD::Skeletonization_stage) { std::cout << "done\n"; }
@@ -60,11 +60,11 @@ public:
   bool go_further()
   {
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - m_start;
-    return elapsed.count() < m_most_seconds;
+    return elapsed.count() < m_max_seconds;
   }
 
 private:
-  double m_most_seconds;
+  double m_max_seconds;
   double m_told = 0;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
@@ -104,14 +104,14 @@ void print(const CSCD::Skeletonization_report& report)
 int main(int argc, char** argv)
 try {
   const std::string filename = argc > 1 ? argv[1] : CGAL::data_file_path("meshes/camel.off");
-  const double most_seconds = argc > 2 ? std::stod(argv[2]) : 60;
+  const double max_seconds = argc > 2 ? std::stod(argv[2]) : 60;
 
   Mesh mesh;
   CSCD::read_triangle_mesh(filename, mesh);
   //! [Step by step]
   const Traits traits(mesh);
 
-  Skeletonization skeletonization(traits, Policies(), Impatient_visitor(most_seconds));
+  Skeletonization skeletonization(traits, Policies(), Impatient_visitor(max_seconds));
   skeletonization.set_random_seed(7);
   skeletonization.find_separators();
   skeletonization.pack_separators();

@@ -12,8 +12,8 @@
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -52,13 +52,13 @@ constexpr std::size_t few_sources = 32;
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Skeletonization_report skeletonize(const Mesh& mesh, Skeleton& skeleton, unsigned seed = 0,
                                    unsigned number_of_threads = 1, const Policies& policies = Policies(),
-                                   std::size_t most_sources = number_of_sources)
+                                   std::size_t max_sources = number_of_sources)
 {
   const Traits traits(mesh);
   Skeletonization skeletonization(traits, policies);
   skeletonization.set_random_seed(seed)
       .set_number_of_threads(number_of_threads)
-      .set_maximum_number_of_sources(most_sources);
+      .set_maximum_number_of_sources(max_sources);
   return skeletonization.operator()<ConcurrencyTag>(skeleton);
 }
 

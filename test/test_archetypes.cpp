@@ -6,7 +6,7 @@
 #include "archetypes/Multiresolution_traits_archetype.h"
 #include "archetypes/Point_archetype.h"
 #include "archetypes/Policies_archetype.h"
-#include "archetypes/Separator_weight_archetype.h"
+#include "archetypes/Separator_cost_archetype.h"
 #include "archetypes/Skeleton_archetype.h"
 #include "archetypes/Skeletonization_traits_archetype.h"
 #include "archetypes/Solid_traits_archetype.h"
@@ -21,9 +21,8 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/Skeleton/center_junctions.h>
-#include <CSCD/Skeleton/make_simple.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -40,7 +39,7 @@ namespace {
 
 using CSCD::test::Multiresolution_traits_archetype;
 using CSCD::test::Point_archetype;
-using CSCD::test::Separator_weight_archetype;
+using CSCD::test::Separator_cost_archetype;
 using CSCD::test::Skeletonization_traits_archetype;
 using CSCD::test::Solid_traits_archetype;
 using CSCD::test::Triangle_mesh_archetype;
@@ -80,7 +79,7 @@ TEST(Archetypes, are_models)
   EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Multiresolution_traits_archetype>);
   EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_archetype, Skeletonization_traits_archetype>));
   EXPECT_TRUE((CSCD::is_separator_finder_v<Finder_archetype, Skeletonization_traits_archetype>));
-  EXPECT_TRUE(CSCD::is_separator_weight_v<Separator_weight_archetype>);
+  EXPECT_TRUE(CSCD::is_separator_cost_v<Separator_cost_archetype>);
   EXPECT_TRUE(CSCD::is_curve_skeleton_graph_v<Skeleton_archetype>);
   EXPECT_TRUE(CSCD::is_skeletonization_visitor_v<Visitor_archetype>);
   EXPECT_FALSE(CSCD::has_radius_v<Skeleton_archetype>);
@@ -103,7 +102,7 @@ TEST(Archetypes, of_all_that_the_free_function_takes)
       CSCD::extract_curve_skeleton(mesh, skeleton,
                                    CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh))
                                        .visitor(std::ref(visitor))
-                                       .separator_weight(Separator_weight_archetype(number_of_weights)));
+                                       .separator_cost(Separator_cost_archetype(number_of_weights)));
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(num_vertices(skeleton), report.number_of_nodes);
   EXPECT_EQ(num_edges(skeleton), report.number_of_edges);
@@ -159,12 +158,12 @@ TEST(Archetypes, of_bodies_for_the_placement_of_nodes)
   std::vector<CSCD::Separator> separators;
   Separator_packing packing(traits.solid_surface(), separators, {});
   EXPECT_GE(cut_handles(traits, separators, packing), 1u);
-  Skeleton_draft draft =
+  Skeleton_builder builder =
       Node_placement<Solid_traits_archetype>(traits, separators, packing.packed(), packing.cut_graph())();
-  make_simple(draft);
-  center_junctions(traits, draft);
-  Branch_refinement<Solid_traits_archetype>(traits, draft)();
-  Inside_repair<Solid_traits_archetype> repair(traits, draft);
+  make_simple(builder);
+  center_junctions(traits, builder);
+  Branch_refinement<Solid_traits_archetype>(traits, builder)();
+  Inside_repair<Solid_traits_archetype> repair(traits, builder);
   repair();
   EXPECT_EQ(repair.number_of_nodes_outside(), 0u);
   EXPECT_EQ(repair.number_of_edges_outside(), 0u);

@@ -4,14 +4,14 @@
 // Which types are models of the concepts, and which are not; what is refused, and how, is seen in compile_errors.
 
 #include <CSCD/Local_policies.h>
-#include <CSCD/Selection/Length_and_planarity_weight.h>
+#include <CSCD/Selection/Separator_cost.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/concepts.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>
@@ -39,7 +39,7 @@ using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 struct Two_sites
 {
   using Point = std::array<double, 3>;
-  using Site_descriptor = std::size_t;
+  using Input_descriptor = std::size_t;
 
   std::size_t number_of_sites() const { return 2; }
   Eigen::Vector3d point(std::size_t i) const { return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(i)); }
@@ -53,7 +53,7 @@ struct Two_sites
   double to_input_length(double length) const { return length; }
   int genus() const { return 0; }
   int number_of_components() const { return 1; }
-  int number_of_input_sites() const { return 2; }
+  int number_of_input_vertices() const { return 2; }
   int number_of_isolated_vertices() const { return 0; }
   int number_of_bridged_borders() const { return 0; }
   int number_of_inserted_vertices() const { return 0; }
@@ -79,7 +79,7 @@ struct Two_sites_with_named_neighbors : Two_sites
 
 struct Two_sites_of_another_kind : Two_sites
 {
-  using Site_descriptor = std::string;
+  using Input_descriptor = std::string;
 };
 
 struct Two_sites_with_one_warning : Two_sites
@@ -116,7 +116,7 @@ TEST(Concepts, Skeletonization_traits_one_requirement_missing)
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_named_neighbors>::has_neighbors);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_descriptors);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_with_one_warning>::has_warnings);
-  EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_site_descriptor);
+  EXPECT_TRUE(CSCD::Skeletonization_traits_requirements<Two_sites_of_another_kind>::has_input_descriptor);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_genus>::has_genus);
   EXPECT_FALSE(CSCD::Skeletonization_traits_requirements<Two_sites_without_a_count>::has_counts_of_input);
   EXPECT_FALSE(CSCD::is_skeletonization_traits_v<Two_sites_without_triangles>);
@@ -125,12 +125,12 @@ TEST(Concepts, Skeletonization_traits_one_requirement_missing)
 
 struct Levels_by_value
 {
-  CSCD::internal::Surface_levels levels() const;
+  CSCD::Surface_levels levels() const;
 };
 
 struct Body
 {
-  const CSCD::internal::Triangulated_surface& surface() const;
+  const CSCD::Triangulated_surface& surface() const;
   bool is_inside(const Eigen::Vector3d& p) const;
   std::optional<Eigen::Vector3d> middle_behind(const Eigen::Vector3d& p) const;
   void crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::vector<double>& distances) const;
@@ -143,7 +143,7 @@ struct Body_that_returns_crossings : Body
 
 struct Body_with_a_surface_by_value : Body
 {
-  CSCD::internal::Triangulated_surface surface() const;
+  CSCD::Triangulated_surface surface() const;
 };
 
 struct Body_without_edges : Body
@@ -168,8 +168,8 @@ struct Triangulated_body : Body
     unsigned face;
   };
 
-  const CSCD::internal::Surface_levels& levels() const;
-  const CSCD::internal::Triangulated_surface& solid_surface() const;
+  const CSCD::Surface_levels& levels() const;
+  const CSCD::Triangulated_surface& solid_surface() const;
   Place closest_point(const Eigen::Vector3d& p) const;
   const Hit* first_hit(const Eigen::Vector3d& p, const Eigen::Vector3d& direction) const;
 };
@@ -226,11 +226,11 @@ struct Weight_in_words
 
 TEST(Concepts, Separator_weight)
 {
-  EXPECT_TRUE(CSCD::is_separator_weight_v<CSCD::Length_and_planarity_weight>);
-  EXPECT_TRUE(CSCD::is_separator_weight_v<float (*)(CSCD::Separator)>);
-  EXPECT_FALSE(CSCD::is_separator_weight_v<Weight_in_words>);
-  EXPECT_FALSE(CSCD::is_separator_weight_v<double>);
-  CSCD::check_separator_weight<CSCD::Length_and_planarity_weight>();
+  EXPECT_TRUE(CSCD::is_separator_cost_v<CSCD::Length_and_planarity_cost>);
+  EXPECT_TRUE(CSCD::is_separator_cost_v<float (*)(CSCD::Separator)>);
+  EXPECT_FALSE(CSCD::is_separator_cost_v<Weight_in_words>);
+  EXPECT_FALSE(CSCD::is_separator_cost_v<double>);
+  CSCD::check_separator_cost<CSCD::Length_and_planarity_cost>();
 }
 
 struct Finder_that_answers_by_value

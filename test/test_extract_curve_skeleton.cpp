@@ -88,9 +88,9 @@ TEST_P(Known_skeleton, follows_the_known_centreline)
   // All in units of the local radius. The axis of a limb ends where its cap begins; a skeleton may go on into the cap
   // or stop short of it by about a radius.
   EXPECT_LT(error.mean_of_nodes, 0.1);
-  EXPECT_LT(error.largest_of_nodes, 1);
-  EXPECT_LT(error.largest_gap, 1.5);
-  EXPECT_LT(error.largest_of_radii, 0.5);
+  EXPECT_LT(error.max_of_nodes, 1);
+  EXPECT_LT(error.max_gap, 1.5);
+  EXPECT_LT(error.max_of_radii, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Known_skeleton, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),

@@ -8,8 +8,7 @@
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_graph.h>
-#include <CSCD/Cut_locus/Growing_policy.h>
-#include <CSCD/Cut_locus/Pruning_policy.h>
+#include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus.h>
 

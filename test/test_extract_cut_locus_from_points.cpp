@@ -7,8 +7,8 @@
 #include "support/convert_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Growing_policy.h>
-#include <CSCD/Cut_locus/Point_cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_tree.h>
+#include <CSCD/Cut_locus/Cut_locus_graph.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 

@@ -121,10 +121,10 @@ Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
 }
 
 /// The least that holds of a scan; the rest is what is typical of a good one.
-void expect_match(const Tree_match& match, double least_found)
+void expect_match(const Tree_match& match, double min_found)
 {
   const auto limbs = double(match.number_of_limbs);
-  EXPECT_GE(double(match.found), least_found * limbs);
+  EXPECT_GE(double(match.found), min_found * limbs);
   EXPECT_LE(double(match.superfluous), 0.2 * limbs);
   EXPECT_GE(double(match.right_parents), 0.8 * double(match.found));
   EXPECT_GE(double(match.right_orders), 0.8 * double(match.found));

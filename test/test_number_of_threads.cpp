@@ -62,9 +62,9 @@ TEST_P(Number_of_threads, changes_nothing)
   EXPECT_EQ(expected, skeletonize<CGAL::Sequential_tag>(mesh, 1)) << "from run to run";
   EXPECT_EQ(expected, skeletonize<CGAL::Parallel_if_available_tag>(mesh, 0));
 #ifdef CGAL_LINKED_WITH_TBB
-  const unsigned most_threads = 4;
-  const CSCD::test::Allow_threads allow(most_threads);
-  for (unsigned number_of_threads = 1; number_of_threads <= most_threads; ++number_of_threads) {
+  const unsigned max_threads = 4;
+  const CSCD::test::Allow_threads allow(max_threads);
+  for (unsigned number_of_threads = 1; number_of_threads <= max_threads; ++number_of_threads) {
     SCOPED_TRACE(number_of_threads);
     EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(mesh, number_of_threads));
   }

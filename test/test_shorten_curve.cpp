@@ -6,7 +6,7 @@
 #include "Traits/message_of.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Shortening_outcome.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/shorten_curve.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -10,7 +10,7 @@
 #include "read_skeleton_argument.h"
 #include "types.h"
 #include "write_measures.h"
-#include <CSCD/Measure/Skeleton_comparison.h>
+#include <CSCD/Measure/Compared_skeleton.h>
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Named_parameters.h>
 

@@ -9,14 +9,14 @@
 #include "convert_skeleton.h"
 #include "published_policies.h"
 #include "run_skeletonization.h"
-#include <CSCD/Traits/Point_cloud_traits.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
 
 namespace cscd {
 
 Skeletonization_result compute_point_cloud_skeleton(Input& input, const Skeletonize_options& options,
                                                     Progress_visitor& visitor)
 {
-  using Traits = CSCD::Point_cloud_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
+  using Traits = CSCD::Point_set_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
   const Numbered_points points(input.points, input.normals);
   const auto traits = points.make_traits<Traits>();
   Numbered_points::Skeleton skeleton;

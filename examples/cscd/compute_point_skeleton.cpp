@@ -10,7 +10,7 @@
 #include "convert_skeleton.h"
 #include "run_skeletonization.h"
 #include <CSCD/Local_policies.h>
-#include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/exceptions.h>
 
 #include <string>
@@ -20,7 +20,7 @@ namespace cscd {
 
 namespace {
 
-using Traits = CSCD::Point_set_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
+using Traits = CSCD::Reconstructed_surface_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
 
 Skeletonization_result compute_surface_skeleton(const Traits& traits, const Skeletonize_options& options,
                                                 Progress_visitor& visitor)

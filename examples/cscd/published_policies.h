@@ -8,8 +8,8 @@
 
 #include "Skeletonize_options.h"
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
 
 namespace cscd {
 

@@ -40,7 +40,7 @@ Json to_json(const CSCD::Skeleton_counts& c)
           {"number_of_isolated_nodes", c.number_of_isolated_nodes},
           {"length", c.length},
           {"mean_turning", c.mean_turning},
-          {"largest_turning", c.largest_turning}};
+          {"largest_turning", c.max_turning}};
 }
 
 Json to_json(const CSCD::Position_measures& p)
@@ -50,7 +50,7 @@ Json to_json(const CSCD::Position_measures& p)
           {"number_of_borders", p.number_of_borders},
           {"fraction_of_nodes_inside", p.fraction_of_nodes_inside},
           {"fraction_of_length_inside", p.fraction_of_length_inside},
-          {"largest_distance_outside", p.largest_distance_outside},
+          {"largest_distance_outside", p.max_distance_outside},
           {"deviation_at_nodes", p.deviation_at_nodes},
           {"deviation_by_length", p.deviation_by_length},
           {"offset_at_nodes", p.offset_at_nodes},
@@ -180,7 +180,7 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
     out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
     write_position(out, p);
   }
-  out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.largest_turning)
+  out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
       << " rad at a node\n"
       << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"
       << "                         mean      rms      max  reverse      max\n";

@@ -8,7 +8,7 @@
 
 #include "Compare_options.h"
 #include "Evaluate_options.h"
-#include <CSCD/Measure/Skeleton_comparison.h>
+#include <CSCD/Measure/Compared_skeleton.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 
 #include <ostream>

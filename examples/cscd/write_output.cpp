@@ -8,12 +8,12 @@
 #include "Skeletonize_options.h"
 #include "Usage_error.h"
 #include "three_js_source.h"
-#include <CSCD/IO/Html_page_cloud.h>
+#include <CSCD/IO/internal/Html_page_data.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
-#include <CSCD/Reconstruction/Reconstruction_report.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
 

@@ -7,7 +7,6 @@
 
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Tree/Circle_outcome.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/version.h>
 

@@ -9,16 +9,14 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_draft.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -56,9 +54,9 @@ public:
   /// The points of the input.
   using Point = typename Traits::Point;
   /// What identifies a site of the input: a vertex of a mesh, or the index of a point.
-  using Site_descriptor = typename Traits::Site_descriptor;
+  using Input_descriptor = typename Traits::Input_descriptor;
   /// The skeleton type that holds everything the pipeline computes.
-  using Skeleton = Skeleton_graph<Point, Site_descriptor>;
+  using Skeleton = Skeleton_graph<Point, Input_descriptor>;
   /// @}
 
   /// Prepares to skeletonize the surface of `traits`, which is referred to and must outlive this object.
@@ -69,7 +67,7 @@ public:
     check_solid_skeletonization_traits<Traits>();
     check_skeletonization_policies<Policies, Traits>();
     check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
-    m_report.number_of_sites = traits.number_of_input_sites();
+    m_report.number_of_sites = traits.number_of_input_vertices();
     m_report.number_of_isolated_vertices = traits.number_of_isolated_vertices();
     m_report.number_of_surface_components = traits.number_of_components();
     m_report.number_of_bridged_borders = traits.number_of_bridged_borders();
@@ -194,7 +192,7 @@ public:
   const std::vector<Separator>& separators() const { return m_separators; }
   /// The packed separators, as positions in `separators()`.
   /// \pre `pack_separators()` has been called
-  const std::vector<internal::Index>& packed_separators() const
+  const std::vector<Index>& packed_separators() const
   {
     CGAL_precondition(m_packing.has_value());
     return m_packing->packed();
@@ -202,11 +200,11 @@ public:
   /// The closed curve of `separator` in the coordinates of the input; the first point does not stand again at the end.
   std::vector<Point> polyline(const Separator& separator) const
   {
-    std::vector<internal::Vector_3> points;
+    std::vector<Vector_3> points;
     internal::curve_points(m_traits.surface(), separator, points);
     std::vector<Point> result;
     result.reserve(points.size());
-    for (const internal::Vector_3& point : points) {
+    for (const Vector_3& point : points) {
       result.push_back(m_traits.to_input_point(point));
     }
     return result;
@@ -214,7 +212,6 @@ public:
   /// @}
 
 private:
-  using Index = internal::Index;
 
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)
@@ -254,48 +251,48 @@ private:
   template <class OutputSkeleton>
   OutputSkeleton make_graph(const Embedded_skeleton& skeleton)
   {
-    const internal::Skeleton_draft& draft = skeleton.draft;
+    const Skeleton_builder& builder = skeleton.graph;
     OutputSkeleton result;
     std::vector<decltype(add_vertex(result))> vertex;
-    vertex.reserve(draft.size());
-    for (Index node = 0; node < draft.size(); ++node) {
+    vertex.reserve(builder.size());
+    for (Index node = 0; node < builder.size(); ++node) {
       vertex.push_back(add_vertex(result));
       auto& bundle = result[vertex[node]];
-      bundle.point = m_traits.to_input_point(draft[node].position);
+      bundle.point = m_traits.to_input_point(builder[node].position);
       if constexpr (has_radius_v<OutputSkeleton>) {
         bundle.radius = m_traits.to_input_length(skeleton.radius[node]);
       }
     }
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
       for (const auto& descriptor : m_traits.descriptors(site)) {
-        result[vertex[skeleton.node_of_site[site]]].vertices.push_back(descriptor);
+        result[vertex[skeleton.node_of_vertex[site]]].vertices.push_back(descriptor);
       }
     }
-    draft.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
-    count(draft);
+    builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
+    count(builder);
     return result;
   }
 
-  void count(const internal::Skeleton_draft& draft)
+  void count(const Skeleton_builder& builder)
   {
-    internal::Disjoint_sets components(draft.size());
-    m_report.number_of_nodes = draft.size();
+    internal::Disjoint_sets components(builder.size());
+    m_report.number_of_nodes = builder.size();
     m_report.number_of_edges = 0;
-    draft.for_each_edge([&](Index a, Index b) {
+    builder.for_each_edge([&](Index a, Index b) {
       ++m_report.number_of_edges;
       components.join(a, b);
     });
     m_report.number_of_skeleton_components = 0;
-    for (Index node = 0; node < draft.size(); ++node) {
+    for (Index node = 0; node < builder.size(); ++node) {
       m_report.number_of_skeleton_components += components.find(node) == node ? 1 : 0;
     }
     m_report.betti_number =
         m_report.number_of_edges + m_report.number_of_skeleton_components - m_report.number_of_nodes;
     m_report.number_of_tips = 0;
     m_report.number_of_junctions = 0;
-    for (Index node = 0; node < draft.size(); ++node) {
-      m_report.number_of_tips += draft.degree(node) == 1 ? 1 : 0;
-      m_report.number_of_junctions += draft.is_junction(node) ? 1 : 0;
+    for (Index node = 0; node < builder.size(); ++node) {
+      m_report.number_of_tips += builder.degree(node) == 1 ? 1 : 0;
+      m_report.number_of_junctions += builder.is_junction(node) ? 1 : 0;
     }
     warn_of_skeleton();
   }

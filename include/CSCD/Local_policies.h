@@ -7,14 +7,13 @@
 #define CSCD_LOCAL_POLICIES_H
 
 #include <CSCD/Selection/Covering_search.h>
-#include <CSCD/Selection/Length_and_planarity_weight.h>
 #include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Selection/Separator_cost.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Selection/cut_handles.h>
-#include <CSCD/Selection/weigh.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/concepts.h>
@@ -27,9 +26,9 @@ namespace CSCD {
 /// The local policies: a separator is sought on the surface around its source alone, sources cover the surface, and
 /// the surface is cut along the packed separators. The default model of `SkeletonizationPolicies`.
 /// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-/// \tparam SeparatorWeight a model of `SeparatorWeight`
+/// \tparam SeparatorCost a model of `SeparatorCost`
 /// \tparam SeparatorFinder a model of `SeparatorFinder` that can be made of a `Traits` object
-template <class Traits, class SeparatorWeight = Length_and_planarity_weight,
+template <class Traits, class SeparatorCost = Length_and_planarity_cost,
           class SeparatorFinder = Local_separator_finder<Traits>>
 class Local_policies
 {
@@ -38,12 +37,12 @@ public:
   using Packing = internal::Separator_packing;
 
   /// Prepares with the default weight of separators.
-  Local_policies() : Local_policies(SeparatorWeight()) {}
+  Local_policies() : Local_policies(SeparatorCost()) {}
   /// \param weight of two separators that overlap, the one of lesser weight is packed
-  explicit Local_policies(SeparatorWeight weight) : m_weight(std::move(weight))
+  explicit Local_policies(SeparatorCost weight) : m_weight(std::move(weight))
   {
     check_triangulated_solid_skeletonization_traits<Traits>();
-    check_separator_weight<SeparatorWeight>();
+    check_separator_cost<SeparatorCost>();
     check_separator_finder<SeparatorFinder, Traits>();
   }
 
@@ -60,7 +59,7 @@ public:
   Packing pack_separators(const Traits& traits, std::vector<Separator>& separators,
                           Skeletonization_report& report) const
   {
-    Packing packing(traits.levels().finest().surface, separators, internal::weigh(separators, m_weight));
+    Packing packing(traits.levels().finest().surface, separators, internal::separator_costs(separators, m_weight));
     report.number_of_handle_cuts = internal::cut_handles(traits, separators, packing);
     return packing;
   }
@@ -73,7 +72,7 @@ public:
   }
 
 private:
-  SeparatorWeight m_weight;
+  SeparatorCost m_weight;
 };
 
 } // namespace CSCD

@@ -9,12 +9,11 @@
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Field_search_space.h>
-#include <CSCD/Separator/Point_field_search_space.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/concepts.h>

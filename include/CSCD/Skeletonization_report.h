@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a skeletonization tells about itself.
+// What a skeletonization reports.
 
 #ifndef CSCD_SKELETONIZATION_REPORT_H
 #define CSCD_SKELETONIZATION_REPORT_H
 
-#include <CSCD/Reconstruction/Reconstruction_report.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
 #include <CSCD/Skeletonization_visitor.h>
 
 #include <array>
@@ -17,6 +15,46 @@
 #include <vector>
 
 namespace CSCD {
+
+/// What became of a source or of one of its cut points.
+enum class Cut_loop_outcome
+{
+  found,                ///< a closed curve
+  no_cut_point,         ///< the source has no cut point outside of its neighborhood
+  distance_below_chord, ///< the distance is less than that in space, which only an estimate can be
+  one_direction,        ///< all fronts arrive from one side
+  not_connected,        ///< no way leads to the source
+  meets_at_once,        ///< the ways to the source join at the target or next to it: nothing is enclosed
+  long_stem,            ///< the ways to the source join far from it: the curve is not that of this source
+  narrow                ///< the ways to the source stay close together: they go around a bump
+};
+
+/// Number of values of `Cut_loop_outcome`.
+inline constexpr std::size_t number_of_cut_loop_outcomes = std::size_t(Cut_loop_outcome::narrow) + 1;
+
+/// A place where the reconstructed surface was cut or joined, in the coordinates of the input.
+struct Reconstruction_repair
+{
+  std::array<double, 3> center{}; ///< of the loop that was cut, or of the gap that was bridged
+  double length = 0;              ///< of the loop that was cut, or the width of the gap
+};
+
+/// Counts and measures of the reconstruction of a surface from points. Lengths are in the unit of the input.
+struct Reconstruction_report
+{
+  std::size_t number_of_points = 0;        ///< points of the input
+  std::size_t number_of_duplicates = 0;    ///< points that are at the place of another one
+  std::size_t number_of_neighbors = 0;     ///< the k of the neighborhoods
+  double spacing = 0;                      ///< median over the points of the mean distance to the nearest six
+  double noise = 0;                        ///< deviation of the points from planes, relative to the spacing
+  bool is_smoothed = false;                ///< whether the points were moved to the planes
+  std::size_t number_of_outliers = 0;      ///< points far from all others: left out of the surface
+  std::size_t number_of_unused_points = 0; ///< points that are no vertices: they belong to the node of the nearest
+  std::size_t number_of_border_edges = 0;  ///< edges at holes of the surface
+  std::size_t number_of_holes = 0;         ///< holes that were closed
+  std::vector<Reconstruction_repair> cut_handles; ///< handles that are too small to be believed
+  std::vector<Reconstruction_repair> joined_gaps; ///< gaps between the fragments of one body
+};
 
 /// Counts, timings and warnings of one skeletonization.
 struct Skeletonization_report

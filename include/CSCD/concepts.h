@@ -9,12 +9,12 @@
 
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/tags.h>
 
@@ -98,7 +98,7 @@ namespace expressions {
 template <class T>
 using Point = typename T::Point;
 template <class T>
-using Site_descriptor = typename T::Site_descriptor;
+using Input_descriptor = typename T::Input_descriptor;
 template <class T>
 using number_of_sites = decltype(std::declval<const T&>().number_of_sites());
 template <class T>
@@ -120,7 +120,7 @@ using to_input_point = decltype(std::declval<const T&>().to_input_point(Vector_3
 template <class T>
 using to_input_length = decltype(std::declval<const T&>().to_input_length(1.));
 template <class T>
-using number_of_input_sites = decltype(std::declval<const T&>().number_of_input_sites());
+using number_of_input_vertices = decltype(std::declval<const T&>().number_of_input_vertices());
 template <class T>
 using number_of_isolated_vertices = decltype(std::declval<const T&>().number_of_isolated_vertices());
 template <class T>
@@ -171,7 +171,7 @@ template <class T>
 using hit_face = decltype(std::declval<const first_hit<T>&>()->face);
 
 template <class W>
-using weight_of_separator = decltype(std::declval<const W&>()(std::declval<const Separator&>()));
+using cost_of_separator = decltype(std::declval<const W&>()(std::declval<const Separator&>()));
 
 template <class F>
 using search = decltype(std::declval<F&>()(Index(), Index(), std::declval<Search_result&>()));
@@ -227,7 +227,7 @@ using edges = decltype(edges(std::declval<const G&>()));
 template <class G>
 using point_of_node = decltype(std::declval<G&>()[std::declval<add_vertex<G>>()].point);
 template <class G>
-using sites_of_node = Element<decltype(std::declval<G&>()[std::declval<add_vertex<G>>()].vertices)>;
+using vertices_of_node = Element<decltype(std::declval<G&>()[std::declval<add_vertex<G>>()].vertices)>;
 
 template <class T>
 using on_stage_begin = decltype(std::declval<T&>().on_stage_begin(Skeletonization_stage()));
@@ -248,7 +248,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 ///
 /// | expression | value |
 /// |---|---|
-/// | `T::Point`, `T::Site_descriptor` | the types of the points of the input, and of what identifies a site there |
+/// | `T::Point`, `T::Input_descriptor` | the types of the points of the input, and of what identifies a site there |
 /// | `t.number_of_sites()` | the number of sites, inserted ones included |
 /// | `t.point(i)`, `t.normal(i)` | the position of site `i`, and the outward unit normal there |
 /// | `t.weight(i)` | the area that site `i` stands for |
@@ -258,7 +258,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 /// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length in the coordinates of the input |
 /// | `t.genus()` | the number of handles, over all components; an empty `std::optional` if it is not known |
 /// | `t.number_of_components()` | the number of connected components of the surface |
-/// | `t.number_of_input_sites()` | the number of sites of the input |
+/// | `t.number_of_input_vertices()` | the number of sites of the input |
 /// | `t.number_of_isolated_vertices()` | the number of vertices of the input that are no sites |
 /// | `t.number_of_bridged_borders()` | the number of borders that were closed |
 /// | `t.number_of_inserted_vertices()` | the number of sites that are not of the input |
@@ -268,7 +268,7 @@ using go_further = decltype(std::declval<T&>().go_further());
 ///
 /// If there is `t.reconstruction_report()`, a `Reconstruction_report`, the report of the skeletonization holds it.
 ///
-/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`}
 /// \cgalArchetype{Skeletonization_traits_archetype.h}
 /// \cgalConcept
 class SkeletonizationTraits
@@ -284,17 +284,17 @@ template <class T>
 struct Skeletonization_traits_requirements
 {
   static constexpr bool has_point_type = internal::is_valid_v<internal::expressions::Point, T>;
-  static constexpr bool has_site_descriptor = internal::is_valid_v<internal::expressions::Site_descriptor, T>;
+  static constexpr bool has_input_descriptor = internal::is_valid_v<internal::expressions::Input_descriptor, T>;
   static constexpr bool has_number_of_sites = internal::gives_v<std::size_t, internal::expressions::number_of_sites, T>;
-  static constexpr bool has_point = internal::gives_v<internal::Vector_3, internal::expressions::point, T>;
+  static constexpr bool has_point = internal::gives_v<Vector_3, internal::expressions::point, T>;
   static constexpr bool has_weight = internal::gives_v<double, internal::expressions::weight, T>;
-  static constexpr bool has_normal = internal::gives_v<internal::Vector_3, internal::expressions::normal, T>;
+  static constexpr bool has_normal = internal::gives_v<Vector_3, internal::expressions::normal, T>;
   static constexpr bool has_neighbors = internal::gives_v<std::size_t, internal::expressions::neighbor, T>;
   static constexpr bool has_number_of_triangles =
       internal::gives_v<std::size_t, internal::expressions::number_of_triangles, T>;
   static constexpr bool has_triangle = internal::gives_v<std::size_t, internal::expressions::corner, T>;
   static constexpr bool has_descriptors =
-      internal::gives_own_type<internal::expressions::Site_descriptor, internal::expressions::descriptor, T>();
+      internal::gives_own_type<internal::expressions::Input_descriptor, internal::expressions::descriptor, T>();
   static constexpr bool has_to_input_point =
       internal::gives_own_type<internal::expressions::Point, internal::expressions::to_input_point, T>();
   static constexpr bool has_to_input_length = internal::gives_v<double, internal::expressions::to_input_length, T>;
@@ -302,14 +302,14 @@ struct Skeletonization_traits_requirements
   static constexpr bool has_number_of_components =
       internal::gives_v<std::size_t, internal::expressions::number_of_components, T>;
   static constexpr bool has_counts_of_input =
-      internal::gives_v<std::size_t, internal::expressions::number_of_input_sites, T> &&
+      internal::gives_v<std::size_t, internal::expressions::number_of_input_vertices, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_isolated_vertices, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_bridged_borders, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_inserted_vertices, T> &&
       internal::gives_v<std::size_t, internal::expressions::number_of_degenerate_faces, T> &&
       internal::gives_v<double, internal::expressions::seconds_to_compile, T>;
   static constexpr bool has_warnings = internal::gives_v<std::vector<std::string>, internal::expressions::warnings, T>;
-  static constexpr bool value = has_point_type && has_site_descriptor && has_number_of_sites && has_point &&
+  static constexpr bool value = has_point_type && has_input_descriptor && has_number_of_sites && has_point &&
                                 has_weight && has_normal && has_neighbors && has_number_of_triangles && has_triangle &&
                                 has_descriptors && has_warnings && has_to_input_point && has_to_input_length &&
                                 has_genus && has_number_of_components && has_counts_of_input;
@@ -327,8 +327,8 @@ constexpr void check_skeletonization_traits()
   static_assert(Requirements::has_point_type,
                 "CSCD: SkeletonizationTraits requires the type T::Point, the points of the input");
   static_assert(
-      Requirements::has_site_descriptor,
-      "CSCD: SkeletonizationTraits requires the type T::Site_descriptor, which identifies a site of the input");
+      Requirements::has_input_descriptor,
+      "CSCD: SkeletonizationTraits requires the type T::Input_descriptor, which identifies a site of the input");
   static_assert(Requirements::has_number_of_sites,
                 "CSCD: SkeletonizationTraits requires t.number_of_sites() const, an integer");
   static_assert(Requirements::has_point,
@@ -344,7 +344,7 @@ constexpr void check_skeletonization_traits()
   static_assert(Requirements::has_triangle,
                 "CSCD: SkeletonizationTraits requires t.triangle(f) const, an array of three indices");
   static_assert(Requirements::has_descriptors,
-                "CSCD: SkeletonizationTraits requires t.descriptors(i) const, a range of T::Site_descriptor");
+                "CSCD: SkeletonizationTraits requires t.descriptors(i) const, a range of T::Input_descriptor");
   static_assert(Requirements::has_warnings,
                 "CSCD: SkeletonizationTraits requires t.warnings() const, convertible to std::vector<std::string>");
   static_assert(
@@ -358,7 +358,7 @@ constexpr void check_skeletonization_traits()
                 "CSCD: SkeletonizationTraits requires t.number_of_components() const, an integer");
   static_assert(Requirements::has_counts_of_input,
                 "CSCD: SkeletonizationTraits requires what the report tells of the input: the counts "
-                "number_of_input_sites, _isolated_vertices, _bridged_borders, _inserted_vertices, _degenerate_faces, "
+                "number_of_input_vertices, _isolated_vertices, _bridged_borders, _inserted_vertices, _degenerate_faces, "
                 "and seconds_to_compile()");
 }
 
@@ -370,9 +370,9 @@ constexpr void check_skeletonization_traits()
 ///
 /// | expression | value |
 /// |---|---|
-/// | `t.levels()` | a `const internal::Surface_levels&`; the sites are the vertices of the finest level |
+/// | `t.levels()` | a `const Surface_levels&`; the sites are the vertices of the finest level |
 ///
-/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`}
 /// \cgalArchetype{Multiresolution_traits_archetype.h}
 /// \cgalConcept
 class MultiresolutionSkeletonizationTraits
@@ -386,7 +386,7 @@ class MultiresolutionSkeletonizationTraits
 /// Whether `T` is a model of `MultiresolutionSkeletonizationTraits`.
 template <class T>
 inline constexpr bool is_multiresolution_skeletonization_traits_v =
-    internal::refers_to_v<internal::Surface_levels, internal::expressions::levels, T>;
+    internal::refers_to_v<Surface_levels, internal::expressions::levels, T>;
 
 /// refuses at compile time a type that is no model of `MultiresolutionSkeletonizationTraits`.
 template <class T>
@@ -400,17 +400,17 @@ constexpr void check_multiresolution_skeletonization_traits()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// A surface that bounds a body: what the steps ask for that weigh separators and keep nodes inside. All functions are
+/// A surface that bounds a body: what the steps ask for that separator_costs separators and keep nodes inside. All functions are
 /// const, and may be called by several threads at once; references hold as long as the object lives.
 ///
 /// | expression | value |
 /// |---|---|
-/// | `t.surface()` | what separators lie on: a `const internal::Triangulated_surface&` or `internal::Point_complex&` |
+/// | `t.surface()` | what separators lie on: a `const Triangulated_surface&` or `Point_complex&` |
 /// | `t.is_inside(p)` | whether the body holds the point `p` |
 /// | `t.middle_behind(p)` | an optional point: the middle of the body behind where the surface is nearest to `p` |
 /// | `t.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets it |
 ///
-/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`, `Point_cloud_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`}
 /// \cgalArchetype{Solid_traits_archetype.h}
 /// \cgalConcept
 class SolidSkeletonizationTraits
@@ -430,7 +430,7 @@ struct Solid_skeletonization_traits_requirements
                                       internal::is_valid_v<internal::expressions::address_of_surface, T>;
   static constexpr bool has_is_inside = internal::gives_v<bool, internal::expressions::is_inside, T>;
   static constexpr bool has_middle_behind =
-      internal::gives_v<std::optional<internal::Vector_3>, internal::expressions::middle_behind, T>;
+      internal::gives_v<std::optional<Vector_3>, internal::expressions::middle_behind, T>;
   static constexpr bool has_crossings = internal::is_valid_v<internal::expressions::crossings, T>;
   static constexpr bool value = has_surface && has_is_inside && has_middle_behind && has_crossings;
 };
@@ -463,12 +463,12 @@ constexpr void check_solid_skeletonization_traits()
 ///
 /// | expression | value |
 /// |---|---|
-/// | `t.solid_surface()` | a `const internal::Triangulated_surface&`: the surface that the queries refer to |
+/// | `t.solid_surface()` | a `const Triangulated_surface&`: the surface that the queries refer to |
 /// | `t.closest_point(p)` | the `point` of the surface that is nearest to `p` |
 /// | `t.first_hit(p, d)` | pointer-like: `point` and `face` where the ray from `p` along `d` first meets it, or null |
 ///
 /// \cgalRefines{`MultiresolutionSkeletonizationTraits`, `SolidSkeletonizationTraits`}
-/// \cgalHasModels{`Triangle_mesh_traits`, `Point_set_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`}
 /// \cgalArchetype{Solid_traits_archetype.h}
 /// \cgalConcept
 class TriangulatedSolidSkeletonizationTraits
@@ -486,12 +486,12 @@ struct Triangulated_solid_skeletonization_traits_requirements
   static constexpr bool has_levels = is_multiresolution_skeletonization_traits_v<T>;
   static constexpr bool is_solid = is_solid_skeletonization_traits_v<T>;
   static constexpr bool has_solid_surface =
-      internal::refers_to_v<internal::Triangulated_surface, internal::expressions::solid_surface, T>;
+      internal::refers_to_v<Triangulated_surface, internal::expressions::solid_surface, T>;
   static constexpr bool has_closest_point =
-      internal::gives_v<internal::Vector_3, internal::expressions::closest_point, T>;
+      internal::gives_v<Vector_3, internal::expressions::closest_point, T>;
   static constexpr bool has_first_hit = internal::gives_v<bool, internal::expressions::is_hit, T> &&
-                                        internal::gives_v<internal::Vector_3, internal::expressions::hit_point, T> &&
-                                        internal::gives_v<internal::Index, internal::expressions::hit_face, T>;
+                                        internal::gives_v<Vector_3, internal::expressions::hit_point, T> &&
+                                        internal::gives_v<Index, internal::expressions::hit_face, T>;
   static constexpr bool value = has_levels && is_solid && has_solid_surface && has_closest_point && has_first_hit;
 };
 
@@ -524,10 +524,10 @@ constexpr void check_triangulated_solid_skeletonization_traits()
 /// copied, with `w(separator)` const and convertible to double; equal weights are ordered by when the separators were
 /// found.
 ///
-/// \cgalHasModels{`Length_and_planarity_weight`}
-/// \cgalArchetype{Separator_weight_archetype.h}
+/// \cgalHasModels{`Length_and_planarity_cost`}
+/// \cgalArchetype{Separator_cost_archetype.h}
 /// \cgalConcept
-class SeparatorWeight
+class SeparatorCost
 {
 };
 #endif
@@ -535,18 +535,18 @@ class SeparatorWeight
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// Whether `T` is a model of `SeparatorWeight`.
+/// Whether `T` is a model of `SeparatorCost`.
 template <class T>
-inline constexpr bool is_separator_weight_v =
-    internal::gives_v<double, internal::expressions::weight_of_separator, T>&& std::is_copy_constructible_v<T>;
+inline constexpr bool is_separator_cost_v =
+    internal::gives_v<double, internal::expressions::cost_of_separator, T>&& std::is_copy_constructible_v<T>;
 
-/// refuses at compile time a type that is no model of `SeparatorWeight`.
+/// refuses at compile time a type that is no model of `SeparatorCost`.
 template <class T>
-constexpr void check_separator_weight()
+constexpr void check_separator_cost()
 {
-  static_assert(internal::gives_v<double, internal::expressions::weight_of_separator, T>,
-                "CSCD: SeparatorWeight requires w(separator) const, convertible to double");
-  static_assert(std::is_copy_constructible_v<T>, "CSCD: SeparatorWeight requires a copy constructor");
+  static_assert(internal::gives_v<double, internal::expressions::cost_of_separator, T>,
+                "CSCD: SeparatorCost requires w(separator) const, convertible to double");
+  static_assert(std::is_copy_constructible_v<T>, "CSCD: SeparatorCost requires a copy constructor");
 }
 
 /// @}
@@ -623,7 +623,7 @@ struct Skeletonization_policies_requirements
   static constexpr bool has_pack_separators =
       internal::gives_own_type<internal::expressions::Packing, internal::expressions::pack_separators, P, T>();
   static constexpr bool has_packed =
-      internal::refers_to_v<std::vector<internal::Index>, internal::expressions::packed, P>;
+      internal::refers_to_v<std::vector<Index>, internal::expressions::packed, P>;
   static constexpr bool has_build_skeleton =
       internal::gives_v<Embedded_skeleton, internal::expressions::build_skeleton, P, T>;
   static constexpr bool is_movable = std::is_move_constructible_v<P>;
@@ -730,10 +730,10 @@ struct Curve_skeleton_graph_requirements
   static constexpr bool has_add_vertex = internal::is_valid_v<internal::expressions::add_vertex, T>;
   static constexpr bool has_add_edge = internal::is_valid_v<internal::expressions::add_edge, T>;
   static constexpr bool has_point = internal::is_valid_v<internal::expressions::point_of_node, T>;
-  static constexpr bool has_sites = internal::is_valid_v<internal::expressions::sites_of_node, T>;
+  static constexpr bool has_vertices_of_node = internal::is_valid_v<internal::expressions::vertices_of_node, T>;
   static constexpr bool is_regular = std::is_default_constructible_v<T> && std::is_move_assignable_v<T>;
   static constexpr bool value = has_vertices && has_num_vertices && has_edges && has_add_vertex && has_add_edge &&
-                                has_point && has_sites && is_regular;
+                                has_point && has_vertices_of_node && is_regular;
 };
 
 /// Whether `T` is a model of `CurveSkeletonGraph`.
@@ -751,7 +751,7 @@ constexpr void check_curve_skeleton_graph()
   static_assert(Requirements::has_add_vertex, "CSCD: CurveSkeletonGraph requires add_vertex(g)");
   static_assert(Requirements::has_add_edge, "CSCD: CurveSkeletonGraph requires add_edge(v, w, g)");
   static_assert(Requirements::has_point, "CSCD: CurveSkeletonGraph requires g[v].point");
-  static_assert(Requirements::has_sites, "CSCD: CurveSkeletonGraph requires g[v].vertices, a range of sites");
+  static_assert(Requirements::has_vertices_of_node, "CSCD: CurveSkeletonGraph requires g[v].vertices, a range of sites");
   static_assert(Requirements::is_regular,
                 "CSCD: CurveSkeletonGraph requires a default constructor and a move assignment");
 }

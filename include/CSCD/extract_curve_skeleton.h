@@ -12,8 +12,8 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/concepts.h>
-#include <CSCD/internal/vertex_point_map.h>
 
 #include <CGAL/tags.h>
 
@@ -46,8 +46,8 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
   const Traits traits = make_traits();
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
-  auto weight = choose_parameter(get_parameter(np, internal_np::separator_weight), Length_and_planarity_weight());
-  check_separator_weight<decltype(weight)>();
+  auto weight = choose_parameter(get_parameter(np, internal_np::separator_cost), Length_and_planarity_cost());
+  check_separator_cost<decltype(weight)>();
   using Policies = Local_policies<Traits, decltype(weight)>;
   Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
                                                                              visitor);
@@ -96,10 +96,10 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0: as many as TBB allows, one a core unless `tbb::global_control` says otherwise}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{separator_weight}
+///   \cgalParamNBegin{separator_cost}
 ///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
-///     \cgalParamType{a model of `SeparatorWeight`}
-///     \cgalParamDefault{`Length_and_planarity_weight`}
+///     \cgalParamType{a model of `SeparatorCost`}
+///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{hears of progress and may stop the work}
@@ -119,7 +119,7 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
                                    CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
-                                   internal_np::number_of_threads_t, internal_np::separator_weight_t>();
+                                   internal_np::number_of_threads_t, internal_np::separator_cost_t>();
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;

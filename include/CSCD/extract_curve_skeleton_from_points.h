@@ -8,10 +8,10 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
-#include <CSCD/internal/point_map.h>
 
 #include <CGAL/tags.h>
 
@@ -20,7 +20,7 @@
 namespace CSCD {
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
-/// A closed surface is made of the points first: see `Point_set_traits`; what was mended is in the report. The skeleton
+/// A closed surface is made of the points first: see `Reconstructed_surface_traits`; what was mended is in the report. The skeleton
 /// is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same, and points
 /// off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to call, for any
 /// number of threads and any order of the points. O(n log n).
@@ -59,10 +59,10 @@ namespace CSCD {
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0: one a core}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{separator_weight}
+///   \cgalParamNBegin{separator_cost}
 ///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
 ///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
-///     \cgalParamDefault{`Length_and_planarity_weight`}
+///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{hears of progress and may stop the work}
@@ -83,9 +83,9 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::separator_weight_t>();
+                                   internal_np::separator_cost_t>();
   const auto point_map = internal::point_map(points, np);
-  using Traits = Point_set_traits<PointRange, std::decay_t<decltype(point_map)>>;
+  using Traits = Reconstructed_surface_traits<PointRange, std::decay_t<decltype(point_map)>>;
   const auto make_traits = [&] {
     return internal::with_normal_map(
         points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });

@@ -6,33 +6,26 @@
 #ifndef CSCD_EXTRACT_CUT_LOCUS_H
 #define CSCD_EXTRACT_CUT_LOCUS_H
 
-#include <CSCD/Cut_locus/Cut_criterion.h>
 #include <CSCD/Cut_locus/Cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_smoothing.h>
-#include <CSCD/Cut_locus/Cut_measures.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Org_tree.h>
-#include <CSCD/Cut_locus/Pruning_policy.h>
-#include <CSCD/Cut_locus/Surface_ground.h>
+#include <CSCD/Cut_locus/Smoothing_domains.h>
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Cut_locus/find_cut_tree.h>
-#include <CSCD/Cut_locus/find_loop_vertices.h>
-#include <CSCD/Geodesic/distances_from_vertices.h>
-#include <CSCD/Intrinsic/Edge_trace.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
+#include <CSCD/Cut_locus/close_loops.h>
+#include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Normalization.h>
-#include <CSCD/Traits/Open_triangulation.h>
+#include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/normalize_extent.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/vertex_point_map.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>
@@ -103,14 +96,14 @@ public:
   void operator()(const CutLocusPolicy& policy, const Cut_locus_settings& settings, Graph& graph)
   {
     const Tangent_frames<Triangulation> frames(m_triangulation);
-    const Cut_measures<Triangulation> measures(frames, m_distances);
+    const Cut_locus_indicators<Triangulation> measures(frames, m_distances);
     const Org_tree tree(measures, find_loop_vertices(measures, m_sources));
     const Cut_tree cut =
         find_cut_tree(measures, tree, m_sources, settings.criterion, policy, settings.minimum_branch_length);
     collect_points(cut);
-    const Cut_measures<Open_triangulation> surface_measures(m_surface_frames, m_distances);
-    const Surface_ground ground(surface_measures);
-    Cut_locus_smoothing<Surface_ground> smoothing(ground);
+    const Cut_locus_indicators<Open_triangulation> surface_measures(m_surface_frames, m_distances);
+    const Surface_smoothing_domain ground(surface_measures);
+    Cut_locus_smoothing<Surface_smoothing_domain> smoothing(ground);
     smoothing(m_points, m_edges, settings.number_of_iterations);
     fill(graph);
   }

@@ -6,30 +6,26 @@
 #ifndef CSCD_EXTRACT_CUT_LOCUS_FROM_POINTS_H
 #define CSCD_EXTRACT_CUT_LOCUS_FROM_POINTS_H
 
+#include <CSCD/Cut_locus/Cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_smoothing.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Org_tree.h>
-#include <CSCD/Cut_locus/Point_cut_locus_graph.h>
-#include <CSCD/Cut_locus/Point_cut_measures.h>
 #include <CSCD/Cut_locus/Point_derivatives.h>
-#include <CSCD/Cut_locus/Point_frames.h>
-#include <CSCD/Cut_locus/Point_ground.h>
-#include <CSCD/Cut_locus/Pruning_policy.h>
-#include <CSCD/Cut_locus/filter_org_tree.h>
+#include <CSCD/Cut_locus/Smoothing_domains.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
+#include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
-#include <CSCD/Geodesic/distances_from_vertices.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Point_cloud/collect_points.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/point_map.h>
 
 #include <CGAL/number_utils.h>
 
@@ -109,13 +105,13 @@ public:
   void operator()(const CutLocusPolicy& policy, const Cut_locus_settings& settings, Graph& graph)
   {
     const Point_derivatives derivatives(m_frames, Cotangent_elements(m_triangulation));
-    const Point_cut_measures measures(derivatives, m_distances);
+    const Point_cut_locus_indicators measures(derivatives, m_distances);
     const Org_tree tree(measures, std::vector<char>(m_distances.size(), 0));
     const Cut_tree cut = filter_org_tree(measures, tree, settings.criterion, policy, settings.minimum_branch_length,
                                          [](const Cut_tree&) {});
     collect_points_of(cut);
-    const Point_ground ground(measures);
-    Cut_locus_smoothing<Point_ground> smoothing(ground);
+    const Point_smoothing_domain ground(measures);
+    Cut_locus_smoothing<Point_smoothing_domain> smoothing(ground);
     smoothing(m_points, m_edges, settings.number_of_iterations);
     fill(graph);
   }
@@ -269,7 +265,7 @@ void extract_cut_locus(const PointRange& points, const std::vector<internal::Poi
                                    internal_np::laplacian_threshold_t, internal_np::angle_threshold_t,
                                    internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
   using Extraction = internal::Point_cut_locus_extraction<internal::Point_descriptor<PointRange>>;
-  const auto settings = internal::cut_locus_settings(np, internal::Point_cut_measures::default_criterion());
+  const auto settings = internal::cut_locus_settings(np, internal::Point_cut_locus_indicators::default_criterion());
   const auto point_map = internal::point_map(points, np);
   Extraction extraction = internal::with_normal_map(
       points, np, [&](const auto&... normal_map) { return Extraction(points, point_map, normal_map...); });

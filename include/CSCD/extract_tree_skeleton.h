@@ -7,18 +7,17 @@
 #define CSCD_EXTRACT_TREE_SKELETON_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/collect_points.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/Normalization.h>
-#include <CSCD/Tree/Circle_outcome.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Tree_nodes.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/Tree_skeletonization.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/point_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -167,7 +166,7 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   const auto start = std::chrono::steady_clock::now();
   const auto point_map = internal::point_map(points, np);
   const internal::Point_cloud cloud = internal::collect_any_points(points, point_map, internal::No_normals());
-  std::optional<internal::Vector_3> root;
+  std::optional<Vector_3> root;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
     root = cloud.normalization.from_input(internal::to_vector_3(parameters::get_parameter(np, internal_np::root)));
     if (!root->allFinite()) {

@@ -7,15 +7,13 @@
 #define CSCD_SHORTEN_CURVE_H
 
 #include <CSCD/Separator/Edge_flip_shortening.h>
-#include <CSCD/Separator/Shortening_outcome.h>
-#include <CSCD/Separator/Surface_path.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
@@ -44,8 +42,8 @@ inline std::vector<Index> halfedges_between(const Triangulated_surface& surface,
   for (std::size_t i = 0; i + (is_closed ? 0 : 1) < size; ++i) {
     const Index target = vertices[i + 1 < size ? i + 1 : 0];
     const Index h = vertices[i] == no_index ? no_index : surface.find_halfedge(vertices[i], target);
-    const auto is_bridging = [&surface](Index side) { return surface.is_bridging(Triangulated_surface::face(side)); };
-    if (h == no_index || (is_bridging(h) && is_bridging(surface.twin(h)))) {
+    const auto is_hole_filling = [&surface](Index side) { return surface.is_hole_filling(Triangulated_surface::face(side)); };
+    if (h == no_index || (is_hole_filling(h) && is_hole_filling(surface.twin(h)))) {
       throw Input_error("vertex " + std::to_string(i) +
                         " of the curve has no edge to the next one: give a curve along edges");
     }
@@ -97,24 +95,24 @@ Shortening_outcome shorten_curve(const TriangleMesh& mesh, const VertexRange& ve
   using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
   auto collected = internal::collect_triangles(mesh, point_map);
   internal::bridge_borders(collected.triangles, collected.pairing);
-  const internal::Triangulated_surface surface(std::move(collected.triangles));
+  const Triangulated_surface surface(std::move(collected.triangles));
   CGAL_assertion(!surface.defect());
 
-  boost::unordered_map<Vertex_descriptor, internal::Index> number_of;
+  boost::unordered_map<Vertex_descriptor, Index> number_of;
   for (std::size_t i = 0; i < collected.descriptors.size(); ++i) {
-    number_of.emplace(collected.descriptors[i], internal::Index(i));
+    number_of.emplace(collected.descriptors[i], Index(i));
   }
-  std::vector<internal::Index> numbers;
+  std::vector<Index> numbers;
   for (const Vertex_descriptor vertex : vertices) {
     const auto found = number_of.find(vertex);
-    numbers.push_back(found == number_of.end() ? internal::no_index : found->second);
+    numbers.push_back(found == number_of.end() ? no_index : found->second);
   }
-  const std::vector<internal::Index> halfedges = internal::halfedges_between(surface, numbers, is_closed);
-  internal::Edge_flip_shortening<internal::Triangulated_surface> shorten(surface, surface.first_bridging_face());
+  const std::vector<Index> halfedges = internal::halfedges_between(surface, numbers, is_closed);
+  internal::Edge_flip_shortening<Triangulated_surface> shorten(surface, surface.first_hole_filling_face());
   internal::Surface_path path;
   const Shortening_outcome outcome = shorten(halfedges, is_closed, path);
-  for (const internal::Edge_crossing& crossing : path.points) {
-    const internal::Vector_3 point = internal::crossing_point(surface, crossing);
+  for (const Edge_crossing& crossing : path.points) {
+    const Vector_3 point = internal::crossing_point(surface, crossing);
     *points++ = Point(Coordinate(point.x()), Coordinate(point.y()), Coordinate(point.z()));
   }
   return outcome;

@@ -5,9 +5,9 @@
 
 #include "Cut_locus/to_open_triangulation.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Traits/Open_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@
 namespace {
 
 using CSCD::internal::Cut_criterion;
-using CSCD::internal::Cut_measures;
-using CSCD::internal::Index;
-using CSCD::internal::Open_triangulation;
+using CSCD::internal::Cut_locus_indicators;
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::pi;
 using CSCD::test::Shape;
@@ -38,25 +38,25 @@ public:
   {
   }
 
-  const Cut_measures<Open_triangulation>* operator->() const { return &m_measures; }
-  const CSCD::internal::Vector_3& point(Index v) const { return m_surface.point(v); }
+  const Cut_locus_indicators<Open_triangulation>* operator->() const { return &m_measures; }
+  const CSCD::Vector_3& point(Index v) const { return m_surface.point(v); }
   Index size() const { return m_surface.number_of_vertices(); }
 
 private:
   std::vector<double> m_values;
   Open_triangulation m_surface;
   Tangent_frames<Open_triangulation> m_frames;
-  Cut_measures<Open_triangulation> m_measures;
+  Cut_locus_indicators<Open_triangulation> m_measures;
 };
 
-TEST(Cut_measures, of_a_linear_function)
+TEST(Cut_locus_indicators, of_a_linear_function)
 {
   const Shape grid = CSCD::test::flat_grid(8, 8, 0.25);
   const Measured_shape measured(grid, [](const Triple& p) { return 0.6 * p[0] + 0.8 * p[1]; });
   for (Index v = 0; v < measured.size(); ++v) {
     EXPECT_NEAR(std::abs(measured->gradient(v)), 1, 1e-12);
     EXPECT_NEAR(measured->convergence(v), 0, 1e-6);
-    const CSCD::internal::Vector_3 p = measured.point(v);
+    const CSCD::Vector_3 p = measured.point(v);
     if (p.x() > 0 && p.x() < 2 && p.y() > 0 && p.y() < 2) {
       EXPECT_NEAR(measured->laplacian(v), 0, 1e-12);
     }
@@ -64,7 +64,7 @@ TEST(Cut_measures, of_a_linear_function)
   }
 }
 
-TEST(Cut_measures, where_two_fronts_meet_or_part)
+TEST(Cut_locus_indicators, where_two_fronts_meet_or_part)
 {
   // Gradients that make the angle a with the ridge: they converge by 2 a, and the Laplacian jumps by 2 sin(a).
   for (const double a : {pi / 2, pi / 4, pi / 8}) {
@@ -90,7 +90,7 @@ TEST(Cut_measures, where_two_fronts_meet_or_part)
   }
 }
 
-TEST(Cut_measures, at_the_antipode_of_a_sphere_and_at_its_source)
+TEST(Cut_locus_indicators, at_the_antipode_of_a_sphere_and_at_its_source)
 {
   const Measured_shape sphere(CSCD::test::sphere(4), [](const Triple& p) { return std::acos(p[2]); });
   std::size_t number = 0;
@@ -103,7 +103,7 @@ TEST(Cut_measures, at_the_antipode_of_a_sphere_and_at_its_source)
   EXPECT_GT(number, 0u);
 }
 
-TEST(Cut_measures, of_distances_that_are_not_known)
+TEST(Cut_locus_indicators, of_distances_that_are_not_known)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const Measured_shape measured(CSCD::test::flat_grid(4, 4, 1),
@@ -116,7 +116,7 @@ TEST(Cut_measures, of_distances_that_are_not_known)
   }
 }
 
-TEST(Cut_measures, around_a_vertex_of_many_faces)
+TEST(Cut_locus_indicators, around_a_vertex_of_many_faces)
 {
   const Measured_shape cone(CSCD::test::double_cone(2000), [](const Triple& p) { return p[0]; });
   const Index tip = 2000;
@@ -125,7 +125,7 @@ TEST(Cut_measures, around_a_vertex_of_many_faces)
   EXPECT_LT(cone->laplacian(tip), -0.5);
 }
 
-TEST(Cut_measures, of_faces_without_area)
+TEST(Cut_locus_indicators, of_faces_without_area)
 {
   Shape shape = CSCD::test::flat_grid(2, 2, 1);
   shape.points[4] = shape.points[3];

@@ -6,10 +6,10 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -20,13 +20,13 @@
 
 namespace {
 
-using CSCD::internal::Corner_table;
-using CSCD::internal::Index;
+using CSCD::Vertex_fan_table;
+using CSCD::Index;
 using CSCD::internal::Nearest_meeting;
-using CSCD::internal::no_index;
-using CSCD::internal::Polar_front;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::no_index;
+using CSCD::internal::Geodesic_polar_coordinates;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 /// A surface and the targets on it.
@@ -56,8 +56,8 @@ public:
 
 private:
   Triangulated_surface m_surface;
-  Corner_table m_corners;
-  Polar_front m_front;
+  Vertex_fan_table m_corners;
+  Geodesic_polar_coordinates m_front;
 };
 
 TEST(Nearest_meeting, lies_opposite_on_a_tube)

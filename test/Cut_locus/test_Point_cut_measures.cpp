@@ -8,9 +8,9 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_criterion.h>
-#include <CSCD/Cut_locus/Point_cut_measures.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,9 +22,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Point_cut_measures;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::internal::Point_cut_locus_indicators;
+using CSCD::Vector_3;
 using CSCD::test::Measured_cloud;
 using CSCD::test::pi;
 using CSCD::test::Triple;
@@ -59,7 +59,7 @@ TEST(Point_derivatives, of_points_in_a_row)
   // Across a row of edges nothing is known.
   std::vector<Vector_3> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 9}};
   std::vector<Vector_3> normals(4, Vector_3(0, 0, 1));
-  const CSCD::internal::Point_complex complex(std::move(points), std::move(normals), {{0, 1, 2}});
+  const CSCD::Point_complex complex(std::move(points), std::move(normals), {{0, 1, 2}});
   const CSCD::internal::Point_frames frames(complex);
   const CSCD::internal::Tufted_cover cover(complex);
   const CSCD::internal::Point_derivatives derivatives(
@@ -72,7 +72,7 @@ TEST(Point_derivatives, of_points_in_a_row)
   EXPECT_EQ(derivatives.laplacian(3, values), 0) << "it has no neighbors";
 }
 
-TEST(Point_cut_measures, where_two_fronts_meet_or_part)
+TEST(Point_cut_locus_indicators, where_two_fronts_meet_or_part)
 {
   // Gradients that make the angle a with the ridge converge by 2 a. Means over the ring round the ridge off: in the
   // next row they lean less.
@@ -86,33 +86,33 @@ TEST(Point_cut_measures, where_two_fronts_meet_or_part)
         });
       };
       const std::vector<double> ridge = distance(1);
-      const Point_cut_measures on(cloud.derivatives(), ridge);
+      const Point_cut_locus_indicators on(cloud.derivatives(), ridge);
       EXPECT_LE(on.convergence(on_ridge), 2 * a + 1e-6);
       EXPECT_GE(on.convergence(on_ridge), a);
       EXPECT_DOUBLE_EQ(on.convergence_of_neighbors(on_ridge, on.gradients()), on.convergence(on_ridge));
       EXPECT_LT(on.laplacian(on_ridge), -2 * std::sin(a));
-      EXPECT_EQ(on.is_cut(on_ridge, Point_cut_measures::default_criterion()), a >= pi / 4);
+      EXPECT_EQ(on.is_cut(on_ridge, Point_cut_locus_indicators::default_criterion()), a >= pi / 4);
       const std::vector<double> valley = distance(-1);
-      const Point_cut_measures off(cloud.derivatives(), valley);
+      const Point_cut_locus_indicators off(cloud.derivatives(), valley);
       EXPECT_NEAR(off.convergence(on_ridge), 0, 1e-6);
       EXPECT_GT(off.laplacian(on_ridge), 0);
     }
   }
 }
 
-TEST(Point_cut_measures, of_distances_that_are_not_known)
+TEST(Point_cut_locus_indicators, of_distances_that_are_not_known)
 {
   const double infinity = std::numeric_limits<double>::infinity();
   const Measured_cloud cloud(CSCD::test::flat_grid(4, 4, 1));
   const std::vector<double> distances =
       cloud.values([&](const Vector_3& p) { return p.x() > 2.5 ? infinity : -std::fabs(p.x() - 1); });
-  const Point_cut_measures measures(cloud.derivatives(), distances);
+  const Point_cut_locus_indicators measures(cloud.derivatives(), distances);
   const auto gradients = measures.gradients();
   for (Index v = 0; v < cloud.size(); ++v) {
     EXPECT_TRUE(std::isfinite(measures.laplacian(v)));
     EXPECT_TRUE(std::isfinite(measures.convergence(v)));
     EXPECT_TRUE(std::isfinite(measures.convergence_of_neighbors(v, gradients)));
-    EXPECT_TRUE(measures.is_reached(v) || !measures.is_cut(v, Point_cut_measures::default_criterion()));
+    EXPECT_TRUE(measures.is_reached(v) || !measures.is_cut(v, Point_cut_locus_indicators::default_criterion()));
   }
 }
 
@@ -123,13 +123,13 @@ void expect_antipode(const std::vector<Triple>& points)
   for (const Vector_3& from : {Vector_3(0, 0, 1), Vector_3(0.6, -0.8, 0)}) {
     const Index source = sphere.nearest(from);
     const std::vector<double> distances = sphere.distances(source);
-    const Point_cut_measures measures(sphere.derivatives(), distances);
+    const Point_cut_locus_indicators measures(sphere.derivatives(), distances);
     const double edge = sphere.complex().mean_edge_length();
     double number = 0;
     double number_near = 0;
     for (Index v = 0; v < sphere.size(); ++v) {
       // Near the source itself the heat method's field is wrong.
-      if (distances[v] > 4 * edge && measures.is_cut(v, Point_cut_measures::default_criterion())) {
+      if (distances[v] > 4 * edge && measures.is_cut(v, Point_cut_locus_indicators::default_criterion())) {
         number += 1;
         number_near += (sphere.complex().point(v) + sphere.complex().point(source)).norm() < 4 * edge ? 1 : 0;
       }
@@ -139,7 +139,7 @@ void expect_antipode(const std::vector<Triple>& points)
   }
 }
 
-TEST(Point_cut_measures, find_the_antipode_on_a_sampled_sphere)
+TEST(Point_cut_locus_indicators, find_the_antipode_on_a_sampled_sphere)
 {
   const CSCD::test::Shape sphere = CSCD::test::sphere(5);
   const std::size_t number = 4000;

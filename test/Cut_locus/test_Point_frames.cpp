@@ -6,9 +6,9 @@
 #include "Cut_locus/to_open_triangulation.h"
 #include "Point_cloud/to_point_complex.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Point_frames.h>
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Cut_locus/Point_derivatives.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
+using CSCD::Index;
+using CSCD::Point_complex;
 using CSCD::internal::Point_frames;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using Complex = std::complex<double>;
 
 TEST(Point_frames, hold_the_directions_of_edges)

@@ -6,9 +6,9 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Point_cut_measures.h>
-#include <CSCD/Cut_locus/Point_ground.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Cut_locus/Smoothing_domains.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,18 +18,18 @@
 namespace {
 
 using CSCD::internal::Cloud_point;
-using CSCD::internal::Index;
-using CSCD::internal::Point_cut_measures;
-using CSCD::internal::Point_ground;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::internal::Point_cut_locus_indicators;
+using CSCD::internal::Point_smoothing_domain;
+using CSCD::Vector_3;
 using CSCD::test::Measured_cloud;
 
-TEST(Point_ground, keeps_points_on_a_sphere)
+TEST(Point_smoothing_domain, keeps_points_on_a_sphere)
 {
   const Measured_cloud sphere(CSCD::test::sampled(CSCD::test::sphere(5), 4000, 1));
   const std::vector<double> heights = sphere.values([](const Vector_3& p) { return p.z(); });
-  const Point_cut_measures measures(sphere.derivatives(), heights);
-  const Point_ground ground(measures);
+  const Point_cut_locus_indicators measures(sphere.derivatives(), heights);
+  const Point_smoothing_domain ground(measures);
   const double edge = ground.mean_edge_length();
   const Index start = sphere.nearest({1, 0, 0});
   Cloud_point point{start, sphere.complex().point(start)};

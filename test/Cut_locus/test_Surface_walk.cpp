@@ -7,7 +7,7 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Traits/Open_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 namespace {
 
 using CSCD::internal::Face_point;
-using CSCD::internal::Index;
-using CSCD::internal::Open_triangulation;
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Surface_walk;
 using CSCD::internal::Tangent_frames;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 
 void expect_on_face(const Face_point& at)
 {

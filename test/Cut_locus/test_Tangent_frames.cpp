@@ -7,8 +7,8 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Traits/Open_triangulation.h>
-#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
 
 #include <gtest/gtest.h>
 
@@ -19,16 +19,16 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Open_triangulation;
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Tangent_frames;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Triangulated_surface;
 using Complex = std::complex<double>;
 
 /// The direction of a halfedge of a flat surface in the plane z = 0.
 Complex direction_in_plane(const Open_triangulation& surface, Index halfedge)
 {
-  const CSCD::internal::Vector_3 d = surface.point(surface.target(halfedge)) - surface.point(surface.origin(halfedge));
+  const CSCD::Vector_3 d = surface.point(surface.target(halfedge)) - surface.point(surface.origin(halfedge));
   return Complex(d.x(), d.y()) / std::abs(Complex(d.x(), d.y()));
 }
 
@@ -85,8 +85,8 @@ TEST(Tangent_frames, of_a_border_are_not_scaled_however_it_is_closed)
 {
   const CSCD::test::Shape shape = CSCD::test::tube(4, 1, 12, CSCD::test::Tube_end::open);
   const Open_triangulation open = CSCD::test::to_open_triangulation(shape);
-  CSCD::internal::Indexed_triangles triangles = CSCD::test::to_indexed_triangles(shape);
-  const CSCD::internal::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  CSCD::Indexed_triangles triangles = CSCD::test::to_indexed_triangles(shape);
+  const CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   CSCD::internal::bridge_borders(triangles, pairing);
   const Triangulated_surface bridged(std::move(triangles));
   const Tangent_frames<Open_triangulation> open_frames(open);
@@ -94,7 +94,7 @@ TEST(Tangent_frames, of_a_border_are_not_scaled_however_it_is_closed)
   EXPECT_DOUBLE_EQ(open_frames.mean_edge_length(), bridged_frames.mean_edge_length());
   std::size_t on_border = 0;
   for (Index h = 0; h < open.number_of_halfedges(); ++h) {
-    on_border += open.twin(h) == CSCD::internal::no_index ? 1u : 0u;
+    on_border += open.twin(h) == CSCD::no_index ? 1u : 0u;
     EXPECT_LT(std::abs(open_frames.corner(h).turn - bridged_frames.corner(h).turn), 1e-12) << h;
     EXPECT_DOUBLE_EQ(open_frames.area(open.origin(h)), bridged_frames.area(open.origin(h)));
   }
@@ -116,7 +116,7 @@ TEST(Tangent_frames, show_every_neighbor_once)
     });
   }
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    number_of_borders += surface.twin(h) == CSCD::internal::no_index ? 1u : 0u;
+    number_of_borders += surface.twin(h) == CSCD::no_index ? 1u : 0u;
   }
   EXPECT_EQ(number_of_ends, surface.number_of_halfedges() + number_of_borders);
 }

@@ -6,15 +6,12 @@
 #include "Cut_locus/to_open_triangulation.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
-#include <CSCD/Cut_locus/Growing_policy.h>
 #include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/close_loops.h>
-#include <CSCD/Cut_locus/find_cut_tree.h>
-#include <CSCD/Cut_locus/find_loop_vertices.h>
-#include <CSCD/internal/Triangle_halfedges.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 
 #include <gtest/gtest.h>
 
@@ -29,18 +26,18 @@
 namespace {
 
 using CSCD::internal::Cut_criterion;
-using CSCD::internal::Cut_measures;
+using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Cut_tree;
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
-using CSCD::internal::Open_triangulation;
+using CSCD::Index;
+using CSCD::no_index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Org_tree;
 using CSCD::internal::Tangent_frames;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Triangulated_surface;
 using CSCD::test::Triple;
 
 /// The unit square with opposite sides glued: two faces, one vertex, three edges from it to itself.
-struct One_vertex_torus : CSCD::internal::Triangle_halfedges
+struct One_vertex_torus : CSCD::Triangle_halfedges
 {
   static Index number_of_vertices() { return 1; }
   static Index number_of_halfedges() { return 6; }
@@ -60,7 +57,7 @@ TEST(close_loops, of_a_torus_with_one_vertex)
     EXPECT_LT(std::abs(frames.transport_to_origin(h) - 1.), 1e-12) << "it is flat";
   }
   const std::vector<double> distances{0};
-  const Cut_measures<One_vertex_torus> measures(frames, distances);
+  const Cut_locus_indicators<One_vertex_torus> measures(frames, distances);
   const Org_tree tree(measures, find_loop_vertices(measures, {0}));
   const Cut_tree cut = find_cut_tree(measures, tree, {0}, Cut_criterion(), CSCD::Growing_policy(), 0);
   EXPECT_EQ(cut.chords().size(), 2u);
@@ -72,7 +69,7 @@ std::size_t number_of_chords(const Triangulation& surface, const std::vector<dou
                              const std::vector<Index>& sources)
 {
   const Tangent_frames<Triangulation> frames(surface);
-  const Cut_measures<Triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Triangulation> measures(frames, distances);
   const Org_tree tree(measures, find_loop_vertices(measures, sources));
   EXPECT_EQ(tree.roots().size(), 1u);
   const Cut_tree cut = find_cut_tree(measures, tree, sources, Cut_criterion(), CSCD::Growing_policy(), 0.1);
@@ -115,7 +112,7 @@ TEST(Org_tree, spans_what_has_a_distance)
   const Tangent_frames<Open_triangulation> frames(surface);
   const std::vector<double> distances = CSCD::test::sampled(
       shape, [](const Triple& p) { return p[0] > 2 ? std::numeric_limits<double>::infinity() : p[2]; });
-  const Cut_measures<Open_triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
   const Org_tree tree(measures, std::vector<char>(distances.size(), 0));
   ASSERT_EQ(tree.roots().size(), 1u);
   EXPECT_EQ(tree.order().size(), distances.size() / 2);
@@ -138,12 +135,12 @@ TEST(find_cut_tree, has_no_short_branches_and_is_one_vertex_wide)
   const Index source = CSCD::test::nearest_vertex(surface, {5, 0, 1});
   const std::vector<double> distances = CSCD::test::sampled(
       shape, [](const Triple& p) { return std::hypot(p[0] - 5, std::fabs(std::atan2(p[1], p[2]))); });
-  const Cut_measures<Triangulated_surface> measures(frames, distances);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
   const Org_tree tree(measures, find_loop_vertices(measures, {source}));
-  const double least_length = 0.5;
+  const double min_length = 0.5;
   const double greatest = *std::max_element(distances.begin(), distances.end());
   const Cut_tree cut =
-      find_cut_tree(measures, tree, {source}, Cut_criterion(), CSCD::Growing_policy(), least_length / greatest);
+      find_cut_tree(measures, tree, {source}, Cut_criterion(), CSCD::Growing_policy(), min_length / greatest);
   std::size_t number_of_leaves = 0;
   for (Index vertex : tree.order()) {
     if (!cut.is_free_leaf(vertex)) {
@@ -157,7 +154,7 @@ TEST(find_cut_tree, has_no_short_branches_and_is_one_vertex_wide)
       length += frames.corner(tree.halfedge_to_parent(at)).length;
       at = tree.parent(at);
     } while (!cut.is_root(at) && cut.number_of_children(at) == 1);
-    EXPECT_GE(length, least_length);
+    EXPECT_GE(length, min_length);
   }
   EXPECT_GT(number_of_leaves, 0u);
 }

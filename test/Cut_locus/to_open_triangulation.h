@@ -8,20 +8,20 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Open_triangulation.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <utility>
 #include <vector>
 
 namespace CSCD::test {
 
-inline CSCD::internal::Open_triangulation to_open_triangulation(const Shape& shape)
+inline CSCD::Open_triangulation to_open_triangulation(const Shape& shape)
 {
-  CSCD::internal::Indexed_triangles triangles = to_indexed_triangles(shape);
-  CSCD::internal::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  CSCD::Indexed_triangles triangles = to_indexed_triangles(shape);
+  CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   return {std::move(triangles), std::move(pairing)};
 }
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_GEODESIC_LENGTH_TRIANGULATION_H
 #define CSCD_TEST_GEODESIC_LENGTH_TRIANGULATION_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <array>
 #include <vector>
@@ -16,7 +16,6 @@ namespace CSCD::test {
 /// Faces with lengths of sides; several edges may join the same vertices, and an edge may join a vertex to itself.
 struct Length_triangulation
 {
-  using Index = CSCD::internal::Index;
 
   Index number_of_vertices() const { return vertices; }
   Index number_of_faces() const { return Index(faces.size()); }
@@ -33,7 +32,7 @@ template <class Triangulation>
 Length_triangulation lengths_of(const Triangulation& triangulation)
 {
   Length_triangulation result{triangulation.number_of_vertices(), {}, {}};
-  for (CSCD::internal::Index h = 0; h < 3 * triangulation.first_bridging_face(); h += 3) {
+  for (CSCD::Index h = 0; h < 3 * triangulation.first_hole_filling_face(); h += 3) {
     result.faces.push_back({triangulation.origin(h), triangulation.origin(h + 1), triangulation.origin(h + 2)});
     result.lengths.push_back({triangulation.length(h), triangulation.length(h + 1), triangulation.length(h + 2)});
   }

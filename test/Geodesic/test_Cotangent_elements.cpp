@@ -8,8 +8,8 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -20,8 +20,8 @@
 namespace {
 
 using CSCD::internal::Cotangent_elements;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
 using CSCD::test::Length_triangulation;
 
 double total_mass(const Cotangent_elements& elements)
@@ -56,10 +56,10 @@ TEST(Cotangent_elements, integrates_linear_functions_exactly)
 TEST(Cotangent_elements, leaves_out_faces_that_bridge_borders)
 {
   const Triangulated_surface surface = CSCD::test::to_bridged_surface(CSCD::test::flat_disc(6, 24));
-  ASSERT_LT(surface.first_bridging_face(), surface.number_of_faces());
+  ASSERT_LT(surface.first_hole_filling_face(), surface.number_of_faces());
   const Cotangent_elements bridged(surface);
   const Cotangent_elements open(CSCD::test::lengths_of(surface));
-  EXPECT_EQ(bridged.faces().size(), surface.first_bridging_face());
+  EXPECT_EQ(bridged.faces().size(), surface.first_hole_filling_face());
   EXPECT_EQ(bridged.number_of_triangulation_faces(), surface.number_of_faces());
   for (Index v = 0; v < bridged.number_of_vertices(); ++v) {
     EXPECT_EQ(bridged.mass(v), open.mass(v));

@@ -3,7 +3,7 @@
 //
 // Triangles in the plane: of the lengths that were asked for, and never degenerate.
 
-#include <CSCD/Geodesic/Face_layout.h>
+#include <CSCD/Geodesic/Cotangent_elements.h>
 
 #include <gtest/gtest.h>
 

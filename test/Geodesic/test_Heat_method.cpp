@@ -9,13 +9,12 @@
 #include "Traits/to_surface.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Face_layout.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Cotangent_elements.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -34,9 +33,9 @@ using CSCD::internal::Geodesic_source;
 using CSCD::internal::Heat_field;
 using CSCD::internal::Heat_field_parts;
 using CSCD::internal::Heat_method;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 // Of std::array, which argument-dependent look-up does not find.
 using CSCD::test::operator+;
@@ -61,7 +60,7 @@ std::vector<double> distances_from(const Heat_method& method, Index source)
 
 /// The largest difference of two lists, relative to the largest finite number of the first; both must be infinite at
 /// the same places.
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b)
+double max_difference(const std::vector<double>& a, const std::vector<double>& b)
 {
   EXPECT_EQ(a.size(), b.size());
   double difference = 0;
@@ -79,7 +78,7 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 
 /// The largest error in mean edge lengths, over the vertices for which `exact(vertex)` is not negative.
 template <class Exact>
-double largest_error_in_edges(const Heat_method& method, const std::vector<double>& distances, const Exact& exact)
+double max_error_in_edges(const Heat_method& method, const std::vector<double>& distances, const Exact& exact)
 {
   double largest = 0;
   for (Index vertex = 0; vertex < distances.size(); ++vertex) {
@@ -100,7 +99,7 @@ TEST(Heat_method, is_exact_on_a_plane_to_part_of_an_edge)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::subdivided_cube(5));
   const Vector_3 center(0.5, 0.5, 1);
   const Heat_method method(surface);
-  const double error = largest_error_in_edges(
+  const double error = max_error_in_edges(
       method, distances_from(method, CSCD::test::nearest_vertex(surface, center)), [&](Index vertex) {
         const Vector_3 offset = surface.point(vertex) - center;
         return offset.z() == 0 && offset.norm() < 0.5 ? offset.norm() : -1.;
@@ -126,8 +125,8 @@ TEST(Heat_method, is_as_exact_on_thin_triangles_once_they_are_delaunay)
   };
   const Heat_method method(surface);
   const Heat_method delaunay_method(delaunay);
-  EXPECT_GT(largest_error_in_edges(method, distances_from(method, source), exact), 2);
-  EXPECT_LT(largest_error_in_edges(delaunay_method, distances_from(delaunay_method, source), exact), 1);
+  EXPECT_GT(max_error_in_edges(method, distances_from(method, source), exact), 2);
+  EXPECT_LT(max_error_in_edges(delaunay_method, distances_from(delaunay_method, source), exact), 1);
 }
 
 TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
@@ -135,17 +134,17 @@ TEST(Heat_method, is_exact_on_a_cylinder_to_part_of_an_edge_but_for_the_ridge)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(6, 1, 48, CSCD::test::Tube_end::flat));
   const Index source = CSCD::test::nearest_vertex(surface, {3, 0, 1});
   const Vector_3 from = surface.point(source);
-  const auto exact = [&](double largest_angle) {
-    return [&, largest_angle](Index vertex) {
+  const auto exact = [&](double max_angle) {
+    return [&, max_angle](Index vertex) {
       const Vector_3 to = surface.point(vertex);
       const double angle = std::acos(std::clamp(to.y() * from.y() + to.z() * from.z(), -1., 1.));
-      return std::fabs(to.x() - from.x()) < 1 && angle < largest_angle ? std::hypot(to.x() - from.x(), angle) : -1;
+      return std::fabs(to.x() - from.x()) < 1 && angle < max_angle ? std::hypot(to.x() - from.x(), angle) : -1;
     };
   };
   const Heat_method method(surface);
   const std::vector<double> distances = distances_from(method, source);
-  EXPECT_LT(largest_error_in_edges(method, distances, exact(2.8)), 0.6);
-  EXPECT_LT(largest_error_in_edges(method, distances, exact(4)), 1) << "opposite of the source";
+  EXPECT_LT(max_error_in_edges(method, distances, exact(2.8)), 0.6);
+  EXPECT_LT(max_error_in_edges(method, distances, exact(4)), 1) << "opposite of the source";
 }
 
 TEST(Heat_method, is_exact_on_a_sphere_to_part_of_an_edge_however_fine)
@@ -154,7 +153,7 @@ TEST(Heat_method, is_exact_on_a_sphere_to_part_of_an_edge_however_fine)
     SCOPED_TRACE(times);
     const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(times));
     const Heat_method method(surface);
-    const double error = largest_error_in_edges(method, distances_from(method, 7), [&](Index vertex) {
+    const double error = max_error_in_edges(method, distances_from(method, 7), [&](Index vertex) {
       return distance_on_sphere(surface.point(vertex), surface.point(7));
     });
     EXPECT_LT(error, 0.6);
@@ -216,12 +215,12 @@ TEST(Heat_method, is_infinite_on_components_without_a_source)
   std::vector<double> expected = on_ball;
   expected.resize(both.number_of_vertices(), infinity);
   const Heat_field field = field_from(method, {Geodesic_source::at_vertex(11)}, all_parts);
-  EXPECT_LT(largest_difference(expected, field.distances), 1e-9);
+  EXPECT_LT(max_difference(expected, field.distances), 1e-9);
   EXPECT_EQ(field.log_heat.back(), -infinity);
   EXPECT_EQ(field.directions.back().norm(), 0);
   std::copy(on_ring.begin(), on_ring.end(), expected.begin() + offset);
   EXPECT_LT(
-      largest_difference(
+      max_difference(
           expected,
           field_from(method, {Geodesic_source::at_vertex(11), Geodesic_source::at_vertex(offset + 22)}).distances),
       1e-9);
@@ -237,7 +236,7 @@ TEST(Heat_method, takes_the_nearest_of_several_sources)
   const Heat_method method(surface);
   const std::vector<double> distances =
       field_from(method, {Geodesic_source::at_vertex(north), Geodesic_source::at_vertex(east)}).distances;
-  const double error = largest_error_in_edges(method, distances, [&](Index vertex) {
+  const double error = max_error_in_edges(method, distances, [&](Index vertex) {
     return std::min(distance_on_sphere(surface.point(vertex), surface.point(north)),
                     distance_on_sphere(surface.point(vertex), surface.point(east)));
   });
@@ -258,7 +257,7 @@ TEST(Heat_method, takes_sources_inside_faces)
         point += coordinates[k] * surface.point(surface.origin(3 * face + k));
       }
       point.normalize();
-      const double error = largest_error_in_edges(
+      const double error = max_error_in_edges(
           method, field_from(method, {Geodesic_source::in_face(surface, face, coordinates)}).distances,
           [&](Index vertex) { return distance_on_sphere(surface.point(vertex), point); });
       EXPECT_LT(error, 0.6);
@@ -271,7 +270,7 @@ TEST(Heat_method, goes_around_a_slit_and_not_over_it)
   const Triangulated_surface surface = CSCD::test::to_bridged_surface(CSCD::test::slit_tube(12, 1, 24));
   // Along the slit, the faces that bridge it join both sides.
   Index source = 0;
-  for (Index h = 3 * surface.first_bridging_face(); h < surface.number_of_halfedges(); ++h) {
+  for (Index h = 3 * surface.first_hole_filling_face(); h < surface.number_of_halfedges(); ++h) {
     if (std::fabs(surface.point(surface.origin(h)).x() - 6) < std::fabs(surface.point(source).x() - 6)) {
       source = surface.origin(h);
     }
@@ -385,7 +384,7 @@ TEST(Heat_method, scales_with_the_surface_and_moves_with_it)
     EXPECT_EQ(scaled, distances);
   }
   const CSCD::test::Similarity turn{1, CSCD::test::unit({1, 2, 3}), 1, {10, 20, 30}};
-  EXPECT_LT(largest_difference(distances,
+  EXPECT_LT(max_difference(distances,
                                distances_from(Heat_method(CSCD::test::to_surface(CSCD::test::moved(shape, turn))), 3)),
             1e-9);
 }
@@ -400,7 +399,7 @@ TEST(Heat_method, bears_degenerate_faces)
   const CSCD::test::Triangle& face = shape.triangles[2000];
   shape.points[face[2]] = 0.5 * (shape.points[face[0]] + shape.points[face[1]]);
   const std::vector<double> distances = distances_from(Heat_method(CSCD::test::to_surface(shape)), 1000);
-  EXPECT_LT(largest_difference(expected, distances), 0.05);
+  EXPECT_LT(max_difference(expected, distances), 0.05);
   // All in one point, and all on one line.
   for (const double length : {0., 1.}) {
     CSCD::test::Shape flat = CSCD::test::moved(ball, [length](const CSCD::test::Triple& p) {

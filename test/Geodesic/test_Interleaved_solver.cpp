@@ -8,8 +8,7 @@
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Interleaved_solver.h>
-#include <CSCD/internal/Lanes.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
@@ -21,9 +20,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Interleaved_solver;
-using CSCD::internal::Lanes;
+using CSCD::internal::Simd_pack;
 
 TEST(Interleaved_solver, solves_with_either_matrix_and_alike_in_every_lane)
 {
@@ -34,10 +33,10 @@ TEST(Interleaved_solver, solves_with_either_matrix_and_alike_in_every_lane)
   const std::size_t n = solver.size();
   ASSERT_EQ(n, elements.number_of_vertices());
   for (std::size_t m = 0; m < matrices.size(); ++m) {
-    std::vector<Lanes<8>> together(n);
+    std::vector<Simd_pack<8>> together(n);
     for (std::size_t lane = 0; lane < 8; ++lane) {
       Eigen::VectorXd right_side(n);
-      std::vector<Lanes<1>> alone(n);
+      std::vector<Simd_pack<1>> alone(n);
       for (Index row = 0; row < n; ++row) {
         // Full in one lane, with a single entry in the others.
         right_side[row] = lane == 0 ? std::sin(double(row)) : double(row == 10 * lane);
@@ -50,7 +49,7 @@ TEST(Interleaved_solver, solves_with_either_matrix_and_alike_in_every_lane)
       }
       const Eigen::VectorXd residual = matrices[m].selfadjointView<Eigen::Lower>() * solution - right_side;
       EXPECT_LT(residual.lpNorm<Eigen::Infinity>(), 1e-12);
-      std::vector<Lanes<8>> all = together;
+      std::vector<Simd_pack<8>> all = together;
       solver.solve(m, all);
       for (std::size_t place = 0; place < n; ++place) {
         ASSERT_EQ(all[place][lane], alone[place][0]);

@@ -5,10 +5,10 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@
 
 namespace {
 
-using CSCD::internal::Corner_table;
+using CSCD::Vertex_fan_table;
 using CSCD::internal::Front_end;
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
-using CSCD::internal::Polar_front;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::no_index;
+using CSCD::internal::Geodesic_polar_coordinates;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 constexpr std::size_t no_cap = std::numeric_limits<std::size_t>::max();
@@ -55,7 +55,7 @@ struct Fixture
   /// The largest error of the front's distances from `source`, relative to the distance `exact(vertex)`; vertices for
   /// which that is 0 do not count.
   template <class Exact>
-  double largest_relative_error(Index source, const Exact& exact)
+  double max_relative_error(Index source, const Exact& exact)
   {
     Observer observer;
     EXPECT_EQ(front.grow(source, no_cap, observer), Front_end::exhausted);
@@ -70,16 +70,16 @@ struct Fixture
   }
 
   Triangulated_surface surface;
-  Corner_table corners;
-  Polar_front front;
+  Vertex_fan_table corners;
+  Geodesic_polar_coordinates front;
 };
 
-TEST(Polar_front, is_exact_on_a_plane)
+TEST(Geodesic_polar_coordinates, is_exact_on_a_plane)
 {
   Fixture fixture(CSCD::test::subdivided_cube(5));
   const Vector_3 center(0.5, 0.5, 1);
   const Index source = CSCD::test::nearest_vertex(fixture.surface, center);
-  const double error = fixture.largest_relative_error(source, [&](Index vertex) {
+  const double error = fixture.max_relative_error(source, [&](Index vertex) {
     const Vector_3 offset = fixture.surface.point(vertex) - center;
     return offset.z() == 0 ? offset.norm() : 0.;
   });
@@ -87,12 +87,12 @@ TEST(Polar_front, is_exact_on_a_plane)
   EXPECT_LT(error, 1e-5);
 }
 
-TEST(Polar_front, is_nearly_exact_on_a_cylinder)
+TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_cylinder)
 {
   Fixture fixture(CSCD::test::tube(6, 1, 48, CSCD::test::Tube_end::flat));
   const Index source = CSCD::test::nearest_vertex(fixture.surface, {3, 0, 1});
   const Vector_3 from = fixture.surface.point(source);
-  const double error = fixture.largest_relative_error(source, [&](Index vertex) {
+  const double error = fixture.max_relative_error(source, [&](Index vertex) {
     const Vector_3 to = fixture.surface.point(vertex);
     const double angle = std::acos(std::clamp(to.y() * from.y() + to.z() * from.z(), -1., 1.));
     const double distance = std::hypot(to.x() - from.x(), angle);
@@ -102,18 +102,18 @@ TEST(Polar_front, is_nearly_exact_on_a_cylinder)
   EXPECT_LT(error, 0.005);
 }
 
-TEST(Polar_front, is_nearly_exact_on_a_sphere)
+TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_sphere)
 {
   Fixture fixture(CSCD::test::sphere(4));
   for (const Index source : {Index(0), Index(100), Index(2000)}) {
-    const double error = fixture.largest_relative_error(source, [&](Index vertex) {
+    const double error = fixture.max_relative_error(source, [&](Index vertex) {
       return std::acos(std::clamp(fixture.surface.point(vertex).dot(fixture.surface.point(source)), -1., 1.));
     });
     EXPECT_LT(error, 0.02);
   }
 }
 
-TEST(Polar_front, is_never_shorter_than_the_straight_line_and_parents_lead_to_the_source)
+TEST(Geodesic_polar_coordinates, is_never_shorter_than_the_straight_line_and_parents_lead_to_the_source)
 {
   for (const CSCD::test::Shape& shape :
        {CSCD::test::noisy(CSCD::test::torus(3, 1, 24), 0.3, 1), CSCD::test::double_cone(50), CSCD::test::cube()}) {
@@ -139,7 +139,7 @@ TEST(Polar_front, is_never_shorter_than_the_straight_line_and_parents_lead_to_th
   }
 }
 
-TEST(Polar_front, meets_itself_behind_the_body_only)
+TEST(Geodesic_polar_coordinates, meets_itself_behind_the_body_only)
 {
   Fixture fixture(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   const Index source = CSCD::test::nearest_vertex(fixture.surface, {5, 0, 1});
@@ -156,7 +156,7 @@ TEST(Polar_front, meets_itself_behind_the_body_only)
   }
 }
 
-TEST(Polar_front, does_not_meet_itself_on_a_flat_disc)
+TEST(Geodesic_polar_coordinates, does_not_meet_itself_on_a_flat_disc)
 {
   Fixture fixture(CSCD::test::noisy(CSCD::test::subdivided_cube(5), 0.15, 2));
   Observer observer;
@@ -165,7 +165,7 @@ TEST(Polar_front, does_not_meet_itself_on_a_flat_disc)
   EXPECT_TRUE(observer.meetings.empty());
 }
 
-TEST(Polar_front, stops_at_the_distance_that_the_observer_names)
+TEST(Geodesic_polar_coordinates, stops_at_the_distance_that_the_observer_names)
 {
   Fixture fixture(CSCD::test::sphere(4));
   Observer observer;
@@ -180,7 +180,7 @@ TEST(Polar_front, stops_at_the_distance_that_the_observer_names)
   EXPECT_NEAR(double(fixture.front.number_of_visits()), double(near), 0.01 * double(near) + 1);
 }
 
-TEST(Polar_front, is_capped_unless_something_was_found)
+TEST(Geodesic_polar_coordinates, is_capped_unless_something_was_found)
 {
   Fixture fixture(CSCD::test::sphere(4));
   Observer observer;
@@ -191,7 +191,7 @@ TEST(Polar_front, is_capped_unless_something_was_found)
   EXPECT_EQ(fixture.front.number_of_visits(), fixture.surface.number_of_vertices());
 }
 
-TEST(Polar_front, gives_the_same_when_it_is_used_again)
+TEST(Geodesic_polar_coordinates, gives_the_same_when_it_is_used_again)
 {
   Fixture used(CSCD::test::torus(3, 1, 24));
   Observer observer;
@@ -211,7 +211,7 @@ TEST(Polar_front, gives_the_same_when_it_is_used_again)
   }
 }
 
-TEST(Polar_front, survives_edges_without_length)
+TEST(Geodesic_polar_coordinates, survives_edges_without_length)
 {
   CSCD::test::Shape shape = CSCD::test::sphere(2);
   shape.points[shape.triangles[0][1]] = shape.points[shape.triangles[0][0]];

@@ -10,10 +10,10 @@
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>
@@ -27,10 +27,10 @@
 namespace {
 
 using CSCD::internal::Cotangent_elements;
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
+using CSCD::Index;
+using CSCD::Point_complex;
 using CSCD::internal::Tufted_cover;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 
 void expect_manifold(const Tufted_cover& cover)
 {
@@ -132,16 +132,16 @@ TEST(Tufted_cover, has_a_laplacian_with_a_maximum_principle)
     EXPECT_TRUE(triangulation.is_delaunay(h) || !triangulation.is_flippable(h));
   }
   const Eigen::MatrixXd matrix = stiffness(Cotangent_elements(triangulation));
-  double largest_coupling = 0;
+  double max_coupling = 0;
   for (Index v = 0; v < complex.number_of_vertices(); ++v) {
     if (!complex.outgoing(v).empty()) {
       EXPECT_NEAR(0, matrix.row(v).sum(), 1e-9);
     }
     for (Index w = 0; w < v; ++w) {
-      largest_coupling = std::max(largest_coupling, matrix(v, w));
+      max_coupling = std::max(max_coupling, matrix(v, w));
     }
   }
-  EXPECT_LT(largest_coupling, 1e-6) << "no weight is negative";
+  EXPECT_LT(max_coupling, 1e-6) << "no weight is negative";
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().minCoeff(), -1e-9);
 }
 

@@ -5,9 +5,9 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/distances_from_vertices.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 namespace {
 
 using CSCD::internal::distances_from_vertices;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
 
 TEST(Distances_from_vertices, are_great_arcs_on_a_sphere)
 {
@@ -29,9 +29,9 @@ TEST(Distances_from_vertices, are_great_arcs_on_a_sphere)
   const Index source = 17;
   const std::vector<double> distances = distances_from_vertices(surface, {source});
   ASSERT_EQ(distances.size(), surface.number_of_vertices());
-  const CSCD::internal::Vector_3 pole = surface.point(source).normalized();
+  const CSCD::Vector_3 pole = surface.point(source).normalized();
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    const CSCD::internal::Vector_3 direction = surface.point(vertex).normalized();
+    const CSCD::Vector_3 direction = surface.point(vertex).normalized();
     EXPECT_NEAR(distances[vertex], std::atan2(pole.cross(direction).norm(), pole.dot(direction)), tolerance);
   }
 }

@@ -8,8 +8,7 @@
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Geodesic_distance_estimator.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/Named_parameters.h>
@@ -144,13 +143,13 @@ TEST(estimate_geodesic_distances, heeds_the_point_map_and_the_time_step)
   CSCD::estimate_geodesic_distances(mesh, Vertex(5), twice, parameters::vertex_point_map(doubled));
   CSCD::estimate_geodesic_distances(mesh, Vertex(5), smooth, parameters::time_step_factor(10));
   double largest = 0;
-  double largest_smooth = 0;
+  double max_smooth = 0;
   for (const Vertex vertex : mesh.vertices()) {
     EXPECT_EQ(2 * once[vertex], twice[vertex]);
     largest = std::max(largest, once[vertex]);
-    largest_smooth = std::max(largest_smooth, smooth[vertex]);
+    max_smooth = std::max(max_smooth, smooth[vertex]);
   }
-  EXPECT_GT(std::fabs(largest_smooth - largest), 0.01 * largest);
+  EXPECT_GT(std::fabs(max_smooth - largest), 0.01 * largest);
 }
 
 TEST(estimate_geodesic_distances, takes_vertices_and_points_of_faces_one_or_several)

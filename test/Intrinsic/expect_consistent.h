@@ -6,11 +6,10 @@
 #ifndef CSCD_TEST_INTRINSIC_EXPECT_CONSISTENT_H
 #define CSCD_TEST_INTRINSIC_EXPECT_CONSISTENT_H
 
-#include <CSCD/Intrinsic/Edge_trace.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,17 +20,17 @@
 
 namespace CSCD::test {
 
-using Intrinsic_surface = CSCD::internal::Intrinsic_triangulation<CSCD::internal::Triangulated_surface>;
+using Intrinsic_surface = CSCD::internal::Intrinsic_triangulation<CSCD::Triangulated_surface>;
 
 /// The points of the line along `halfedge` over the input, both ends included.
-inline std::vector<CSCD::internal::Vector_3> traced_points(const Intrinsic_surface& triangulation,
-                                                           CSCD::internal::Index halfedge)
+inline std::vector<CSCD::Vector_3> traced_points(const Intrinsic_surface& triangulation,
+                                                           CSCD::Index halfedge)
 {
   const auto& surface = triangulation.input();
   CSCD::internal::Edge_trace trace;
   triangulation.trace(halfedge, trace);
-  std::vector<CSCD::internal::Vector_3> points{surface.point(triangulation.origin(halfedge))};
-  for (const CSCD::internal::Edge_crossing& crossing : trace.crossings()) {
+  std::vector<CSCD::Vector_3> points{surface.point(triangulation.origin(halfedge))};
+  for (const CSCD::Edge_crossing& crossing : trace.crossings()) {
     points.push_back((1 - crossing.position) * surface.point(surface.origin(crossing.halfedge)) +
                      crossing.position * surface.point(surface.target(crossing.halfedge)));
   }
@@ -39,7 +38,7 @@ inline std::vector<CSCD::internal::Vector_3> traced_points(const Intrinsic_surfa
   return points;
 }
 
-inline double length_of(const std::vector<CSCD::internal::Vector_3>& points)
+inline double length_of(const std::vector<CSCD::Vector_3>& points)
 {
   double sum = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -50,13 +49,13 @@ inline double length_of(const std::vector<CSCD::internal::Vector_3>& points)
 
 /// The edges that `halfedge` crosses are a strip of faces from its origin to its target.
 template <class Triangulation>
-void expect_strip(const Triangulation& crossed, CSCD::internal::Index first_corner, CSCD::internal::Index target,
-                  const std::vector<CSCD::internal::Edge_crossing>& crossings)
+void expect_strip(const Triangulation& crossed, CSCD::Index first_corner, CSCD::Index target,
+                  const std::vector<CSCD::Edge_crossing>& crossings)
 {
-  using CSCD::internal::Index;
+  using CSCD::Index;
   Index face = Triangulation::face(first_corner);
   ASSERT_EQ(crossings.front().halfedge, Triangulation::next(first_corner));
-  for (const CSCD::internal::Edge_crossing& crossing : crossings) {
+  for (const CSCD::Edge_crossing& crossing : crossings) {
     ASSERT_EQ(Triangulation::face(crossing.halfedge), face);
     ASSERT_TRUE(crossing.position > 0 && crossing.position < 1);
     face = Triangulation::face(crossed.twin(crossing.halfedge));
@@ -67,12 +66,12 @@ void expect_strip(const Triangulation& crossed, CSCD::internal::Index first_corn
 /// Halfedges are paired, and each vertex finds one of its own, the first one on a border.
 inline void expect_paired(const Intrinsic_surface& triangulation)
 {
-  using CSCD::internal::Index;
+  using CSCD::Index;
   std::vector<Index> degree(triangulation.number_of_vertices(), 0);
   for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
     const Index twin = triangulation.twin(h);
     ++degree[triangulation.origin(h)];
-    if (twin != CSCD::internal::no_index) {
+    if (twin != CSCD::no_index) {
       ASSERT_EQ(triangulation.twin(twin), h);
       ASSERT_EQ(triangulation.origin(twin), triangulation.target(h));
       ASSERT_EQ(triangulation.length(twin), triangulation.length(h));
@@ -92,7 +91,7 @@ inline void expect_paired(const Intrinsic_surface& triangulation)
 /// Every edge can be traced over the input, from both ends alike, and is as long as it says.
 inline void expect_traceable(const Intrinsic_surface& triangulation, double tolerance)
 {
-  using CSCD::internal::Index;
+  using CSCD::Index;
   const auto& surface = triangulation.input();
   CSCD::internal::Edge_trace trace;
   CSCD::internal::Edge_trace reverse;
@@ -116,7 +115,7 @@ inline void expect_traceable(const Intrinsic_surface& triangulation, double tole
     triangulation.trace(triangulation.twin(h), reverse);
     ASSERT_EQ(reverse.crossings().size(), crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {
-      const CSCD::internal::Edge_crossing& back = reverse.crossings()[crossings.size() - 1 - i];
+      const CSCD::Edge_crossing& back = reverse.crossings()[crossings.size() - 1 - i];
       ASSERT_EQ(back.halfedge, surface.twin(crossings[i].halfedge));
       ASSERT_NEAR(back.position, 1 - crossings[i].position, tolerance);
     }
@@ -126,20 +125,20 @@ inline void expect_traceable(const Intrinsic_surface& triangulation, double tole
 /// The input edges cross those edges of the triangulation that cross them.
 inline void expect_crossed_mutually(const Intrinsic_surface& triangulation)
 {
-  using CSCD::internal::Index;
+  using CSCD::Index;
   const auto& surface = triangulation.input();
   CSCD::internal::Edge_trace trace;
   std::vector<Index> crossings_of_edge(triangulation.number_of_halfedges(), 0);
   std::vector<Index> crossings_of_input_edge(surface.number_of_halfedges(), 0);
   for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
     triangulation.trace(h, trace);
-    for (const CSCD::internal::Edge_crossing& crossing : trace.crossings()) {
+    for (const CSCD::Edge_crossing& crossing : trace.crossings()) {
       ++crossings_of_input_edge[crossing.halfedge];
     }
   }
   for (Index g = 0; g < triangulation.number_of_halfedges(); ++g) {
     triangulation.trace_input_edge(g, trace);
-    for (const CSCD::internal::Edge_crossing& crossing : trace.crossings()) {
+    for (const CSCD::Edge_crossing& crossing : trace.crossings()) {
       ++crossings_of_edge[crossing.halfedge];
     }
     ASSERT_EQ(trace.crossings().size(), crossings_of_input_edge[g]) << "input halfedge " << g;
@@ -157,7 +156,7 @@ inline void expect_crossed_mutually(const Intrinsic_surface& triangulation)
 inline double total_area(const Intrinsic_surface& triangulation)
 {
   double sum = 0;
-  for (CSCD::internal::Index f = 0; f < triangulation.number_of_faces(); ++f) {
+  for (CSCD::Index f = 0; f < triangulation.number_of_faces(); ++f) {
     sum += triangulation.face_area(f);
   }
   return sum;
@@ -168,7 +167,7 @@ struct Invariants
 {
   explicit Invariants(const Intrinsic_surface& triangulation) : area(total_area(triangulation))
   {
-    for (CSCD::internal::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
+    for (CSCD::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
       vertex_angles.push_back(triangulation.vertex_angle(vertex));
     }
   }

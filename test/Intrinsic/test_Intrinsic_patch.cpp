@@ -5,12 +5,11 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Intrinsic/Edge_trace.h>
-#include <CSCD/Intrinsic/Intrinsic_patch.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Intrinsic_patch.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,10 +20,10 @@
 
 namespace {
 
-using CSCD::internal::Edge_crossing;
+using CSCD::Edge_crossing;
 using CSCD::internal::Edge_trace;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
 using Intrinsic_patch = CSCD::internal::Intrinsic_patch<Triangulated_surface>;
 using Intrinsic_triangulation = CSCD::internal::Intrinsic_triangulation<Triangulated_surface>;
 
@@ -106,11 +105,11 @@ TEST(Intrinsic_patch, adds_faces_one_by_one)
   EXPECT_EQ(patch.twin(t), h);
   EXPECT_EQ(patch.halfedge_along(surface.twin(0)), t);
   // Once around a vertex: its whole fan, and back to the start.
-  Index spoke = h;
+  Index incident_edge = h;
   for (Index i = 0; i < surface.degree(surface.origin(0)); ++i) {
-    spoke = patch.next_around_origin(spoke);
+    incident_edge = patch.next_around_origin(incident_edge);
   }
-  EXPECT_EQ(spoke, h);
+  EXPECT_EQ(incident_edge, h);
   EXPECT_EQ(patch.number_of_faces(), surface.degree(surface.origin(0)));
 }
 

@@ -7,12 +7,12 @@
 #include "Traits/to_indexed_triangles.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Intrinsic/Edge_trace.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/Traits/check_manifold.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -29,9 +29,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::Intrinsic_surface;
 using CSCD::test::Invariants;
 using CSCD::test::Shape;
@@ -114,8 +114,8 @@ TEST(Intrinsic_triangulation, keeps_borders)
         CSCD::test::with_small_holes(CSCD::test::sphere(2), 4, 1), CSCD::test::slit_tube(6, 1, 12)}) {
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = to_bridged_surface(shape);
-    ASSERT_LT(surface.first_bridging_face(), surface.number_of_faces());
-    Intrinsic_surface triangulation(surface, surface.first_bridging_face());
+    ASSERT_LT(surface.first_hole_filling_face(), surface.number_of_faces());
+    Intrinsic_surface triangulation(surface, surface.first_hole_filling_face());
     const Invariants invariants(triangulation);
     const std::vector<double> borders = border_lengths(triangulation);
     const long euler = euler_number(triangulation);
@@ -134,7 +134,7 @@ TEST(Intrinsic_triangulation, has_straight_edges_in_the_plane)
 {
   const Shape shape = CSCD::test::flat_disc(6, 16);
   const Triangulated_surface surface = to_bridged_surface(shape);
-  Intrinsic_surface triangulation(surface, surface.first_bridging_face());
+  Intrinsic_surface triangulation(surface, surface.first_hole_filling_face());
   for (int round = 0; round < 2; ++round) {
     for (Index h = 0; h < triangulation.number_of_halfedges(); ++h) {
       const Vector_3 edge = surface.point(triangulation.target(h)) - surface.point(triangulation.origin(h));

@@ -94,7 +94,7 @@ TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
   EXPECT_TRUE(m.has_topology_of_surface());
   EXPECT_EQ(1, m.position.fraction_of_nodes_inside);
   EXPECT_EQ(1, m.position.fraction_of_length_inside);
-  EXPECT_EQ(0, m.position.largest_distance_outside);
+  EXPECT_EQ(0, m.position.max_distance_outside);
   EXPECT_NEAR(0, m.position.offset_by_length, 1e-3);
   EXPECT_NEAR(0, m.position.deviation_by_length, 2e-3);
   EXPECT_NEAR(0, m.position.offset_at_nodes, 1e-3);
@@ -123,7 +123,7 @@ TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
   EXPECT_EQ(0u, m.counts.number_of_tips + m.counts.number_of_junctions + m.counts.number_of_isolated_nodes);
   EXPECT_TRUE(m.has_topology_of_surface());
   const double n = double(num_vertices(skeleton));
-  EXPECT_NEAR(2 * pi / n, m.counts.largest_turning, 1e-9);
+  EXPECT_NEAR(2 * pi / n, m.counts.max_turning, 1e-9);
   EXPECT_NEAR(1. / 4, m.counts.mean_turning, 0.005); // the radius of the body over that of the circle
   EXPECT_NEAR(0, m.position.offset_by_length, 0.005);
   EXPECT_NEAR(0, m.position.deviation_at_nodes, 0.01);
@@ -188,7 +188,7 @@ TEST(Evaluate_skeleton, what_is_outside_is_counted)
   const Skeleton_measures m = evaluate_skeleton(mesh, axis(5, 13, 0, 9), coarse); // five nodes of nine in [5, 10)
   EXPECT_NEAR(5. / 9, m.position.fraction_of_nodes_inside, 0.12);                 // and one on the surface
   EXPECT_NEAR(5. / 8, m.position.fraction_of_length_inside, 0.01);
-  EXPECT_NEAR(3 / m.diagonal, m.position.largest_distance_outside, 1e-9);
+  EXPECT_NEAR(3 / m.diagonal, m.position.max_distance_outside, 1e-9);
 }
 
 TEST(Evaluate_skeleton, half_a_skeleton_leaves_half_the_surface_far)

@@ -3,12 +3,11 @@
 //
 // Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
 
-#include <CSCD/Measure/Convolution_field.h>
-#include <CSCD/Measure/Round_cone_field.h>
+#include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Measure/estimate_radii.h>
-#include <CSCD/Measure/triangulate_field.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Measure/Isosurface_tracker.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -173,7 +172,7 @@ struct Surface_facts
     unresolved_fraction = result.unresolved_fraction;
     number_of_faces = result.triangles.faces.size();
     for (const Vector_3& p : result.triangles.points) {
-      greatest_error = std::max(greatest_error, std::abs(field(p)));
+      max_error = std::max(max_error, std::abs(field(p)));
     }
     const Triangulated_surface surface(std::move(result.triangles));
     is_manifold = !surface.defect();
@@ -189,7 +188,7 @@ struct Surface_facts
   std::size_t number_of_faces = 0;
   int euler_number = 0;
   double volume = 0; ///< positive if the faces look outwards
-  double greatest_error = 0;
+  double max_error = 0;
   double unresolved_fraction = 0;
 };
 
@@ -201,7 +200,7 @@ TEST(Triangulate_field, a_capsule_is_closed_and_has_the_right_volume)
   const double length = std::sqrt(1.05);
   const double expected = pi * 0.04 * length + 4 * pi / 3 * 0.008;
   EXPECT_NEAR(expected, facts.volume, 0.01 * expected);
-  EXPECT_LT(facts.greatest_error, 0.02 * 0.02 / 0.2); // of second order in the size of the cells
+  EXPECT_LT(facts.max_error, 0.02 * 0.02 / 0.2); // of second order in the size of the cells
   EXPECT_EQ(0, facts.unresolved_fraction);
 }
 

@@ -10,16 +10,14 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/Shape.h"
 #include <CSCD/Cut_locus/Point_derivatives.h>
-#include <CSCD/Cut_locus/Point_frames.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <utility>
 #include <vector>
@@ -30,8 +28,6 @@ namespace CSCD::test {
 class Measured_cloud
 {
 public:
-  using Index = CSCD::internal::Index;
-  using Vector_3 = CSCD::internal::Vector_3;
 
   /// Has the triangles of `shape`.
   explicit Measured_cloud(const Shape& shape) : Measured_cloud(to_point_complex(shape)) {}
@@ -40,7 +36,7 @@ public:
       : Measured_cloud(CSCD::internal::build_point_complex(to_point_cloud(points)))
   {
   }
-  explicit Measured_cloud(CSCD::internal::Point_complex&& complex)
+  explicit Measured_cloud(CSCD::Point_complex&& complex)
       : m_complex(std::move(complex)), m_frames(m_complex), m_cover(m_complex),
         m_heat(CSCD::internal::make_intrinsic_delaunay(m_cover)), m_derivatives(m_frames, m_heat.operators().elements)
   {
@@ -48,7 +44,7 @@ public:
   Measured_cloud(const Measured_cloud&) = delete;
   Measured_cloud& operator=(const Measured_cloud&) = delete;
 
-  const CSCD::internal::Point_complex& complex() const { return m_complex; }
+  const CSCD::Point_complex& complex() const { return m_complex; }
   const CSCD::internal::Point_frames& frames() const { return m_frames; }
   const CSCD::internal::Point_derivatives& derivatives() const { return m_derivatives; }
   Index size() const { return m_complex.number_of_vertices(); }
@@ -85,7 +81,7 @@ public:
   }
 
 private:
-  CSCD::internal::Point_complex m_complex;
+  CSCD::Point_complex m_complex;
   CSCD::internal::Point_frames m_frames;
   CSCD::internal::Tufted_cover m_cover;
   CSCD::internal::Heat_method m_heat;

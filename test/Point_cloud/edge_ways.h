@@ -6,11 +6,10 @@
 #ifndef CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
 #define CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
 
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Vertex_loop.h>
-#include <CSCD/internal/Distance_front.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,13 +19,13 @@
 namespace CSCD::test {
 
 /// The vertex with edges that is nearest to `point`.
-inline CSCD::internal::Index nearest_vertex(const CSCD::internal::Point_complex& complex,
-                                            const CSCD::internal::Vector_3& point)
+inline CSCD::Index nearest_vertex(const CSCD::Point_complex& complex,
+                                            const CSCD::Vector_3& point)
 {
-  CSCD::internal::Index nearest = CSCD::internal::no_index;
-  for (CSCD::internal::Index v = 0; v < complex.number_of_vertices(); ++v) {
+  CSCD::Index nearest = CSCD::no_index;
+  for (CSCD::Index v = 0; v < complex.number_of_vertices(); ++v) {
     if (!complex.outgoing(v).empty() &&
-        (nearest == CSCD::internal::no_index ||
+        (nearest == CSCD::no_index ||
          (complex.point(v) - point).squaredNorm() < (complex.point(nearest) - point).squaredNorm())) {
       nearest = v;
     }
@@ -35,12 +34,12 @@ inline CSCD::internal::Index nearest_vertex(const CSCD::internal::Point_complex&
 }
 
 /// Appends the vertices of the shortest way from `from` to `to`, without the latter, to `loop`.
-inline void append_way(const CSCD::internal::Point_complex& complex, CSCD::internal::Index from,
-                       CSCD::internal::Index to, CSCD::internal::Vertex_loop& loop)
+inline void append_way(const CSCD::Point_complex& complex, CSCD::Index from,
+                       CSCD::Index to, CSCD::Vertex_loop& loop)
 {
-  using CSCD::internal::Index;
-  CSCD::internal::Distance_front front(complex.number_of_vertices());
-  std::vector<Index> next(complex.number_of_vertices(), CSCD::internal::no_index);
+  using CSCD::Index;
+  CSCD::internal::Dijkstra_search front(complex.number_of_vertices());
+  std::vector<Index> next(complex.number_of_vertices(), CSCD::no_index);
   front.reach(to, 0);
   front.spread([&](Index vertex, float distance) {
     for (const Index h : complex.outgoing(vertex)) {
@@ -49,16 +48,16 @@ inline void append_way(const CSCD::internal::Point_complex& complex, CSCD::inter
       }
     }
   });
-  for (Index vertex = from; vertex != to && vertex != CSCD::internal::no_index; vertex = next[vertex]) {
+  for (Index vertex = from; vertex != to && vertex != CSCD::no_index; vertex = next[vertex]) {
     loop.push_back(vertex);
   }
 }
 
 /// The loop along edges through the vertices nearest to `places`.
-inline CSCD::internal::Vertex_loop loop_through(const CSCD::internal::Point_complex& complex,
-                                                const std::vector<CSCD::internal::Vector_3>& places)
+inline CSCD::Vertex_loop loop_through(const CSCD::Point_complex& complex,
+                                                const std::vector<CSCD::Vector_3>& places)
 {
-  CSCD::internal::Vertex_loop loop;
+  CSCD::Vertex_loop loop;
   for (std::size_t i = 0; i < places.size(); ++i) {
     append_way(complex, nearest_vertex(complex, places[i]), nearest_vertex(complex, places[(i + 1) % places.size()]),
                loop);
@@ -67,18 +66,18 @@ inline CSCD::internal::Vertex_loop loop_through(const CSCD::internal::Point_comp
 }
 
 /// Allows all vertices.
-inline bool anywhere(CSCD::internal::Index)
+inline bool anywhere(CSCD::Index)
 {
   return true;
 }
 
 /// The vertices that can be reached from `seeds` over edges not crossed, where `is_allowed(vertex)`.
 template <class Predicate>
-std::set<CSCD::internal::Index> flooded(const CSCD::internal::Point_complex& complex,
-                                        const std::vector<CSCD::internal::Edge_crossing>& crossings,
-                                        const std::set<CSCD::internal::Index>& seeds, const Predicate& is_allowed)
+std::set<CSCD::Index> flooded(const CSCD::Point_complex& complex,
+                                        const std::vector<CSCD::Edge_crossing>& crossings,
+                                        const std::set<CSCD::Index>& seeds, const Predicate& is_allowed)
 {
-  using CSCD::internal::Index;
+  using CSCD::Index;
   std::set<Index> crossed;
   for (const auto& crossing : crossings) {
     crossed.insert(complex.edge(crossing.halfedge));
@@ -101,15 +100,15 @@ std::set<CSCD::internal::Index> flooded(const CSCD::internal::Point_complex& com
 /// Whether no way over edges that are not crossed leads from the left ends of crossed edges to the right ends, among
 /// the vertices where `is_allowed(vertex)`.
 template <class Predicate>
-bool separates(const CSCD::internal::Point_complex& complex,
-               const std::vector<CSCD::internal::Edge_crossing>& crossings, const Predicate& is_allowed)
+bool separates(const CSCD::Point_complex& complex,
+               const std::vector<CSCD::Edge_crossing>& crossings, const Predicate& is_allowed)
 {
-  std::set<CSCD::internal::Index> left;
+  std::set<CSCD::Index> left;
   for (const auto& crossing : crossings) {
     left.insert(complex.target(crossing.halfedge));
   }
-  const std::set<CSCD::internal::Index> reached = flooded(complex, crossings, left, is_allowed);
-  return std::none_of(crossings.begin(), crossings.end(), [&](const CSCD::internal::Edge_crossing& crossing) {
+  const std::set<CSCD::Index> reached = flooded(complex, crossings, left, is_allowed);
+  return std::none_of(crossings.begin(), crossings.end(), [&](const CSCD::Edge_crossing& crossing) {
     return reached.count(complex.origin(crossing.halfedge)) != 0;
   });
 }

@@ -4,8 +4,8 @@
 // Delaunay neighbors of the origin, beside those of CGAL's triangulation.
 
 #include "support/shape_operations.h"
-#include <CSCD/Point_cloud/Delaunay_star.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangle_selection.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,7 +21,7 @@
 namespace {
 
 using CSCD::internal::Delaunay_star;
-using CSCD::internal::Index;
+using CSCD::Index;
 
 /// The neighbors of the origin, counterclockwise; from behind the border on, if there is one.
 std::vector<Index> neighbors_by_cgal(const std::vector<Eigen::Vector2d>& points)
@@ -54,13 +54,13 @@ std::vector<Index> rotated_to_least(std::vector<Index> ring)
   return ring;
 }
 
-std::vector<Eigen::Vector2d> random_points(std::size_t number, double least_x, std::mt19937_64& random)
+std::vector<Eigen::Vector2d> random_points(std::size_t number, double min_x, std::mt19937_64& random)
 {
   std::vector<Eigen::Vector2d> result;
   while (result.size() < number) {
     const double x = CSCD::test::random_signed_unit(random);
     const double y = CSCD::test::random_signed_unit(random);
-    if (x > least_x) {
+    if (x > min_x) {
       result.emplace_back(x, y);
     }
   }

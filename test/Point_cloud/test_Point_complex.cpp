@@ -6,8 +6,8 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,9 +18,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Point_complex;
+using CSCD::Vector_3;
 
 TEST(Point_complex, numbers_halfedges_counterclockwise)
 {

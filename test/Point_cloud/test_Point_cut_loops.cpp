@@ -6,12 +6,10 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Point_cut_measures.h>
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Target_rule.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,22 +23,22 @@ namespace {
 using CSCD::Cut_loop_outcome;
 using CSCD::Target_rule;
 using CSCD::internal::Cut_loop;
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
-using CSCD::internal::Point_cut_measures;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Point_complex;
+using CSCD::internal::Point_cut_locus_indicators;
+using CSCD::Vector_3;
 using CSCD::test::Measured_cloud;
 using CSCD::test::pi;
 using CSCD::test::Triple;
 
-using Finder = CSCD::internal::Cut_loop_finder<Point_cut_measures>;
+using Finder = CSCD::internal::Cut_loop_finder<Point_cut_locus_indicators>;
 
 Cut_loop find_loop(const Measured_cloud& cloud, Index source, Target_rule rule, std::vector<Index>& vertices)
 {
   Finder finder(cloud.frames(), cloud.complex().points());
   const std::vector<double> distances = cloud.distances(source);
   Cut_loop loop;
-  finder(Point_cut_measures(cloud.derivatives(), distances), source, Point_cut_measures::default_criterion(), rule,
+  finder(Point_cut_locus_indicators(cloud.derivatives(), distances), source, Point_cut_locus_indicators::default_criterion(), rule,
          loop);
   vertices = finder.vertices(loop);
   return loop;
@@ -50,7 +48,7 @@ void expect_simple(const Point_complex& complex, const Cut_loop& loop, const std
 {
   std::set<Index> passed;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    EXPECT_NE(complex.find_halfedge(vertices[i], vertices[(i + 1) % vertices.size()]), CSCD::internal::no_index);
+    EXPECT_NE(complex.find_halfedge(vertices[i], vertices[(i + 1) % vertices.size()]), CSCD::no_index);
     EXPECT_TRUE(passed.insert(vertices[i]).second) << "a vertex comes twice";
   }
   EXPECT_EQ(vertices.front(), loop.target);
@@ -104,7 +102,7 @@ TEST(Cut_loop_finder, goes_around_a_sampled_tube)
         // it.
         EXPECT_LT((tube.complex().point(loop.target) - opposite).norm(), 4 * tube.complex().mean_edge_length());
         EXPECT_NEAR(loop.distance, pi * radius, 2.5 * tube.complex().mean_edge_length());
-        EXPECT_NEAR(loop.aperture, 2 / pi, 0.15);
+        EXPECT_NEAR(loop.path_separation, 2 / pi, 0.15);
         EXPECT_NEAR(winding(tube.complex(), vertices, {1, 0, 0}, {0, 0, 0}), 1, 1e-6);
       }
       EXPECT_GT(number, 20u);

@@ -7,11 +7,11 @@
 #include "Traits/to_surface.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Winding_number.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_solid_queries.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -24,9 +24,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Point_complex;
+using CSCD::Vector_3;
 using CSCD::internal::Winding_number;
 using CSCD::test::pi;
 using CSCD::test::Shape;
@@ -103,7 +103,7 @@ TEST(Winding_number, is_wrong_by_the_fifth_power_of_the_distance)
 /// Compares with the mesh of the shape. \return the shares of wrong answers of all, and of those not near the surface
 std::pair<double, double> wrong_shares(const Shape& shape, const Point_complex& complex, double near)
 {
-  const CSCD::internal::Triangulated_surface surface = CSCD::test::to_surface(shape);
+  const CSCD::Triangulated_surface surface = CSCD::test::to_surface(shape);
   const CSCD::internal::Solid_queries solid(surface);
   const Winding_number winding_number(complex);
   std::size_t wrong = 0;

@@ -10,8 +10,8 @@
 #include "support/Similarity.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -28,10 +28,10 @@
 namespace {
 
 using CSCD::internal::build_point_complex;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Point_cloud;
-using CSCD::internal::Point_complex;
-using CSCD::internal::Vector_3;
+using CSCD::Point_complex;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
 using CSCD::test::to_point_cloud;

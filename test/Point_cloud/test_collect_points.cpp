@@ -5,11 +5,11 @@
 
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Neighbor_table.h>
-#include <CSCD/Point_cloud/collect_points.h>
-#include <CSCD/Point_cloud/fit_quadrics.h>
+#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Surface/Cloud_sampling.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
@@ -27,8 +27,8 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
-using CSCD::internal::Index;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Vector_3;
 
 TEST(collect_points, merges_equal_points_and_restores_their_coordinates)
 {

@@ -8,7 +8,7 @@
 
 #include "support/Shape.h"
 #include "support/point_skeletons.h"
-#include <CSCD/Point_cloud/collect_points.h>
+#include <CSCD/Surface/Point_cloud.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>

@@ -8,10 +8,10 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Point_cloud/collect_points.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Vector_3.h>
 
 #include <utility>
 #include <vector>
@@ -19,10 +19,10 @@
 namespace CSCD::test {
 
 /// The complex of the triangles of `shape`, with the sums of their normals.
-inline CSCD::internal::Point_complex to_point_complex(const Shape& shape)
+inline CSCD::Point_complex to_point_complex(const Shape& shape)
 {
-  using CSCD::internal::Vector_3;
-  CSCD::internal::Indexed_triangles triangles = to_indexed_triangles(shape);
+  using CSCD::Vector_3;
+  CSCD::Indexed_triangles triangles = to_indexed_triangles(shape);
   std::vector<Vector_3> normals(triangles.points.size(), Vector_3::Zero());
   for (const auto& [a, b, c] : triangles.faces) {
     const Vector_3& p = triangles.points[a];
@@ -38,11 +38,11 @@ inline CSCD::internal::Point_complex to_point_complex(const Shape& shape)
 }
 
 /// The complex of different points, in their own coordinates.
-inline CSCD::internal::Point_complex to_point_complex(const std::vector<Triple>& points)
+inline CSCD::Point_complex to_point_complex(const std::vector<Triple>& points)
 {
   CSCD::internal::Point_cloud cloud;
   for (const Triple& p : points) {
-    cloud.input_point.push_back(CSCD::internal::Index(cloud.points.size()));
+    cloud.input_point.push_back(CSCD::Index(cloud.points.size()));
     cloud.points.emplace_back(p[0], p[1], p[2]);
   }
   CSCD::internal::sort_canonically(cloud);

@@ -6,11 +6,11 @@
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Fragment_joining.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,11 +22,11 @@
 namespace {
 
 using CSCD::internal::Fragment_joining;
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Tube_end;
 
@@ -45,7 +45,7 @@ std::ptrdiff_t join(Indexed_triangles& triangles, std::size_t expected_gaps)
   Fragment_joining joining(triangles, pairing);
   EXPECT_EQ(expected_gaps, joining().size());
   const Halfedge_pairing joined(triangles.faces, triangles.points.size());
-  EXPECT_EQ(CSCD::internal::no_index, joined.conflict());
+  EXPECT_EQ(CSCD::no_index, joined.conflict());
   CSCD::internal::bridge_borders(triangles, joined);
   const Triangulated_surface surface{Indexed_triangles(triangles)};
   EXPECT_FALSE(surface.defect());

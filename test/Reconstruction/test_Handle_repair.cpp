@@ -6,14 +6,12 @@
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Handle_repair.h>
-#include <CSCD/Reconstruction/Loop_flood.h>
-#include <CSCD/Reconstruction/cut_along_loops.h>
-#include <CSCD/Reconstruction/split_pinched_vertices.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Reconstruction/Local_handle_search.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,11 +20,11 @@
 
 namespace {
 
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vertex_loop;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::Triangulated_surface;
+using CSCD::Vertex_loop;
 using CSCD::test::Shape;
 
 /// Twice the number of components less twice the genus.
@@ -42,7 +40,7 @@ std::size_t repair(Indexed_triangles& triangles)
   const std::vector<Vertex_loop> loops = CSCD::internal::Handle_repair(surface)();
   cut_along_loops(triangles, surface, loops);
   const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  EXPECT_EQ(CSCD::internal::no_index, pairing.conflict());
+  EXPECT_EQ(CSCD::no_index, pairing.conflict());
   EXPECT_EQ(2 * loops.size(), CSCD::internal::bridge_borders(triangles, pairing));
   EXPECT_FALSE(Triangulated_surface{Indexed_triangles(triangles)}.defect());
   return loops.size();
@@ -97,7 +95,7 @@ TEST(split_pinched_vertices, gives_every_fan_a_vertex)
 {
   // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.
   Indexed_triangles triangles;
-  triangles.points.assign(9, CSCD::internal::Vector_3::Zero());
+  triangles.points.assign(9, CSCD::Vector_3::Zero());
   for (Index i = 0; i < 9; ++i) {
     triangles.points[i].x() = i;
   }

@@ -6,8 +6,8 @@
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/orient_coherently.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@
 
 namespace {
 
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
 using Faces = std::vector<std::array<Index, 3>>;
 
 TEST(orient_coherently, turns_faces_like_the_first_one)
@@ -54,7 +54,7 @@ TEST(orient_coherently, opens_a_moebius_strip)
   }
   CSCD::internal::orient_coherently(faces);
   EXPECT_EQ(std::size_t(length - 1), faces.size());
-  EXPECT_EQ(CSCD::internal::no_index, Halfedge_pairing(faces, length).conflict());
+  EXPECT_EQ(CSCD::no_index, Halfedge_pairing(faces, length).conflict());
 }
 
 } // namespace

@@ -7,9 +7,9 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/collect_points.h>
-#include <CSCD/Reconstruction/reconstruct_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Reconstruction/Surface_reconstruction.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
@@ -26,7 +26,7 @@ namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
 using CSCD::test::Triple;

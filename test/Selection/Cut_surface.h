@@ -9,8 +9,8 @@
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ namespace CSCD::test {
 /// A surface cut along separators, all of which must be disjoint.
 struct Cut_surface
 {
-  Cut_surface(const CSCD::internal::Triangulated_surface& cut_surface, std::vector<Separator> all)
+  Cut_surface(const CSCD::Triangulated_surface& cut_surface, std::vector<Separator> all)
       : surface(cut_surface), separators(std::move(all)), arrangement(surface), cut_graph(surface, separators)
   {
-    for (CSCD::internal::Index i = 0; i < separators.size(); ++i) {
+    for (CSCD::Index i = 0; i < separators.size(); ++i) {
       EXPECT_TRUE(arrangement.insert(i, separators[i].crossings)) << "separator " << i << " crosses another one";
     }
     cut_graph.cut(arrangement);
@@ -40,7 +40,7 @@ struct Cut_surface
     return separators.size() + number_of_components - cut_graph.pieces().size();
   }
 
-  const CSCD::internal::Triangulated_surface& surface;
+  const CSCD::Triangulated_surface& surface;
   std::vector<Separator> separators;
   CSCD::internal::Separator_arrangement arrangement;
   CSCD::internal::Cut_graph cut_graph;

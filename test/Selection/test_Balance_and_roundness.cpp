@@ -7,10 +7,8 @@
 #include "archetypes/Solid_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Balance_and_roundness.h>
-#include <CSCD/Selection/span_inside_share.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +17,7 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::section_separator;
 using CSCD::test::Solid_traits_archetype;
 using CSCD::test::tube_section;

@@ -6,12 +6,12 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Bump_branches.h>
+#include <CSCD/Selection/Spurious_branches.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
 using CSCD::test::circle_separator;
 using CSCD::test::nearest_vertex;
 using CSCD::test::section_separator;
@@ -39,7 +39,7 @@ Indices bumps(const Triangulated_surface& surface, const std::vector<Separator>&
   }
   CSCD::internal::Cut_graph cut_graph(surface, arrangement);
   cut_graph.cut(arrangement);
-  Indices result = CSCD::internal::Bump_branches(cut_graph, separators, packed).separators();
+  Indices result = CSCD::internal::Spurious_branches(cut_graph, separators, packed).separators();
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -6,10 +6,10 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Disjoint_separators.h>
+#include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::internal::Disjoint_separators;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::section_separator;
 using Indices = std::vector<Index>;
 

@@ -3,8 +3,8 @@
 //
 // Sources are drawn by area and by distance from earlier ones.
 
-#include <CSCD/Selection/Distance_sampling.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Selection/Sampled_search.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@
 namespace {
 
 using CSCD::internal::Distance_sampling;
-using CSCD::internal::Index;
+using CSCD::Index;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -8,8 +8,8 @@
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -20,12 +20,12 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
+using CSCD::Edge_crossing;
+using CSCD::Index;
+using CSCD::no_index;
 using CSCD::internal::Separator_arrangement;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::circle_separator;
 
 class Separator_arrangement_test : public testing::Test

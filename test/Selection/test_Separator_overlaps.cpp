@@ -9,8 +9,8 @@
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Selection/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Separator_overlaps;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Triangulated_surface;
 using CSCD::test::circle_separator;
 using CSCD::test::tube_section;
 using Indices = std::vector<Index>;
@@ -64,7 +64,7 @@ TEST_F(Separator_overlaps_test, are_of_those_that_coincide)
   EXPECT_EQ(others({section, section}, 0), Indices{1});
   Separator reversed = section;
   std::reverse(reversed.crossings.begin(), reversed.crossings.end());
-  for (CSCD::internal::Edge_crossing& crossing : reversed.crossings) {
+  for (CSCD::Edge_crossing& crossing : reversed.crossings) {
     crossing = {m_tube.twin(crossing.halfedge), 1 - crossing.position};
   }
   EXPECT_EQ(others({section, reversed}, 0), Indices{1}) << "whichever way round";
@@ -119,7 +119,7 @@ TEST_F(Separator_overlaps_test, tell_a_curve_that_crosses_itself)
   // Twice around, once straight and once tilted: an eight on the tube.
   Separator twice = tube_section(m_tube, 5);
   const Separator tilted = tube_section(m_tube, 5, {1, 0.8, 0});
-  const std::vector<CSCD::internal::Edge_crossing> straight = twice.crossings;
+  const std::vector<CSCD::Edge_crossing> straight = twice.crossings;
   const auto shared = std::find_if(straight.begin(), straight.end(), [&](const auto& crossing) {
     return std::any_of(tilted.crossings.begin(), tilted.crossings.end(),
                        [&](const auto& other) { return other.halfedge == crossing.halfedge; });

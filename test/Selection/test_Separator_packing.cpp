@@ -6,11 +6,11 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Length_and_planarity_weight.h>
+#include <CSCD/Selection/Separator_cost.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Separator_packing;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::circle_separator;
 using CSCD::test::section_separator;
 using Indices = std::vector<Index>;
@@ -119,9 +119,9 @@ TEST(Separator_packing, keeps_the_cycles_of_handles)
   EXPECT_EQ(packing.cut_graph().pieces().size(), 2u);
 }
 
-TEST(Length_and_planarity_weight, prefers_short_and_planar_separators)
+TEST(Length_and_planarity_cost, prefers_short_and_planar_separators)
 {
-  const CSCD::Length_and_planarity_weight weight;
+  const CSCD::Length_and_planarity_cost weight;
   Separator separator;
   separator.length = 2;
   EXPECT_EQ(weight(separator), 2);

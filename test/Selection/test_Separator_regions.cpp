@@ -7,13 +7,12 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_overlaps.h>
-#include <CSCD/Selection/Separator_regions.h>
-#include <CSCD/Selection/pack_by_overlap.h>
+#include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -24,9 +23,9 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Separator_regions;
-using CSCD::internal::Surface_level;
+using CSCD::Surface_level;
 using CSCD::test::tube_section;
 
 Surface_level level_of(const CSCD::test::Shape& shape)

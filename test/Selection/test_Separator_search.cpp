@@ -6,7 +6,7 @@
 #include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Separator_search.h>
+#include <CSCD/Selection/Covering_search.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>

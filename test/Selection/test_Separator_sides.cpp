@@ -6,10 +6,10 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Separator_sides.h>
+#include <CSCD/Selection/Balance_and_roundness.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::internal::Separator_sides;
-using CSCD::internal::Surface_level;
+using CSCD::Surface_level;
 using CSCD::test::tube_section;
 
 constexpr double unlimited = std::numeric_limits<double>::max();

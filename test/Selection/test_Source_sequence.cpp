@@ -6,9 +6,8 @@
 #include "archetypes/Multiresolution_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Coverage.h>
-#include <CSCD/Selection/Source_sequence.h>
 #include <CSCD/Separator/Local_separator_finder.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +21,7 @@ namespace {
 using CSCD::Search_outcome;
 using CSCD::Search_result;
 using CSCD::internal::Coverage;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Source_sequence;
 using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 

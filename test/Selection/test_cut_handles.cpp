@@ -16,9 +16,9 @@
 #include <CSCD/Selection/cut_handles.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -34,14 +34,14 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::internal::Cut_graph;
-using CSCD::internal::Edge_crossing;
+using CSCD::Edge_crossing;
 using CSCD::internal::Handle_loops;
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
+using CSCD::Index;
+using CSCD::no_index;
 using CSCD::internal::Separator_arrangement;
 using CSCD::internal::Separator_packing;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vertex_loop;
+using CSCD::Triangulated_surface;
+using CSCD::Vertex_loop;
 using CSCD::test::Cut_surface;
 using CSCD::test::section_separator;
 using CSCD::test::Shape;
@@ -157,7 +157,7 @@ struct Cut_levels
     return Handle_loops(levels.finest(), cut.arrangement)(vertex);
   }
 
-  CSCD::internal::Surface_levels levels;
+  CSCD::Surface_levels levels;
   CSCD::test::Cut_surface cut;
 };
 

@@ -7,10 +7,9 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_overlaps.h>
-#include <CSCD/Selection/pack_by_overlap.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -20,9 +19,9 @@
 namespace {
 
 using CSCD::Separator;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Separator_overlaps;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Triangulated_surface;
 using CSCD::test::tube_section;
 using Indices = std::vector<Index>;
 

@@ -7,7 +7,7 @@
 #define CSCD_TEST_SEPARATOR_IS_CLOSED_CURVE_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -17,13 +17,13 @@
 namespace CSCD::test {
 
 /// Whether every crossing lies strictly within its edge, and the curve goes on in the face that it has entered.
-inline testing::AssertionResult is_closed_curve(const CSCD::internal::Triangulated_surface& surface,
-                                                const std::vector<CSCD::internal::Edge_crossing>& crossings)
+inline testing::AssertionResult is_closed_curve(const CSCD::Triangulated_surface& surface,
+                                                const std::vector<CSCD::Edge_crossing>& crossings)
 {
-  using CSCD::internal::Triangulated_surface;
+  using CSCD::Triangulated_surface;
   for (std::size_t i = 0; i < crossings.size(); ++i) {
-    const CSCD::internal::Edge_crossing& crossing = crossings[i];
-    const CSCD::internal::Edge_crossing& next = crossings[(i + 1) % crossings.size()];
+    const CSCD::Edge_crossing& crossing = crossings[i];
+    const CSCD::Edge_crossing& next = crossings[(i + 1) % crossings.size()];
     if (!(crossing.position > 0 && crossing.position < 1)) {
       return testing::AssertionFailure() << "crossing " << i << " at position " << crossing.position;
     }

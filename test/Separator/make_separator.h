@@ -9,9 +9,8 @@
 #include "Traits/to_surface.h"
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -23,12 +22,12 @@
 namespace CSCD::test {
 
 /// The separator of `crossings`, with its measures.
-inline Separator make_separator(const CSCD::internal::Triangulated_surface& surface,
-                                std::vector<CSCD::internal::Edge_crossing> crossings)
+inline Separator make_separator(const CSCD::Triangulated_surface& surface,
+                                std::vector<CSCD::Edge_crossing> crossings)
 {
   Separator separator;
   separator.crossings = std::move(crossings);
-  std::vector<CSCD::internal::Vector_3> points;
+  std::vector<CSCD::Vector_3> points;
   CSCD::internal::crossing_points(surface, separator.crossings, points);
   CSCD::internal::set_measures(separator, points);
   separator.source = surface.origin(separator.crossings.front().halfedge);
@@ -36,16 +35,16 @@ inline Separator make_separator(const CSCD::internal::Triangulated_surface& surf
 }
 
 /// The cycle that the plane through `point` normal to `axis` cuts off `surface` and that comes nearest to `near`.
-inline Separator section_separator(const CSCD::internal::Triangulated_surface& surface,
-                                   const CSCD::internal::Vector_3& point, const CSCD::internal::Vector_3& axis,
-                                   const CSCD::internal::Vector_3& near)
+inline Separator section_separator(const CSCD::Triangulated_surface& surface,
+                                   const CSCD::Vector_3& point, const CSCD::Vector_3& axis,
+                                   const CSCD::Vector_3& near)
 {
   CSCD::internal::Plane_section section(surface);
   Separator best;
   double least = std::numeric_limits<double>::max();
-  for (CSCD::internal::Index face = 0; face < surface.number_of_faces(); ++face) {
+  for (CSCD::Index face = 0; face < surface.number_of_faces(); ++face) {
     double distance = std::numeric_limits<double>::max();
-    for (CSCD::internal::Index h = 3 * face; h < 3 * face + 3; ++h) {
+    for (CSCD::Index h = 3 * face; h < 3 * face + 3; ++h) {
       distance = std::min(distance, (surface.point(surface.origin(h)) - near).norm());
     }
     if (distance < least && section.cut_at_face(face, axis, point, std::numeric_limits<double>::max())) {
@@ -58,18 +57,18 @@ inline Separator section_separator(const CSCD::internal::Triangulated_surface& s
 }
 
 /// The section through the point `x` of the axis of a tube along x, across it or normal to `axis`.
-inline Separator tube_section(const CSCD::internal::Triangulated_surface& surface, double x,
-                              const CSCD::internal::Vector_3& axis = {1, 0, 0})
+inline Separator tube_section(const CSCD::Triangulated_surface& surface, double x,
+                              const CSCD::Vector_3& axis = {1, 0, 0})
 {
   return section_separator(surface, {x, 0, 0}, axis.normalized(), {x, 0, 1});
 }
 
 /// The circle around `vertex` that crosses every edge there at `position` from the vertex. The vertex is on its right.
-inline Separator circle_separator(const CSCD::internal::Triangulated_surface& surface, CSCD::internal::Index vertex,
+inline Separator circle_separator(const CSCD::Triangulated_surface& surface, CSCD::Index vertex,
                                   double position)
 {
-  std::vector<CSCD::internal::Edge_crossing> crossings;
-  for (const CSCD::internal::Index h : surface.outgoing(vertex)) {
+  std::vector<CSCD::Edge_crossing> crossings;
+  for (const CSCD::Index h : surface.outgoing(vertex)) {
     crossings.push_back({h, position});
   }
   // A curve goes on into the face of the twin: clockwise.

@@ -5,10 +5,10 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Bump_test.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 
 namespace {
 
-using CSCD::internal::Bump_test;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::internal::Enclosed_area_test;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 using CSCD::test::pi;
 
 constexpr double no_limit = 1e9;
@@ -37,20 +37,20 @@ Vertex_loop ring_loop(Index ring, Index around)
   return loop;
 }
 
-TEST(Bump_test, of_a_flat_disc)
+TEST(Enclosed_area_test, of_a_flat_disc)
 {
   constexpr Index around = 64;
   const Triangulated_surface surface =
       CSCD::test::to_surface(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   EXPECT_NEAR(bump_test.area_ratio(ring_loop(0, around), no_limit), 1 / (4 * pi), 1e-3);
 }
 
-TEST(Bump_test, of_a_hemisphere_and_of_limbs)
+TEST(Enclosed_area_test, of_a_hemisphere_and_of_limbs)
 {
   constexpr Index around = 64;
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::capsule(10, 1, around));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   for (Index ring = 0; ring < 50; ring += 10) {
     const Vertex_loop loop = ring_loop(ring, around);
     const double length = surface.point(loop.front()).x();
@@ -58,11 +58,11 @@ TEST(Bump_test, of_a_hemisphere_and_of_limbs)
   }
 }
 
-TEST(Bump_test, does_not_depend_on_direction_nor_side_and_can_be_used_again)
+TEST(Enclosed_area_test, does_not_depend_on_direction_nor_side_and_can_be_used_again)
 {
   constexpr Index around = 24;
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::capsule(10, 1, around));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   Vertex_loop loop = ring_loop(5, around);
   const double ratio = bump_test.area_ratio(loop, no_limit);
   std::reverse(loop.begin(), loop.end());
@@ -71,29 +71,29 @@ TEST(Bump_test, does_not_depend_on_direction_nor_side_and_can_be_used_again)
   EXPECT_NEAR(bump_test.area_ratio(loop, no_limit), ratio, 1e-9);
 }
 
-TEST(Bump_test, tells_only_that_the_limit_is_exceeded)
+TEST(Enclosed_area_test, tells_only_that_the_limit_is_exceeded)
 {
   constexpr Index around = 24;
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::capsule(10, 1, around));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   const Vertex_loop loop = ring_loop(20, around);
   EXPECT_GT(bump_test.area_ratio(loop, no_limit), 0.5);
   EXPECT_GE(bump_test.area_ratio(loop, 0.1), 0.1);
 }
 
-TEST(Bump_test, of_a_loop_that_separates_nothing_is_the_whole_surface)
+TEST(Enclosed_area_test, of_a_loop_that_separates_nothing_is_the_whole_surface)
 {
   constexpr Index around = 24;
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, around));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   const double length = 2 * around * std::sin(pi / around);
   EXPECT_NEAR(bump_test.area_ratio(ring_loop(4, around), no_limit), surface.total_area() / (length * length), 1e-4);
 }
 
-TEST(Bump_test, of_what_is_no_loop_is_nothing)
+TEST(Enclosed_area_test, of_what_is_no_loop_is_nothing)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(2));
-  Bump_test bump_test(surface);
+  Enclosed_area_test bump_test(surface);
   EXPECT_EQ(bump_test.area_ratio({0, 1, 2}, no_limit), 0);
 }
 

@@ -8,12 +8,12 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Separator/Closest_point_projection.h>
-#include <CSCD/Separator/Complex_trace.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -28,11 +28,11 @@
 namespace {
 
 using CSCD::internal::Complex_trace;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
+using CSCD::Edge_crossing;
+using CSCD::Index;
+using CSCD::Point_complex;
 using CSCD::internal::Projected_point;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 using CSCD::test::Tube_end;
 

@@ -6,18 +6,15 @@
 #include "Cut_locus/to_open_triangulation.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/Traits/Open_triangulation.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Descent.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -35,12 +32,12 @@ using CSCD::Target_rule;
 using CSCD::internal::Cut_criterion;
 using CSCD::internal::Cut_loop;
 using CSCD::internal::Cut_loop_finder;
-using CSCD::internal::Cut_measures;
-using CSCD::internal::Index;
-using CSCD::internal::Open_triangulation;
+using CSCD::internal::Cut_locus_indicators;
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Tangent_frames;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 
@@ -70,7 +67,7 @@ public:
     for (const Vector_3& p : m_surface.points()) {
       distances.push_back(factor * distance_on_tube(m_surface.point(source), p));
     }
-    const Cut_measures<Triangulation> measures(m_frames, distances);
+    const Cut_locus_indicators<Triangulation> measures(m_frames, distances);
     Cut_loop loop;
     m_finder(measures, source, Cut_criterion(), rule, loop);
     return loop;
@@ -83,7 +80,7 @@ public:
     for (const Vector_3& p : m_surface.points()) {
       distances.push_back(distance_on_tube(m_surface.point(source), p));
     }
-    const Cut_measures<Triangulation> measures(m_frames, distances);
+    const Cut_locus_indicators<Triangulation> measures(m_frames, distances);
     Cut_loop loop;
     m_finder.find(
         measures, source, Target_rule::nearest_in_space, [&](Index v) { return v == target; }, loop);
@@ -114,7 +111,7 @@ public:
 private:
   Triangulation m_surface;
   Tangent_frames<Triangulation> m_frames;
-  Cut_loop_finder<Cut_measures<Triangulation>> m_finder;
+  Cut_loop_finder<Cut_locus_indicators<Triangulation>> m_finder;
 };
 
 TEST(Cut_loop_finder, goes_around_a_tube)
@@ -135,7 +132,7 @@ TEST(Cut_loop_finder, goes_around_a_tube)
         EXPECT_LT((target - Vector_3(from.x(), -from.y(), -from.z())).norm(), 1.1 * tube.edge());
         EXPECT_NEAR((target - from).norm(), 2, 0.1);
         EXPECT_NEAR(loop.distance, pi, 0.2);
-        EXPECT_NEAR(loop.aperture, 2 / pi, 0.1);
+        EXPECT_NEAR(loop.path_separation, 2 / pi, 0.1);
         EXPECT_GT(tube.length(loop), 2 * pi * 0.95);
         EXPECT_LT(tube.length(loop), 2 * pi * 1.25) << "ways along edges zigzag";
       }
@@ -169,7 +166,7 @@ TEST(Cut_loop_finder, states_why_there_is_no_loop)
   const Cut_loop beside = tube.through(source, CSCD::test::nearest_vertex(surface, {5, 1, 0}));
   EXPECT_NE(beside.outcome, Cut_loop_outcome::found) << "a quarter around, all fronts come from one side";
   EXPECT_EQ(tube.through(source, source).outcome, Cut_loop_outcome::no_cut_point) << "too near";
-  EXPECT_EQ(tube.through(source, CSCD::internal::no_index).outcome, Cut_loop_outcome::no_cut_point);
+  EXPECT_EQ(tube.through(source, CSCD::no_index).outcome, Cut_loop_outcome::no_cut_point);
 
   // Far away along the tube, both ways come the same way most of the time.
   const Cut_loop far = tube.through(source, CSCD::test::nearest_vertex(surface, {9.5, 0, -1}));
@@ -200,8 +197,8 @@ TEST(Cut_loop_finder, takes_the_flat_side_of_an_elliptic_tube)
     const double around = arc[std::size_t(std::lround(angle / (2 * pi) * steps))];
     distances.push_back(std::hypot(p.x() - 10, std::min(around, arc.back() - around)));
   }
-  const Cut_measures<Open_triangulation> measures(frames, distances);
-  Cut_loop_finder<Cut_measures<Open_triangulation>> finder(frames, surface.points());
+  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
+  Cut_loop_finder<Cut_locus_indicators<Open_triangulation>> finder(frames, surface.points());
   Index source = 0;
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     source = distances[v] < distances[source] ? v : source;
@@ -226,14 +223,14 @@ TEST(Cut_loop_finder, runs_along_intrinsic_edges)
     Triangulation triangulation(surface);
     triangulation.make_delaunay();
     const Tangent_frames<Triangulation> frames(triangulation);
-    Cut_loop_finder<Cut_measures<Triangulation>> finder(frames, surface.points());
+    Cut_loop_finder<Cut_locus_indicators<Triangulation>> finder(frames, surface.points());
     CSCD::internal::Heat_method::Workspace workspace;
     const CSCD::internal::Heat_method heat(triangulation);
     std::size_t number_of_loops = 0;
     for (Index source = 0; source < surface.number_of_vertices(); source += 13) {
       CSCD::internal::Heat_field field;
       heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
-      const Cut_measures<Triangulation> measures(frames, field.distances);
+      const Cut_locus_indicators<Triangulation> measures(frames, field.distances);
       Cut_loop loop;
       finder(measures, source, Cut_criterion(), Target_rule::nearest_in_space, loop);
       if (loop.outcome != Cut_loop_outcome::found) {

@@ -5,11 +5,10 @@
 
 #include "Cut_locus/to_open_triangulation.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_measures.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Separator/Descent.h>
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/Traits/Open_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -22,11 +21,11 @@
 
 namespace {
 
-using CSCD::internal::Cut_measures;
+using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Descent;
 using CSCD::internal::Edge_steps;
-using CSCD::internal::Index;
-using CSCD::internal::Open_triangulation;
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::Triple;
 
@@ -51,7 +50,7 @@ TEST(Descent, leads_straight_down_a_good_field)
   const Tangent_frames<Open_triangulation> frames(surface);
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return std::hypot(p[0], p[1]); });
-  const Cut_measures<Open_triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
   Descent<Tangent_frames<Open_triangulation>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
@@ -72,7 +71,7 @@ TEST(Descent, leaves_minima)
   const Tangent_frames<Open_triangulation> frames(surface);
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return p[0] - 6 * std::exp(-(p[0] - 10) * (p[0] - 10)); });
-  const Cut_measures<Open_triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
   Descent<Tangent_frames<Open_triangulation>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
@@ -92,7 +91,7 @@ TEST(Descent, ends_at_the_source_of_any_field)
   for (int i = 0; i < 20; ++i) {
     const std::vector<double> distances =
         CSCD::test::sampled(torus, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
-    const Cut_measures<Open_triangulation> measures(frames, distances);
+    const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
     for (Index v = 0; v < surface.number_of_vertices(); v += 11) {
       Edge_steps path;
       ASSERT_TRUE(descent(measures, v, 5, path));
@@ -100,7 +99,7 @@ TEST(Descent, ends_at_the_source_of_any_field)
     }
   }
   const std::vector<double> level(surface.number_of_vertices(), 1.);
-  const Cut_measures<Open_triangulation> measures(frames, level);
+  const Cut_locus_indicators<Open_triangulation> measures(frames, level);
   Edge_steps path;
   EXPECT_TRUE(descent(measures, 100, 5, path));
   EXPECT_TRUE(is_simple_path(surface, path, 100, 5));
@@ -113,7 +112,7 @@ TEST(Descent, says_when_there_is_no_way)
   const Open_triangulation surface = CSCD::test::to_open_triangulation(two);
   const Tangent_frames<Open_triangulation> frames(surface);
   const std::vector<double> distances = CSCD::test::sampled(two, [](const Triple& p) { return p[0]; });
-  const Cut_measures<Open_triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
   Descent<Tangent_frames<Open_triangulation>> descent(frames);
   Edge_steps path;
   EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));

@@ -8,21 +8,17 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
-#include <CSCD/Separator/Locality_ball.h>
-#include <CSCD/Separator/Shortening_outcome.h>
-#include <CSCD/Separator/Surface_path.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Separator/push_off_vertices.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/Traits/check_manifold.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
 #include <CGAL/tags.h>
@@ -39,13 +35,13 @@
 namespace {
 
 using CSCD::Shortening_outcome;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
+using CSCD::Edge_crossing;
+using CSCD::Index;
 using CSCD::internal::Locality_ball;
 using CSCD::internal::Surface_path;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
@@ -60,7 +56,7 @@ std::vector<Index> halfedges(const Triangulated_surface& surface, const Vertex_l
   std::vector<Index> result;
   for (std::size_t i = 0; i + (is_closed ? 0 : 1) < loop.size(); ++i) {
     result.push_back(surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]));
-    EXPECT_NE(result.back(), CSCD::internal::no_index);
+    EXPECT_NE(result.back(), CSCD::no_index);
   }
   return result;
 }
@@ -92,8 +88,8 @@ double left_angle(const Triangulated_surface& surface, const Surface_path& path,
     angle += angle_between(direction, point - center);
     direction = point - center;
   };
-  CSCD::internal::push_off_vertex(surface, before, path.points[i], after, [&](const Edge_crossing& spoke) {
-    turn_to(surface.point(surface.target(spoke.halfedge)));
+  CSCD::internal::push_off_vertex(surface, before, path.points[i], after, [&](const Edge_crossing& incident_edge) {
+    turn_to(surface.point(surface.target(incident_edge.halfedge)));
   });
   turn_to(CSCD::internal::crossing_point(surface, after));
   return angle;
@@ -270,8 +266,8 @@ TEST(Edge_flip_shortening, makes_straight_lines_of_open_curves)
 /// The loops of the nearest meetings of fronts from every `step`-th vertex.
 std::vector<Vertex_loop> loops_of_meetings(const Triangulated_surface& surface, Index step)
 {
-  const CSCD::internal::Corner_table corners(surface);
-  CSCD::internal::Polar_front front(corners, surface.number_of_vertices());
+  const CSCD::Vertex_fan_table corners(surface);
+  CSCD::internal::Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
   std::vector<Vertex_loop> loops;
   for (Index source = 0; source < surface.number_of_vertices(); source += step) {
     CSCD::internal::Nearest_meeting meeting(surface, front, source);
@@ -343,12 +339,12 @@ std::vector<Index> disc_border(const Triangulation& surface, Index seed, std::si
       }
     }
   }
-  std::vector<Index> from(surface.number_of_vertices(), CSCD::internal::no_index);
+  std::vector<Index> from(surface.number_of_vertices(), CSCD::no_index);
   std::size_t number = 0;
-  Index first = CSCD::internal::no_index;
+  Index first = CSCD::no_index;
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
     if (is_inside[Triangulated_surface::face(h)] && !is_inside[Triangulated_surface::face(surface.twin(h))]) {
-      if (from[surface.origin(h)] != CSCD::internal::no_index) {
+      if (from[surface.origin(h)] != CSCD::no_index) {
         return {};
       }
       from[surface.origin(h)] = h;
@@ -604,7 +600,7 @@ TEST(Edge_flip_shortening, goes_along_borders)
   }
   const std::vector<Index> edges = halfedges(surface, curve, false);
   Surface_path path;
-  Edge_flip_shortening shorten(surface, surface.first_bridging_face());
+  Edge_flip_shortening shorten(surface, surface.first_hole_filling_face());
   EXPECT_EQ(shorten(edges, false, path), Shortening_outcome::straight);
   EXPECT_NEAR(path.length, 4 + 2 * std::hypot(4., 2.), 1e-9);
   // Around the hole it stays; over the bridges, it shrinks to the other side of the sheet.

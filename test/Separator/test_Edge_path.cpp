@@ -5,18 +5,18 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Intrinsic/Intrinsic_patch.h>
-#include <CSCD/Separator/Edge_path.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Intrinsic_patch.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::no_index;
+using CSCD::Triangulated_surface;
 using Intrinsic_patch = CSCD::internal::Intrinsic_patch<Triangulated_surface>;
 using Edge_path = CSCD::internal::Edge_path<Intrinsic_patch>;
 

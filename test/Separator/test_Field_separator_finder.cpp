@@ -6,15 +6,13 @@
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Field_search_result.h>
-#include <CSCD/Separator/Field_search_space.h>
-#include <CSCD/Separator/Target_rule.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +23,9 @@ namespace {
 using CSCD::Cut_loop_outcome;
 using CSCD::Target_rule;
 using CSCD::internal::Field_search_result;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 /// A surface with all that separators are found with.

@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Local_separator_finder.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using CSCD::Search_outcome;
 using CSCD::Search_result;
-using CSCD::internal::Index;
+using CSCD::Index;
 using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
 using Finder = CSCD::Local_separator_finder<Levels_traits>;
 

@@ -6,12 +6,12 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,13 +21,13 @@
 
 namespace {
 
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Loop_projection;
-using CSCD::internal::no_index;
-using CSCD::internal::Surface_level;
-using CSCD::internal::Surface_levels;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vertex_loop;
+using CSCD::no_index;
+using CSCD::Surface_level;
+using CSCD::Surface_levels;
+using CSCD::Triangulated_surface;
+using CSCD::Vertex_loop;
 
 double length(const Triangulated_surface& surface, const Vertex_loop& loop)
 {
@@ -44,7 +44,7 @@ TEST(Loop_projection, is_connected_simple_and_hardly_longer)
   ASSERT_GE(levels.size(), 2u);
   const Surface_level& coarse = levels[1];
   const Triangulated_surface& fine = levels.finest().surface;
-  CSCD::internal::Polar_front front(coarse.corners, coarse.surface.number_of_vertices());
+  CSCD::internal::Geodesic_polar_coordinates front(coarse.corners, coarse.surface.number_of_vertices());
   Loop_projection project(levels);
   std::size_t number_of_loops = 0;
   for (Index source = 0; source < coarse.surface.number_of_vertices(); source += 31) {

@@ -7,11 +7,10 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_neighborhoods.h>
-#include <CSCD/Separator/Closest_point_projection.h>
-#include <CSCD/Separator/Moving_least_squares_projection.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_neighborhoods.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,12 +21,12 @@
 
 namespace {
 
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Moving_least_squares_projection;
-using CSCD::internal::Point_complex;
+using CSCD::Point_complex;
 using CSCD::internal::Point_neighborhoods;
 using CSCD::internal::Projected_point;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
 
@@ -54,7 +53,7 @@ struct Heights
   double mean = 0;
   double root_mean_square = 0;
   double largest = 0;
-  double largest_tilt = 0; // of normals against the gradient of the height, 1 - cosine
+  double max_tilt = 0; // of normals against the gradient of the height, 1 - cosine
 };
 
 /// Projects points between neighbors, lifted by `lift` times the length of their edge.
@@ -74,7 +73,7 @@ Heights measure(const Shape& shape, const Point_complex& complex, double lift)
     result.mean += height;
     result.root_mean_square += height * height;
     result.largest = std::max(result.largest, std::abs(height));
-    result.largest_tilt = std::max(result.largest_tilt, 1 - rise / step);
+    result.max_tilt = std::max(result.max_tilt, 1 - rise / step);
     ++number;
   }
   result.mean /= number;
@@ -99,7 +98,7 @@ TEST(Moving_least_squares_projection, comes_to_the_surface_between_the_points)
       EXPECT_LT(heights.root_mean_square, 0.015 * spacing);
       EXPECT_LT(std::abs(heights.mean), 0.005 * spacing) << "no shape is too small or too large";
       EXPECT_LT(heights.largest, 0.15 * spacing);
-      EXPECT_LT(heights.largest_tilt, 0.02) << "less than 12 degrees";
+      EXPECT_LT(heights.max_tilt, 0.02) << "less than 12 degrees";
     }
   }
 }
@@ -128,7 +127,7 @@ TEST(Moving_least_squares_projection, follows_uneven_density)
   const Point_complex complex = CSCD::test::to_point_complex(points);
   const Heights heights = measure(shape, complex, 0.2);
   EXPECT_LT(heights.root_mean_square, 0.015 * 0.5 * complex.mean_edge_length()) << "the dense half rules the mean";
-  EXPECT_LT(heights.largest_tilt, 0.02);
+  EXPECT_LT(heights.max_tilt, 0.02);
 }
 
 TEST(Moving_least_squares_projection, stays_on_its_sheet)

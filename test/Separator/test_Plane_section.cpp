@@ -8,8 +8,8 @@
 #include "support/shapes.h"
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -21,11 +21,11 @@
 
 namespace {
 
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
+using CSCD::Edge_crossing;
+using CSCD::Index;
 using CSCD::internal::Plane_section;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::is_closed_curve;
 using CSCD::test::pi;
 

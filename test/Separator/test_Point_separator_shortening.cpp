@@ -7,14 +7,13 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Point_cloud/Point_neighborhoods.h>
-#include <CSCD/Separator/Point_separator_shortening.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_neighborhoods.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Shortening_outcome.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Vertex_loop.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -28,13 +27,13 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::Shortening_outcome;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
+using CSCD::Edge_crossing;
+using CSCD::Index;
+using CSCD::Point_complex;
 using CSCD::internal::Point_neighborhoods;
 using CSCD::internal::Point_separator_shortening;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 
@@ -93,7 +92,7 @@ TEST(Point_separator_shortening, finds_the_meridians_of_a_torus)
   {
     std::size_t number_of_points;
     double noise;         // relative to the mean distance of the nearest points
-    double largest_error; // of the length, relative
+    double max_error; // of the length, relative
   };
   for (const Case& c : {Case{1000, 0, 0.01}, Case{4000, 0, 0.004}, Case{4000, 0.3, 0.03}, Case{4000, 0.8, 0.06}}) {
     SCOPED_TRACE(c.number_of_points);
@@ -104,11 +103,11 @@ TEST(Point_separator_shortening, finds_the_meridians_of_a_torus)
       const Vertex_loop loop = CSCD::test::loop_through(fixture.complex, places_around_tube(longitude, 0.1));
       Separator separator;
       ASSERT_NE(fixture.shorten(loop, separator), Shortening_outcome::collapsed);
-      EXPECT_NEAR(separator.length, 2 * pi, c.largest_error * 2 * pi);
+      EXPECT_NEAR(separator.length, 2 * pi, c.max_error * 2 * pi);
       // All meridians are as short: where the curve comes to rest is a matter of noise. It is a circle around the core.
       EXPECT_NEAR(std::hypot(separator.center.x(), separator.center.y()), 3, 0.05);
       EXPECT_NEAR(separator.center.z(), 0, 0.05);
-      EXPECT_NEAR(separator.area, pi, 2.5 * c.largest_error * pi);
+      EXPECT_NEAR(separator.area, pi, 2.5 * c.max_error * pi);
       EXPECT_LT(separator.planarity, c.noise > 0 ? 0.01 : 0.002);
       EXPECT_NEAR(std::abs(separator.normal.z()), 0, 0.1);
       EXPECT_NEAR(CSCD::internal::measure_polygon(separator.points).length, separator.length, 1e-12);

@@ -6,11 +6,10 @@
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Polygon_trace.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,12 +18,12 @@
 
 namespace {
 
-using CSCD::internal::Edge_crossing;
+using CSCD::Edge_crossing;
 using CSCD::internal::Polygon_trace;
 using CSCD::internal::Solid_queries;
 using CSCD::internal::Surface_point;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 TEST(Polygon_trace, follows_a_circle_around_a_tube)

@@ -7,14 +7,11 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Separator_flip_shortening.h>
-#include <CSCD/Separator/Shortening_outcome.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Separator/push_off_vertices.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +22,9 @@
 namespace {
 
 using CSCD::Shortening_outcome;
-using CSCD::internal::Index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 TEST(Separator_flip_shortening, cuts_a_tube_across)
@@ -37,7 +34,7 @@ TEST(Separator_flip_shortening, cuts_a_tube_across)
       CSCD::test::to_surface(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
   CSCD::internal::Separator_flip_shortening shorten(surface);
   CSCD::Separator separator;
-  CSCD::internal::Vertex_loop loop;
+  CSCD::Vertex_loop loop;
   // From ring 6 to ring 7 along a diagonal, and back along an edge of the tube.
   for (Index k = 0; k < around; ++k) {
     loop.push_back((k < 8 ? 6 : 7) * around + k);
@@ -78,19 +75,19 @@ TEST(push_off_vertices, finds_the_left_side_where_both_ways_lie_in_one_face)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(1));
   const Index vertex = 7;
-  for (const Index spoke : surface.outgoing(vertex)) {
-    const Index opposite = Triangulated_surface::next(spoke);
-    const auto number_of_spokes = [&](double in, double out) {
+  for (const Index incident_edge : surface.outgoing(vertex)) {
+    const Index opposite = Triangulated_surface::next(incident_edge);
+    const auto number_of_incident_edges = [&](double in, double out) {
       Index number = 0;
-      CSCD::internal::push_off_vertex(surface, {surface.twin(opposite), 1 - in}, {spoke, 0.}, {opposite, out},
-                                      [&](const CSCD::internal::Edge_crossing& crossing) {
+      CSCD::internal::push_off_vertex(surface, {surface.twin(opposite), 1 - in}, {incident_edge, 0.}, {opposite, out},
+                                      [&](const CSCD::Edge_crossing& crossing) {
                                         EXPECT_EQ(surface.origin(crossing.halfedge), vertex);
                                         ++number;
                                       });
       return number;
     };
-    EXPECT_EQ(number_of_spokes(0.3, 0.7), surface.degree(vertex));
-    EXPECT_EQ(number_of_spokes(0.7, 0.3), 0u);
+    EXPECT_EQ(number_of_incident_edges(0.3, 0.7), surface.degree(vertex));
+    EXPECT_EQ(number_of_incident_edges(0.7, 0.3), 0u);
   }
 }
 

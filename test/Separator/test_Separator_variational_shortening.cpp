@@ -7,18 +7,16 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Separator/Polygon_trace.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Separator/Curve_trace.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Separator_flip_shortening.h>
-#include <CSCD/Separator/Separator_variational_shortening.h>
-#include <CSCD/Separator/Shortening_outcome.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -31,13 +29,13 @@ namespace {
 
 using CSCD::Separator;
 using CSCD::Shortening_outcome;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
+using CSCD::Edge_crossing;
+using CSCD::Index;
 using CSCD::internal::Solid_queries;
 using CSCD::internal::Surface_point;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 using CSCD::test::pi;
 
 double length_of_crossings(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
@@ -82,8 +80,8 @@ TEST(Polygon_trace, refuses_what_crosses_nothing)
 std::size_t compare_with_flips(const Triangulated_surface& surface, Index stride, double& sum, double& flip_sum)
 {
   const Solid_queries queries(surface);
-  const CSCD::internal::Corner_table corners(surface);
-  CSCD::internal::Polar_front front(corners, surface.number_of_vertices());
+  const CSCD::Vertex_fan_table corners(surface);
+  CSCD::internal::Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
   CSCD::internal::Separator_variational_shortening shortening(surface, queries);
   CSCD::internal::Separator_flip_shortening flip_shortening(surface);
   std::size_t number = 0;

@@ -7,14 +7,13 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,13 +24,13 @@
 
 namespace {
 
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
+using CSCD::Edge_crossing;
+using CSCD::Index;
 using CSCD::internal::Polygon_measures;
 using CSCD::internal::Straightening;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 using CSCD::test::pi;
 
 Polygon_measures measures(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
@@ -113,8 +112,8 @@ TEST(Straightening, keeps_closed_curves_on_rough_surfaces_and_shortens_them)
         CSCD::test::subdivided_cube(3)}) {
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
-    const CSCD::internal::Corner_table corners(surface);
-    CSCD::internal::Polar_front front(corners, surface.number_of_vertices());
+    const CSCD::Vertex_fan_table corners(surface);
+    CSCD::internal::Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
     Straightening straighten(surface);
     std::size_t number_of_curves = 0;
     for (Index source = 0; source < surface.number_of_vertices(); source += 3) {

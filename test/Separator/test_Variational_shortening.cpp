@@ -6,14 +6,13 @@
 #include "Traits/to_surface.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Closest_point_projection.h>
-#include <CSCD/Separator/Shortening_outcome.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Variational_shortening.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Separator/resample_polygon.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/math/special_functions/ellint_2.hpp>
 #include <gtest/gtest.h>
@@ -30,10 +29,10 @@ using CSCD::Shortening_outcome;
 using CSCD::internal::Closest_point_projection;
 using CSCD::internal::Projected_point;
 using CSCD::internal::Solid_queries;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Variational_report;
 using CSCD::internal::Variational_shortening;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -213,7 +212,7 @@ TEST(Variational_shortening, does_the_same_at_any_scale_and_anywhere)
 TEST(Variational_shortening, needs_nothing_but_a_projection)
 {
   // A unit sphere without triangles, of which the ball keeps a part: the curve slides to the rim and no further.
-  const auto projection = [](const Vector_3& point, CSCD::internal::Index) {
+  const auto projection = [](const Vector_3& point, CSCD::Index) {
     return Projected_point{point.normalized(), point.normalized(), 0};
   };
   Variational_shortening<decltype(projection)> shorten(projection);

@@ -7,13 +7,12 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -25,16 +24,16 @@
 
 namespace {
 
-using CSCD::internal::Corner_table;
-using CSCD::internal::Edge_crossing;
-using CSCD::internal::Index;
+using CSCD::Vertex_fan_table;
+using CSCD::Edge_crossing;
+using CSCD::Index;
 using CSCD::internal::Nearest_meeting;
-using CSCD::internal::no_index;
-using CSCD::internal::Polar_front;
+using CSCD::no_index;
+using CSCD::internal::Geodesic_polar_coordinates;
 using CSCD::internal::push_off;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
-using CSCD::internal::Vertex_loop;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::Vertex_loop;
 
 /// The ring of vertices of a tube around x = 5.
 Vertex_loop middle_ring(Index around)
@@ -53,8 +52,8 @@ TEST(Vertex_loop, traced_from_a_front_is_simple_and_closed)
         CSCD::test::y_tube(0.15), CSCD::test::tube(20, 1, 5, CSCD::test::Tube_end::flat)}) {
     SCOPED_TRACE(shape.name);
     const Triangulated_surface surface = CSCD::test::to_surface(shape);
-    const Corner_table corners(surface);
-    Polar_front front(corners, surface.number_of_vertices());
+    const Vertex_fan_table corners(surface);
+    Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
     std::size_t number_of_loops = 0;
     for (Index source = 0; source < surface.number_of_vertices(); source += 3) {
       Nearest_meeting meeting(surface, front, source);

@@ -7,8 +7,7 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +18,7 @@ namespace {
 
 using CSCD::internal::measure_polygon;
 using CSCD::internal::Polygon_measures;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::pi;
 
 TEST(curve_measures, of_a_square)
@@ -82,7 +81,7 @@ TEST(curve_measures, normal_of_a_separator_points_to_its_left)
 {
   const auto surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
   const CSCD::Separator separator = CSCD::test::section_separator(surface, {5.03, 0, 0}, {1, 0, 0}, {5.03, 0, 1});
-  for (const CSCD::internal::Edge_crossing& crossing : separator.crossings) {
+  for (const CSCD::Edge_crossing& crossing : separator.crossings) {
     const Vector_3 to_left =
         surface.point(surface.target(crossing.halfedge)) - surface.point(surface.origin(crossing.halfedge));
     EXPECT_GT(separator.normal.dot(to_left), 0);

@@ -12,11 +12,11 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Site_assignment.h>
-#include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/Skeleton/center_junctions.h>
+#include <CSCD/Skeleton/Vertex_assignment.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -32,9 +32,9 @@ namespace {
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using CSCD::Separator;
-using CSCD::internal::Index;
-using CSCD::internal::Skeleton_draft;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Skeleton_builder;
+using CSCD::Vector_3;
 
 /// A capsule with sections across it; in normalized coordinates, as all that is tested here.
 class Node_placement : public testing::Test
@@ -104,38 +104,38 @@ TEST_F(Node_placement, gives_a_path_with_tips_on_the_axis)
 {
   const CSCD::internal::Separator_packing packing(m_traits.surface(), m_separators, m_weights);
   CSCD::internal::Node_placement<Traits> placement(m_traits, m_separators, packing.packed(), packing.cut_graph());
-  Skeleton_draft draft = placement();
-  ASSERT_EQ(draft.size(), 5u);
-  for (Index node = 0; node < draft.size(); ++node) {
-    EXPECT_LT(m_unit * std::hypot(draft[node].position.y(), draft[node].position.z()), 0.05);
-    EXPECT_NEAR(m_unit * draft[node].radius, 1, 0.05);
-    EXPECT_TRUE(m_traits.is_inside(draft[node].position));
-    EXPECT_EQ(draft.degree(node), draft[node].separators.empty() ? 1u : 2u);
+  Skeleton_builder builder = placement();
+  ASSERT_EQ(builder.size(), 5u);
+  for (Index node = 0; node < builder.size(); ++node) {
+    EXPECT_LT(m_unit * std::hypot(builder[node].position.y(), builder[node].position.z()), 0.05);
+    EXPECT_NEAR(m_unit * builder[node].radius, 1, 0.05);
+    EXPECT_TRUE(m_traits.is_inside(builder[node].position));
+    EXPECT_EQ(builder.degree(node), builder[node].separators.empty() ? 1u : 2u);
   }
-  CSCD::internal::Branch_refinement<Traits>(m_traits, draft)();
-  draft.compact();
-  EXPECT_GT(draft.size(), 8u);
+  CSCD::internal::Branch_refinement<Traits>(m_traits, builder)();
+  builder.compact();
+  EXPECT_GT(builder.size(), 8u);
   std::size_t edges = 0;
-  draft.for_each_edge([&](Index a, Index b) {
+  builder.for_each_edge([&](Index a, Index b) {
     ++edges;
-    EXPECT_LT(m_unit * draft.edge_length(a, b), 1.1);
+    EXPECT_LT(m_unit * builder.edge_length(a, b), 1.1);
   });
-  EXPECT_EQ(edges + 1, draft.size());
-  for (Index node = 0; node < draft.size(); ++node) {
-    EXPECT_LT(m_unit * std::hypot(draft[node].position.y(), draft[node].position.z()), 0.05);
+  EXPECT_EQ(edges + 1, builder.size());
+  for (Index node = 0; node < builder.size(); ++node) {
+    EXPECT_LT(m_unit * std::hypot(builder[node].position.y(), builder[node].position.z()), 0.05);
   }
   // Every site belongs to the nearest node, and the radius is that of the capsule.
-  const CSCD::internal::Site_assignment<Traits> assignment(m_traits, packing.cut_graph(), draft);
+  const CSCD::internal::Vertex_assignment<Traits> assignment(m_traits, packing.cut_graph(), builder);
   for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-    ASSERT_LT(assignment.node(site), draft.size());
-    const double distance = (draft[assignment.node(site)].position - m_traits.point(site)).norm();
-    for (Index node = 0; node < draft.size(); ++node) {
-      ASSERT_LE(distance, (draft[node].position - m_traits.point(site)).norm() + 1e-12);
+    ASSERT_LT(assignment.node(site), builder.size());
+    const double distance = (builder[assignment.node(site)].position - m_traits.point(site)).norm();
+    for (Index node = 0; node < builder.size(); ++node) {
+      ASSERT_LE(distance, (builder[node].position - m_traits.point(site)).norm() + 1e-12);
     }
   }
-  for (Index node = 0; node < draft.size(); ++node) {
+  for (Index node = 0; node < builder.size(); ++node) {
     // The end of the curve lies in the hemisphere, some of which is nearer than the wall of the tube.
-    EXPECT_NEAR(m_unit * assignment.radius(node), 1, draft.degree(node) == 1 ? 0.25 : 0.1);
+    EXPECT_NEAR(m_unit * assignment.radius(node), 1, builder.degree(node) == 1 ? 0.25 : 0.1);
   }
 }
 
@@ -144,25 +144,25 @@ TEST_F(Node_placement, gives_a_component_without_separators_a_node_inside)
   const CSCD::internal::Separator_packing packing(m_traits.surface(), {}, {});
   const std::vector<Separator> none;
   CSCD::internal::Node_placement<Traits> placement(m_traits, none, packing.packed(), packing.cut_graph());
-  const Skeleton_draft draft = placement();
-  EXPECT_EQ(draft.size(), 3u) << "a node in the middle and two tips, since the body is long";
-  for (Index node = 0; node < draft.size(); ++node) {
-    EXPECT_TRUE(m_traits.is_inside(draft[node].position));
+  const Skeleton_builder builder = placement();
+  EXPECT_EQ(builder.size(), 3u) << "a node in the middle and two tips, since the body is long";
+  for (Index node = 0; node < builder.size(); ++node) {
+    EXPECT_TRUE(m_traits.is_inside(builder[node].position));
   }
 }
 
 TEST_F(Node_placement, centers_a_junction_in_the_body)
 {
-  Skeleton_draft draft;
-  const Index junction = draft.add_node(at(3) + Vector_3(0, 0.7 / m_unit, 0), 0.1);
+  Skeleton_builder builder;
+  const Index junction = builder.add_node(at(3) + Vector_3(0, 0.7 / m_unit, 0), 0.1);
   for (double x : {1., 3., 5.}) {
-    draft.add_edge(junction, draft.add_node(at(x), 1 / m_unit));
+    builder.add_edge(junction, builder.add_node(at(x), 1 / m_unit));
   }
-  const Vector_3 tip = draft[1].position;
-  CSCD::internal::center_junctions(m_traits, draft);
-  EXPECT_LT(m_unit * std::hypot(draft[junction].position.y(), draft[junction].position.z()), 0.1);
-  EXPECT_NEAR(m_unit * draft[junction].radius, 1, 0.1);
-  EXPECT_EQ(draft[1].position, tip) << "only junctions move";
+  const Vector_3 tip = builder[1].position;
+  CSCD::internal::center_junctions(m_traits, builder);
+  EXPECT_LT(m_unit * std::hypot(builder[junction].position.y(), builder[junction].position.z()), 0.1);
+  EXPECT_NEAR(m_unit * builder[junction].radius, 1, 0.1);
+  EXPECT_EQ(builder[1].position, tip) << "only junctions move";
 }
 
 TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
@@ -176,23 +176,23 @@ TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
     return Vector_3((radius * std::cos(angle) - origin.x()) / unit, (radius * std::sin(angle) - origin.y()) / unit,
                     (0 - origin.z()) / unit);
   };
-  Skeleton_draft draft;
-  const Index first = draft.add_node(normalized(0.2, 3), 0.6 / unit);
-  const Index outside = draft.add_node(normalized(1.5, 4), 0.6 / unit);
-  const Index last = draft.add_node(normalized(2.8, 3), 0.6 / unit);
-  draft.add_edge(first, outside);
-  draft.add_edge(outside, last);
-  ASSERT_FALSE(traits.is_inside(draft[outside].position));
-  CSCD::internal::Inside_repair<Traits> repair(traits, draft);
+  Skeleton_builder builder;
+  const Index first = builder.add_node(normalized(0.2, 3), 0.6 / unit);
+  const Index outside = builder.add_node(normalized(1.5, 4), 0.6 / unit);
+  const Index last = builder.add_node(normalized(2.8, 3), 0.6 / unit);
+  builder.add_edge(first, outside);
+  builder.add_edge(outside, last);
+  ASSERT_FALSE(traits.is_inside(builder[outside].position));
+  CSCD::internal::Inside_repair<Traits> repair(traits, builder);
   EXPECT_EQ(repair.number_of_nodes_outside(), 1u);
   EXPECT_EQ(repair.number_of_edges_outside(), 2u);
   repair();
   EXPECT_EQ(repair.number_of_nodes_outside(), 0u);
   EXPECT_EQ(repair.number_of_edges_outside(), 0u);
-  EXPECT_GT(draft.size(), 3u) << "straight edges leave a bend";
+  EXPECT_GT(builder.size(), 3u) << "straight edges leave a bend";
   std::size_t edges = 0;
-  draft.for_each_edge([&](Index, Index) { ++edges; });
-  EXPECT_EQ(edges + 1, draft.size());
+  builder.for_each_edge([&](Index, Index) { ++edges; });
+  EXPECT_EQ(edges + 1, builder.size());
 }
 
 } // namespace

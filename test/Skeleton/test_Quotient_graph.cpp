@@ -5,11 +5,11 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/Skeleton/Quotient_graph.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Skeleton/build_quotient_skeleton.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -23,11 +23,11 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Point_complex;
+using CSCD::Index;
+using CSCD::Point_complex;
 using CSCD::internal::Quotient_graph;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using Meetings = std::vector<std::vector<Index>>;
 
 /// The regions that `region(point)` makes of the vertices.

@@ -3,8 +3,8 @@
 //
 // Centers and areas of sections, and whether a point lies in an outline.
 
-#include <CSCD/Skeleton/Section_disc.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace {
 using CSCD::internal::is_in_outline;
 using CSCD::internal::section_disc;
 using CSCD::internal::Section_disc;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using Outline = std::vector<Vector_3>;
 
 const Outline l_shape{{0, 0, 1}, {3, 0, 1}, {3, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}};

@@ -10,11 +10,11 @@
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/tags.h>
 
@@ -29,8 +29,8 @@ namespace {
 using CSCD::Embedded_skeleton;
 using CSCD::Separator;
 using CSCD::Skeletonization_report;
-using CSCD::internal::Index;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Skeletonization_traits_archetype;
 
@@ -43,17 +43,17 @@ struct Outcome
   std::size_t number_of_edges() const
   {
     std::size_t count = 0;
-    skeleton.draft.for_each_edge([&](Index, Index) { ++count; });
+    skeleton.graph.for_each_edge([&](Index, Index) { ++count; });
     return count;
   }
   std::size_t number_of_components() const
   {
-    CSCD::internal::Disjoint_sets sets(skeleton.draft.size());
-    std::size_t count = skeleton.draft.size();
-    skeleton.draft.for_each_edge([&](Index a, Index b) { count -= sets.join(a, b) ? 1 : 0; });
+    CSCD::internal::Disjoint_sets sets(skeleton.graph.size());
+    std::size_t count = skeleton.graph.size();
+    skeleton.graph.for_each_edge([&](Index a, Index b) { count -= sets.join(a, b) ? 1 : 0; });
     return count;
   }
-  std::size_t betti_number() const { return number_of_edges() + number_of_components() - skeleton.draft.size(); }
+  std::size_t betti_number() const { return number_of_edges() + number_of_components() - skeleton.graph.size(); }
 };
 
 /// The skeleton of the regions of packed local separators.
@@ -83,14 +83,14 @@ TEST_P(Quotient_skeleton_test, has_the_topology_of_the_shape_and_partitions_the_
   EXPECT_EQ(outcome.betti_number(), traits.genus());
   EXPECT_EQ(outcome.report.number_of_nodes_outside, 0u);
   EXPECT_EQ(outcome.report.number_of_edges_outside, 0u);
-  ASSERT_EQ(outcome.skeleton.node_of_site.size(), traits.number_of_sites());
-  ASSERT_EQ(outcome.skeleton.radius.size(), outcome.skeleton.draft.size());
-  std::vector<std::size_t> number_of_sites(outcome.skeleton.draft.size(), 0);
-  for (Index node : outcome.skeleton.node_of_site) {
+  ASSERT_EQ(outcome.skeleton.node_of_vertex.size(), traits.number_of_sites());
+  ASSERT_EQ(outcome.skeleton.radius.size(), outcome.skeleton.graph.size());
+  std::vector<std::size_t> number_of_sites(outcome.skeleton.graph.size(), 0);
+  for (Index node : outcome.skeleton.node_of_vertex) {
     ++number_of_sites.at(node);
   }
   std::size_t number_of_nodes_with_sites = 0;
-  for (Index node = 0; node < outcome.skeleton.draft.size(); ++node) {
+  for (Index node = 0; node < outcome.skeleton.graph.size(); ++node) {
     EXPECT_GT(outcome.skeleton.radius[node], 0);
     number_of_nodes_with_sites += number_of_sites[node] > 0 ? 1 : 0;
   }
@@ -104,10 +104,10 @@ TEST(Quotient_skeleton, of_a_tube_is_centred_and_has_its_radius)
 {
   const Skeletonization_traits_archetype traits(CSCD::test::tube(12, 1, 32, CSCD::test::Tube_end::flat));
   const Outcome outcome = skeletonize(traits);
-  ASSERT_GE(outcome.skeleton.draft.size(), 8u);
+  ASSERT_GE(outcome.skeleton.graph.size(), 8u);
   double sum = 0;
-  for (Index node = 0; node < outcome.skeleton.draft.size(); ++node) {
-    const auto point = traits.to_input_point(outcome.skeleton.draft[node].position);
+  for (Index node = 0; node < outcome.skeleton.graph.size(); ++node) {
+    const auto point = traits.to_input_point(outcome.skeleton.graph[node].position);
     const double offset = std::hypot(point.y(), point.z());
     sum += offset;
     if (point.x() > 1.5 && point.x() < 10.5) {
@@ -115,7 +115,7 @@ TEST(Quotient_skeleton, of_a_tube_is_centred_and_has_its_radius)
       EXPECT_NEAR(traits.to_input_length(outcome.skeleton.radius[node]), 1, 0.1);
     }
   }
-  EXPECT_LT(sum / outcome.skeleton.draft.size(), 0.1);
+  EXPECT_LT(sum / outcome.skeleton.graph.size(), 0.1);
 }
 
 TEST(Quotient_skeleton, of_what_has_no_separator_is_a_node)
@@ -125,9 +125,9 @@ TEST(Quotient_skeleton, of_what_has_no_separator_is_a_node)
   const CSCD::internal::Region_packing packing(traits, {}, report);
   const Embedded_skeleton skeleton =
       CSCD::internal::Quotient_skeleton_builder<Skeletonization_traits_archetype>(traits, packing.regions())(report);
-  ASSERT_EQ(skeleton.draft.size(), 1u);
-  EXPECT_TRUE(traits.is_inside(skeleton.draft[0].position));
-  EXPECT_EQ(skeleton.node_of_site, std::vector<Index>(traits.number_of_sites(), 0));
+  ASSERT_EQ(skeleton.graph.size(), 1u);
+  EXPECT_TRUE(traits.is_inside(skeleton.graph[0].position));
+  EXPECT_EQ(skeleton.node_of_vertex, std::vector<Index>(traits.number_of_sites(), 0));
 }
 
 } // namespace

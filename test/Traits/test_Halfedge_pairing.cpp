@@ -5,7 +5,7 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Halfedge_pairing.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 
 namespace {
 
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::no_index;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::no_index;
 using Faces = std::vector<std::array<Index, 3>>;
 
 Index source(const Faces& faces, Index h)
@@ -65,7 +65,7 @@ TEST(Halfedge_pairing, pairs_vertices_of_any_degree)
   // Below and above the size from which on a bucket is sorted.
   for (std::size_t valence : {3u, 15u, 16u, 17u, 5000u}) {
     const auto triangles = CSCD::test::to_indexed_triangles(CSCD::test::double_cone(valence));
-    // The apices become the smallest numbers, so that their buckets hold all spokes.
+    // The apices become the smallest numbers, so that their buckets hold all incident edges.
     Faces faces = triangles.faces;
     const Index n = Index(triangles.points.size());
     for (auto& face : faces) {

@@ -16,7 +16,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Traits/Point_cloud_traits.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
@@ -41,7 +41,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
-using Traits = CSCD::Point_cloud_traits<Points>;
+using Traits = CSCD::Point_set_traits<Points>;
 using Policies = CSCD::Published_policies<Traits>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
@@ -64,13 +64,13 @@ struct Outcome
 
 /// Skeletonizes and checks what must hold for every point set.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
-Outcome skeletonize(const std::vector<Triple>& triples, std::size_t most_sources = number_of_sources,
+Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources = number_of_sources,
                     unsigned number_of_threads = 1)
 {
   const Points points = CSCD::test::to_points<Point>(triples);
   const Traits traits(points);
   Skeletonization skeletonization(traits);
-  skeletonization.set_maximum_number_of_sources(most_sources).set_number_of_threads(number_of_threads);
+  skeletonization.set_maximum_number_of_sources(max_sources).set_number_of_threads(number_of_threads);
   Outcome outcome;
   outcome.report = skeletonization.operator()<ConcurrencyTag>(outcome.skeleton);
   CSCD::test::expect_partition(outcome.skeleton, points.size());
@@ -84,7 +84,7 @@ Outcome skeletonize(const std::vector<Triple>& triples, std::size_t most_sources
   return outcome;
 }
 
-TEST(Point_cloud_traits, are_a_model)
+TEST(Point_set_traits, are_a_model)
 {
   EXPECT_TRUE(CSCD::is_skeletonization_traits_v<Traits>);
   EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Traits>);
@@ -92,29 +92,29 @@ TEST(Point_cloud_traits, are_a_model)
   EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits>));
 }
 
-TEST(Point_cloud_traits, describe_the_surface)
+TEST(Point_set_traits, describe_the_surface)
 {
   const Shape shape = CSCD::test::torus(3, 1, 24);
   const Points points = CSCD::test::to_points<Point>(sampled(shape, 4000, 1));
   const Traits traits(points);
   EXPECT_EQ(traits.number_of_components(), 1u);
   double area = 0;
-  double largest_error = 0;
+  double max_error = 0;
   for (Traits::Index site = 0; site < traits.number_of_sites(); ++site) {
     area += traits.weight(site);
     const Point p = traits.to_input_point(traits.point(site));
     const double radius = std::hypot(p.x(), p.y());
     const Traits::Vector_3 outward((radius - 3) * p.x() / radius, (radius - 3) * p.y() / radius, p.z());
-    largest_error = std::max(largest_error, 1 - traits.normal(site).dot(outward.normalized()));
+    max_error = std::max(max_error, 1 - traits.normal(site).dot(outward.normalized()));
     ASSERT_EQ(traits.descriptors(site).size(), 1u);
     EXPECT_LT(CGAL::squared_distance(points[*traits.descriptors(site).begin()], p), 1e-24);
   }
-  EXPECT_LT(largest_error, 0.1);
+  EXPECT_LT(max_error, 0.1);
   const double unit = traits.to_input_length(1);
   EXPECT_NEAR(area * unit * unit, 4 * CSCD::test::pi * CSCD::test::pi * 3, 2);
 }
 
-TEST(Point_cloud_traits, know_the_body)
+TEST(Point_set_traits, know_the_body)
 {
   const Points points = CSCD::test::to_points<Point>(sampled(CSCD::test::torus(3, 1, 48), 4000, 1));
   const Traits traits(points);
@@ -272,11 +272,11 @@ TEST(Point_cloud_skeleton, takes_normals)
   }
   const CGAL::First_of_pair_property_map<Element> point_map;
   const CGAL::Second_of_pair_property_map<Element> normal_map;
-  using Element_traits = CSCD::Point_cloud_traits<std::vector<Element>, CGAL::First_of_pair_property_map<Element>>;
+  using Element_traits = CSCD::Point_set_traits<std::vector<Element>, CGAL::First_of_pair_property_map<Element>>;
   const Element_traits traits(elements, point_map, normal_map);
   for (Element_traits::Index site = 0; site < traits.number_of_sites(); ++site) {
     const Vector& vector = elements[*traits.descriptors(site).begin()].second;
-    const auto normal = CSCD::internal::Vector_3(vector.x(), vector.y(), vector.z()).normalized();
+    const auto normal = CSCD::Vector_3(vector.x(), vector.y(), vector.z()).normalized();
     EXPECT_LT((traits.normal(site) - normal).norm(), 1e-12);
   }
 }

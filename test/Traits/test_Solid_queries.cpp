@@ -5,7 +5,7 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Solid_queries.h>
+#include <CSCD/Surface/Solid_queries.h>
 
 #include <gtest/gtest.h>
 
@@ -18,10 +18,10 @@
 
 namespace {
 
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Solid_queries;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::to_surface;
 
 Vector_3 random_vector(std::mt19937_64& random, double size)

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Coarser surfaces keep the topology, the bridging faces, and a part of the vertices.
+// Coarser surfaces keep the topology, the hole-filling faces, and a part of the vertices.
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Coarsening.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Coarsening.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -24,11 +24,11 @@
 namespace {
 
 using CSCD::internal::Coarsening;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::Surface_level;
-using CSCD::internal::Surface_levels;
-using CSCD::internal::Triangulated_surface;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::Surface_level;
+using CSCD::Surface_levels;
+using CSCD::Triangulated_surface;
 
 int euler_number(const Triangulated_surface& surface)
 {
@@ -91,16 +91,16 @@ TEST(Coarsening, leaves_about_two_sevenths_of_a_regular_surface_and_hardly_chang
 TEST(Coarsening, keeps_bridging_faces_as_they_are)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::sphere(4));
-  triangles.first_bridging_face = triangles.faces.size() - 40;
+  triangles.first_hole_filling_face = triangles.faces.size() - 40;
   const Triangulated_surface fine(std::move(triangles));
   const Coarsening coarsening(fine);
   Indexed_triangles result = coarsening.triangles();
-  ASSERT_EQ(result.faces.size() - result.first_bridging_face, 40u);
+  ASSERT_EQ(result.faces.size() - result.first_hole_filling_face, 40u);
   std::set<std::set<Index>> expected;
-  for (Index face = fine.first_bridging_face(); face < fine.number_of_faces(); ++face) {
+  for (Index face = fine.first_hole_filling_face(); face < fine.number_of_faces(); ++face) {
     expected.insert({fine.origin(3 * face), fine.origin(3 * face + 1), fine.origin(3 * face + 2)});
   }
-  for (std::size_t face = result.first_bridging_face; face < result.faces.size(); ++face) {
+  for (std::size_t face = result.first_hole_filling_face; face < result.faces.size(); ++face) {
     const auto [a, b, c] = result.faces[face];
     const std::vector<Index>& fine_vertex = coarsening.fine_vertex();
     EXPECT_EQ(expected.count({fine_vertex[a], fine_vertex[b], fine_vertex[c]}), 1u);
@@ -123,10 +123,10 @@ TEST(Coarsening, can_be_repeated)
   EXPECT_LT(surface.number_of_vertices(), 1000u);
 }
 
-TEST(Corner_table, agrees_with_the_surface)
+TEST(Vertex_fan_table, agrees_with_the_surface)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::noisy(CSCD::test::sphere(2), 0.2, 1));
-  const CSCD::internal::Corner_table corners(surface);
+  const CSCD::Vertex_fan_table corners(surface);
   double length = 0;
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
     const auto fan = corners.fan(vertex);
@@ -135,7 +135,7 @@ TEST(Corner_table, agrees_with_the_surface)
     EXPECT_EQ((fan.end() - 1)->neighbor, fan.begin()->neighbor);
     for (Index i = 0; i < surface.degree(vertex); ++i) {
       const Index h = surface.outgoing(vertex).begin()[i];
-      const CSCD::internal::Corner& corner = fan.begin()[i];
+      const CSCD::Corner& corner = fan.begin()[i];
       EXPECT_EQ(corner.neighbor, surface.target(h));
       EXPECT_NEAR(double(corner.length), surface.length(h), 1e-6);
       EXPECT_NEAR(double(corner.cosine * corner.cosine + corner.sine * corner.sine), 1, 1e-6);
@@ -148,14 +148,14 @@ TEST(Corner_table, agrees_with_the_surface)
   EXPECT_NEAR(corners.mean_length(), length / surface.number_of_halfedges(), 1e-9);
 }
 
-TEST(Corner_table, gives_edges_without_length_no_angle)
+TEST(Vertex_fan_table, gives_edges_without_length_no_angle)
 {
   CSCD::test::Shape shape = CSCD::test::cube();
   shape.points[1] = shape.points[0];
   const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const CSCD::internal::Corner_table corners(surface);
+  const CSCD::Vertex_fan_table corners(surface);
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    for (const CSCD::internal::Corner& corner : corners.neighbors(vertex)) {
+    for (const CSCD::Corner& corner : corners.neighbors(vertex)) {
       EXPECT_TRUE(corner.cosine >= -1.0001f && corner.cosine <= 1.0001f);
       EXPECT_TRUE(corner.sine >= 0 && corner.sine <= 1.0001f);
       EXPECT_TRUE(corner.length > 0 || (corner.cosine == 1 && corner.sine == 0));

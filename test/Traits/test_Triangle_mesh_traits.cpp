@@ -30,8 +30,8 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-using CSCD::internal::Index;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Vector_3;
 using CSCD::test::message_of;
 using CSCD::test::names;
 using CSCD::test::Shape;
@@ -61,7 +61,7 @@ TEST(Triangle_mesh_traits, counts_what_the_shapes_are_known_to_have)
     EXPECT_EQ(traits.genus(), shape.genus);
     EXPECT_EQ(traits.number_of_bridged_borders(), shape.number_of_border_cycles);
     EXPECT_EQ(traits.is_closed_input(), shape.is_closed());
-    EXPECT_EQ(traits.number_of_input_sites(), shape.points.size());
+    EXPECT_EQ(traits.number_of_input_vertices(), shape.points.size());
     EXPECT_EQ(traits.number_of_sites(), shape.points.size() + traits.number_of_inserted_vertices());
     EXPECT_EQ(traits.number_of_isolated_vertices(), 0u);
     EXPECT_EQ(traits.number_of_degenerate_faces(), 0u);
@@ -77,10 +77,10 @@ TEST(Triangle_mesh_traits, maps_sites_to_vertices)
   ASSERT_GT(traits.number_of_inserted_vertices(), 0u);
   std::set<Mesh::Vertex_index> seen;
   double weight = 0;
-  Index inserted = CSCD::internal::no_index;
+  Index inserted = CSCD::no_index;
   for (Index site = 0; site < traits.number_of_sites(); ++site) {
     weight += traits.weight(site);
-    if (traits.is_input_site(site)) {
+    if (traits.is_input_vertex(site)) {
       EXPECT_TRUE(seen.insert(traits.descriptor(site)).second);
       const Point expected = mesh.point(traits.descriptor(site));
       EXPECT_LT(std::sqrt(CGAL::squared_distance(traits.to_input_point(traits.point(site)), expected)), 1e-13 * 20);
@@ -181,8 +181,8 @@ TEST(Triangle_mesh_traits, does_not_depend_on_the_pose_beyond_rounding)
   const Traits moved(moved_mesh);
   ASSERT_EQ(traits.number_of_sites(), moved.number_of_sites());
   for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    ASSERT_EQ(traits.is_input_site(site), moved.is_input_site(site));
-    if (traits.is_input_site(site)) {
+    ASSERT_EQ(traits.is_input_vertex(site), moved.is_input_vertex(site));
+    if (traits.is_input_vertex(site)) {
       ASSERT_EQ(traits.descriptor(site), moved.descriptor(site));
     }
     const Point p = traits.to_input_point(traits.point(site));

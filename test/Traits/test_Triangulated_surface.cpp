@@ -6,7 +6,7 @@
 #include "Traits/to_indexed_triangles.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::no_index;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::no_index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::to_surface;
 
 TEST(Triangulated_surface, connects_halfedges)
@@ -57,9 +57,9 @@ TEST(Triangulated_surface, lists_rings_counterclockwise)
       const Index following = ring.begin()[(i + 1) % ring.size()];
       ASSERT_EQ(surface.origin(h), vertex);
       ASSERT_EQ(surface.next_around_origin(h), following);
-      const Vector_3 spoke = surface.point(surface.target(h)) - center;
-      const Vector_3 next_spoke = surface.point(surface.target(following)) - center;
-      ASSERT_GT(spoke.cross(next_spoke).dot(center), 0) << "seen from outside the sphere";
+      const Vector_3 incident_edge = surface.point(surface.target(h)) - center;
+      const Vector_3 next_incident_edge = surface.point(surface.target(following)) - center;
+      ASSERT_GT(incident_edge.cross(next_incident_edge).dot(center), 0) << "seen from outside the sphere";
     }
   }
   EXPECT_EQ(sum, surface.number_of_halfedges());
@@ -87,11 +87,11 @@ TEST(Triangulated_surface, measures)
 TEST(Triangulated_surface, gives_bridging_faces_no_area)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::cube());
-  triangles.first_bridging_face = 10;
+  triangles.first_hole_filling_face = 10;
   const Triangulated_surface surface(std::move(triangles));
   EXPECT_NEAR(surface.total_area(), 5, 1e-12);
-  EXPECT_FALSE(surface.is_bridging(9));
-  EXPECT_TRUE(surface.is_bridging(10));
+  EXPECT_FALSE(surface.is_hole_filling(9));
+  EXPECT_TRUE(surface.is_hole_filling(10));
   EXPECT_EQ(surface.face_area(10), 0.f);
   EXPECT_NEAR(surface.face_vector(10).norm(), 1, 1e-12) << "its direction still counts";
 }
@@ -133,7 +133,7 @@ TEST(Triangulated_surface, names_a_pinched_vertex)
   Indexed_triangles triangles;
   triangles.points.resize(7, Vector_3::Zero());
   triangles.faces = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}, {6, 4, 5}, {6, 0, 4}, {6, 5, 0}, {4, 0, 5}};
-  triangles.first_bridging_face = 8;
+  triangles.first_hole_filling_face = 8;
   const Triangulated_surface surface(std::move(triangles));
   ASSERT_TRUE(surface.defect());
   EXPECT_EQ(surface.defect().vertex, 0u);

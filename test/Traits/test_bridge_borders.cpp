@@ -5,9 +5,9 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/Traits/check_manifold.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
 
 #include <gtest/gtest.h>
 
@@ -20,10 +20,10 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 
 struct Bridged
@@ -45,7 +45,7 @@ Triangulated_surface expect_closed(const Indexed_triangles& input, std::size_t n
   Bridged bridged(input);
   EXPECT_EQ(bridged.number_of_borders, number_of_borders);
   EXPECT_EQ(bridged.triangles.points.size(), input.points.size() + inserted);
-  EXPECT_EQ(bridged.triangles.first_bridging_face, input.faces.size());
+  EXPECT_EQ(bridged.triangles.first_hole_filling_face, input.faces.size());
   EXPECT_TRUE(std::equal(input.faces.begin(), input.faces.end(), bridged.triangles.faces.begin()));
   Triangulated_surface surface(std::move(bridged.triangles));
   EXPECT_FALSE(surface.defect());
@@ -82,7 +82,7 @@ TEST(bridge_borders, makes_a_flat_tetrahedron_of_two_triangles)
   Indexed_triangles input{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, 2};
   const Triangulated_surface surface = expect_closed(input, 1, 2);
   EXPECT_EQ(surface.number_of_faces(), 4u);
-  EXPECT_NE(surface.find_halfedge(1, 3), CSCD::internal::no_index) << "the diagonal that did not exist";
+  EXPECT_NE(surface.find_halfedge(1, 3), CSCD::no_index) << "the diagonal that did not exist";
 }
 
 TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
@@ -100,7 +100,7 @@ TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
   for (Index i = 0; i < 6; ++i) {
     input.points.emplace_back(i, i * i % 5, i * i * i % 7);
   }
-  input.first_bridging_face = input.faces.size();
+  input.first_hole_filling_face = input.faces.size();
   const Triangulated_surface surface = expect_closed(input, 1, 0, 1);
   EXPECT_EQ(surface.degree(6), 6u);
 }
@@ -135,7 +135,7 @@ TEST(bridge_borders, zips_a_slit_across)
       input.faces.insert(input.faces.end(), {{a + 1, a, tip}, {a + 2, a + 1, tip}, {a + 3, a + 2, tip}});
     }
   }
-  input.first_bridging_face = input.faces.size();
+  input.first_hole_filling_face = input.faces.size();
   Bridged bridged(input);
   EXPECT_EQ(bridged.number_of_borders, 2u);
   std::size_t across = 0;
@@ -155,11 +155,11 @@ TEST(bridge_borders, fills_a_round_hole_evenly)
 {
   const auto input = CSCD::test::to_indexed_triangles(CSCD::test::tube(10, 1, 64, CSCD::test::Tube_end::open));
   const Triangulated_surface surface = expect_closed(input, 2, 2);
-  Index greatest_degree = 0;
+  Index max_degree = 0;
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    greatest_degree = std::max(greatest_degree, surface.degree(vertex));
+    max_degree = std::max(max_degree, surface.degree(vertex));
   }
-  EXPECT_LE(greatest_degree, 4u + 2 * 6u) << "a corner is cut off at most once in each of log2(64) rounds";
+  EXPECT_LE(max_degree, 4u + 2 * 6u) << "a corner is cut off at most once in each of log2(64) rounds";
 }
 
 } // namespace

@@ -6,8 +6,8 @@
 #include "Traits/to_indexed_triangles.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/canonical_order.h>
-#include <CSCD/Traits/renumber.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 
 #include <gtest/gtest.h>
 
@@ -18,11 +18,11 @@
 namespace {
 
 using CSCD::internal::Canonical_order;
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
 using CSCD::internal::Surface_components;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 
 struct Ordered
@@ -31,7 +31,7 @@ struct Ordered
   {
     const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
     order = CSCD::internal::canonical_order(triangles, pairing, Surface_components(triangles, pairing));
-    CSCD::internal::renumber(triangles, order.vertices);
+    CSCD::renumber(triangles, order.vertices);
   }
 
   Indexed_triangles triangles;
@@ -113,8 +113,8 @@ TEST(canonical_order, does_not_depend_on_the_pose)
 TEST(renumber, sorts_faces_and_keeps_bridging_ones_last)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::cube());
-  triangles.first_bridging_face = 9;
-  CSCD::internal::renumber(triangles, {7, 6, 5, 4, 3, 2, 1, 0});
+  triangles.first_hole_filling_face = 9;
+  CSCD::renumber(triangles, {7, 6, 5, 4, 3, 2, 1, 0});
   EXPECT_TRUE(std::is_sorted(triangles.faces.begin(), triangles.faces.begin() + 9));
   EXPECT_TRUE(std::is_sorted(triangles.faces.begin() + 9, triangles.faces.end()));
   for (const auto& face : triangles.faces) {

@@ -6,7 +6,7 @@
 #include "Traits/message_of.h"
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/check_manifold.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
 
 #include <gtest/gtest.h>
 
@@ -17,8 +17,8 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
 using CSCD::test::message_of;
 using CSCD::test::names;
 
@@ -26,9 +26,9 @@ using CSCD::test::names;
 Indexed_triangles combinatorial(std::vector<std::array<Index, 3>> faces, std::size_t number_of_points)
 {
   Indexed_triangles result;
-  result.points.resize(number_of_points, CSCD::internal::Vector_3::Zero());
+  result.points.resize(number_of_points, CSCD::Vector_3::Zero());
   result.faces = std::move(faces);
-  result.first_bridging_face = result.faces.size();
+  result.first_hole_filling_face = result.faces.size();
   return result;
 }
 

@@ -28,7 +28,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::test::message_of;
 using CSCD::test::names;
 using CSCD::test::Shape;
@@ -86,7 +86,7 @@ TEST(collect_triangles, reads_in_order_of_iteration)
   const auto collected = collect(mesh);
   ASSERT_EQ(collected.descriptors.size(), shape.points.size());
   ASSERT_EQ(collected.triangles.faces.size(), shape.triangles.size());
-  EXPECT_EQ(collected.triangles.first_bridging_face, shape.triangles.size());
+  EXPECT_EQ(collected.triangles.first_hole_filling_face, shape.triangles.size());
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
     EXPECT_EQ(collected.triangles.points[i].x(), shape.points[i][0]);
     EXPECT_EQ(mesh.point(collected.descriptors[i]).z(), shape.points[i][2]);
@@ -124,7 +124,7 @@ TEST(collect_triangles, uses_the_point_map)
     doubled[v] = Point(2 * mesh.point(v).x(), 0, 0);
   }
   const auto collected = CSCD::internal::collect_triangles(mesh, doubled);
-  EXPECT_EQ(collected.triangles.points[7], CSCD::internal::Vector_3(2, 0, 0));
+  EXPECT_EQ(collected.triangles.points[7], CSCD::Vector_3(2, 0, 0));
 }
 
 TEST(collect_triangles, leaves_isolated_vertices_out)
@@ -143,7 +143,7 @@ TEST(collect_triangles, leaves_isolated_vertices_out)
   const auto collected = collect(mesh);
   EXPECT_EQ(collected.number_of_isolated_vertices, 9u);
   EXPECT_EQ(collected.descriptors, vertices);
-  EXPECT_EQ(collected.triangles.points[7], CSCD::internal::Vector_3(1, 1, 1));
+  EXPECT_EQ(collected.triangles.points[7], CSCD::Vector_3(1, 1, 1));
 }
 
 TEST(collect_triangles, refuses_a_mesh_without_faces)

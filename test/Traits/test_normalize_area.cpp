@@ -1,25 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The normalized surface has unit area around the origin; bridging faces do not count.
+// The normalized surface has unit area around the origin; hole-filling faces do not count.
 
 #include "Traits/message_of.h"
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/normalize_area.h>
+#include <CSCD/Surface/Normalization.h>
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using CSCD::internal::Indexed_triangles;
-using CSCD::internal::normalize_area;
-using CSCD::internal::Vector_3;
+using CSCD::Indexed_triangles;
+using CSCD::normalize_area;
+using CSCD::Vector_3;
 
 double area(const Indexed_triangles& triangles)
 {
   double result = 0;
-  for (std::size_t f = 0; f < triangles.first_bridging_face; ++f) {
+  for (std::size_t f = 0; f < triangles.first_hole_filling_face; ++f) {
     const Vector_3& a = triangles.points[triangles.faces[f][0]];
     result +=
         (triangles.points[triangles.faces[f][1]] - a).cross(triangles.points[triangles.faces[f][2]] - a).norm() / 2;
@@ -43,7 +43,7 @@ TEST(normalize_area, gives_unit_area_around_the_origin)
 TEST(normalize_area, does_not_count_bridging_faces)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::cube());
-  triangles.first_bridging_face = 6;
+  triangles.first_hole_filling_face = 6;
   normalize_area(triangles);
   EXPECT_NEAR(area(triangles), 1, 1e-14);
 }
@@ -60,8 +60,8 @@ TEST(normalize_area, refuses_collinear_points)
 
 TEST(Normalization, composes)
 {
-  const CSCD::internal::Normalization first{{1, 2, 3}, 2};
-  const CSCD::internal::Normalization second{{-1, 0.5, 0}, 0.25};
+  const CSCD::Normalization first{{1, 2, 3}, 2};
+  const CSCD::Normalization second{{-1, 0.5, 0}, 0.25};
   const Vector_3 point(0.125, -4, 8);
   EXPECT_EQ(first.then(second).to_input(point), first.to_input(second.to_input(point)));
 }

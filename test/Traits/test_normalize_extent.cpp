@@ -4,7 +4,7 @@
 // Points of any magnitude come into the unit box, and back.
 
 #include "Traits/message_of.h"
-#include <CSCD/Traits/normalize_extent.h>
+#include <CSCD/Surface/Normalization.h>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 namespace {
 
-using CSCD::internal::normalize_extent;
-using CSCD::internal::Vector_3;
+using CSCD::normalize_extent;
+using CSCD::Vector_3;
 using CSCD::test::message_of;
 using CSCD::test::names;
 

@@ -5,18 +5,17 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Surface_components.h>
-#include <CSCD/Traits/orient_outwards.h>
+#include <CSCD/Surface/Surface_components.h>
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
 using CSCD::internal::Surface_components;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 
 TEST(Surface_components, measures_each_component)
 {

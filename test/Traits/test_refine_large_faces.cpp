@@ -5,9 +5,9 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/Traits/refine_large_faces.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/refine_large_faces.h>
 
 #include <gtest/gtest.h>
 
@@ -18,12 +18,12 @@
 
 namespace {
 
-using CSCD::internal::Halfedge_pairing;
-using CSCD::internal::Index;
-using CSCD::internal::Indexed_triangles;
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
 using CSCD::internal::Surface_components;
-using CSCD::internal::Triangulated_surface;
-using CSCD::internal::Vector_3;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::test::Shape;
 
 struct Refined
@@ -110,14 +110,14 @@ TEST(refine_large_faces, keeps_bridging_faces_at_the_end)
 {
   Shape shape = CSCD::test::tube(20, 1, 12, CSCD::test::Tube_end::open);
   const Refined refined(shape);
-  ASSERT_LT(refined.triangles.first_bridging_face, refined.triangles.faces.size());
+  ASSERT_LT(refined.triangles.first_hole_filling_face, refined.triangles.faces.size());
   for (std::size_t f = 0; f < refined.triangles.faces.size(); ++f) {
     const auto& face = refined.triangles.faces[f];
     const Vector_3& a = refined.triangles.points[face[0]];
     const Vector_3 normal =
         (refined.triangles.points[face[1]] - a).cross(refined.triangles.points[face[2]] - a).normalized();
     const bool is_cap = std::abs(normal.x()) > 0.5;
-    ASSERT_EQ(f >= refined.triangles.first_bridging_face, is_cap) << f;
+    ASSERT_EQ(f >= refined.triangles.first_hole_filling_face, is_cap) << f;
   }
 }
 

@@ -8,20 +8,20 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
 
 #include <utility>
 
 namespace CSCD::test {
 
-inline CSCD::internal::Triangulated_surface to_bridged_surface(const Shape& shape)
+inline CSCD::Triangulated_surface to_bridged_surface(const Shape& shape)
 {
-  CSCD::internal::Indexed_triangles triangles = to_indexed_triangles(shape);
-  CSCD::internal::bridge_borders(triangles, CSCD::internal::Halfedge_pairing(triangles.faces, triangles.points.size()));
-  return CSCD::internal::Triangulated_surface(std::move(triangles));
+  CSCD::Indexed_triangles triangles = to_indexed_triangles(shape);
+  CSCD::internal::bridge_borders(triangles, CSCD::Halfedge_pairing(triangles.faces, triangles.points.size()));
+  return CSCD::Triangulated_surface(std::move(triangles));
 }
 
 } // namespace CSCD::test

@@ -7,20 +7,20 @@
 #define CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
 
 #include "support/Shape.h"
-#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 
 namespace CSCD::test {
 
-inline CSCD::internal::Indexed_triangles to_indexed_triangles(const Shape& shape)
+inline CSCD::Indexed_triangles to_indexed_triangles(const Shape& shape)
 {
-  CSCD::internal::Indexed_triangles result;
+  CSCD::Indexed_triangles result;
   for (const Triple& p : shape.points) {
     result.points.emplace_back(p[0], p[1], p[2]);
   }
   for (const Triangle& t : shape.triangles) {
-    result.faces.push_back({CSCD::internal::Index(t[0]), CSCD::internal::Index(t[1]), CSCD::internal::Index(t[2])});
+    result.faces.push_back({CSCD::Index(t[0]), CSCD::Index(t[1]), CSCD::Index(t[2])});
   }
-  result.first_bridging_face = result.faces.size();
+  result.first_hole_filling_face = result.faces.size();
   return result;
 }
 

@@ -8,27 +8,27 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 
 namespace CSCD::test {
 
-inline CSCD::internal::Triangulated_surface to_surface(const Shape& shape)
+inline CSCD::Triangulated_surface to_surface(const Shape& shape)
 {
-  return CSCD::internal::Triangulated_surface(to_indexed_triangles(shape));
+  return CSCD::Triangulated_surface(to_indexed_triangles(shape));
 }
 
-inline CSCD::internal::Surface_levels to_levels(const Shape& shape)
+inline CSCD::Surface_levels to_levels(const Shape& shape)
 {
-  return CSCD::internal::Surface_levels(to_surface(shape));
+  return CSCD::Surface_levels(to_surface(shape));
 }
 
 /// The vertex of `surface` that is nearest to `point`.
-inline CSCD::internal::Index nearest_vertex(const CSCD::internal::Triangulated_surface& surface,
-                                            const CSCD::internal::Vector_3& point)
+inline CSCD::Index nearest_vertex(const CSCD::Triangulated_surface& surface,
+                                            const CSCD::Vector_3& point)
 {
-  CSCD::internal::Index nearest = 0;
-  for (CSCD::internal::Index vertex = 1; vertex < surface.number_of_vertices(); ++vertex) {
+  CSCD::Index nearest = 0;
+  for (CSCD::Index vertex = 1; vertex < surface.number_of_vertices(); ++vertex) {
     if ((surface.point(vertex) - point).norm() < (surface.point(nearest) - point).norm()) {
       nearest = vertex;
     }

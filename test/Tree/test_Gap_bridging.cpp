@@ -5,8 +5,7 @@
 
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Root_distances.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,11 +15,11 @@
 namespace {
 
 using CSCD::internal::Gap_bridging;
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Neighbor_graph;
-using CSCD::internal::no_index;
+using CSCD::no_index;
 using CSCD::internal::Root_distances;
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 
 constexpr double thin = 0.05; // of poles, and what is between their points
 

@@ -4,7 +4,7 @@
 // Circles through known points.
 
 #include "support/sampling.h"
-#include <CSCD/Tree/fit_circle.h>
+#include <CSCD/Tree/Section_fitting.h>
 
 #include <gtest/gtest.h>
 

@@ -6,16 +6,16 @@
 #ifndef CSCD_TEST_ARCHETYPES_CLOSEST_POINT_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_CLOSEST_POINT_ARCHETYPE_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 namespace CSCD::test {
 
 /// A point of a surface; there is none by default.
 struct Closest_point_archetype
 {
-  explicit Closest_point_archetype(const CSCD::internal::Vector_3& its_point) : point(its_point) {}
+  explicit Closest_point_archetype(const CSCD::Vector_3& its_point) : point(its_point) {}
 
-  CSCD::internal::Vector_3 point;
+  CSCD::Vector_3 point;
 };
 
 } // namespace CSCD::test

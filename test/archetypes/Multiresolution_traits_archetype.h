@@ -8,7 +8,7 @@
 
 #include "Traits/to_surface.h"
 #include "support/Shape.h"
-#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Surface/Surface_levels.h>
 
 namespace CSCD::test {
 
@@ -17,10 +17,10 @@ class Multiresolution_traits_archetype
 {
 public:
   explicit Multiresolution_traits_archetype(const Shape& shape) : m_levels(to_levels(shape)) {}
-  const CSCD::internal::Surface_levels& levels() const { return m_levels; }
+  const CSCD::Surface_levels& levels() const { return m_levels; }
 
 private:
-  CSCD::internal::Surface_levels m_levels;
+  CSCD::Surface_levels m_levels;
 };
 
 } // namespace CSCD::test

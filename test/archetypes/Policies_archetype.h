@@ -6,15 +6,15 @@
 #ifndef CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 
-#include "Separator_weight_archetype.h"
+#include "Separator_cost_archetype.h"
 #include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <cstddef>
 #include <utility>
@@ -32,7 +32,7 @@ public:
   Separator_finder_archetype& operator=(const Separator_finder_archetype&) = delete;
   ~Separator_finder_archetype() = default;
 
-  void operator()(CSCD::internal::Index source, CSCD::internal::Index level_hint, Search_result& result)
+  void operator()(CSCD::Index source, CSCD::Index level_hint, Search_result& result)
   {
     m_finder(source, level_hint, result);
   }
@@ -51,7 +51,7 @@ public:
   class Packing
   {
   public:
-    const std::vector<CSCD::internal::Index>& packed() const { return m_packing.packed(); }
+    const std::vector<CSCD::Index>& packed() const { return m_packing.packed(); }
 
   private:
     friend class Policies_archetype;
@@ -62,7 +62,7 @@ public:
 
   /// \param number_of_weights counts the weights that are asked for
   explicit Policies_archetype(std::size_t& number_of_weights)
-      : m_policies(Separator_weight_archetype(number_of_weights))
+      : m_policies(Separator_cost_archetype(number_of_weights))
   {
   }
   Policies_archetype(const Policies_archetype&) = delete;
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  Local_policies<Traits, Separator_weight_archetype, Separator_finder> m_policies;
+  Local_policies<Traits, Separator_cost_archetype, Separator_finder> m_policies;
 };
 
 } // namespace CSCD::test

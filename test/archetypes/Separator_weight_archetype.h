@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SeparatorWeight with no more than the concept asks for.
+// A SeparatorCost with no more than the concept asks for.
 
 #ifndef CSCD_TEST_ARCHETYPES_SEPARATOR_WEIGHT_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SEPARATOR_WEIGHT_ARCHETYPE_H
@@ -13,10 +13,10 @@
 namespace CSCD::test {
 
 /// The length, counted; no default constructor, no assignment.
-class Separator_weight_archetype
+class Separator_cost_archetype
 {
 public:
-  explicit Separator_weight_archetype(std::size_t& number_of_calls) : m_number_of_calls(number_of_calls) {}
+  explicit Separator_cost_archetype(std::size_t& number_of_calls) : m_number_of_calls(number_of_calls) {}
 
   double operator()(const Separator& separator) const
   {

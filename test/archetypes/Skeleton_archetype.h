@@ -13,16 +13,16 @@
 namespace CSCD::test {
 
 /// A node with a position and sites only.
-template <class Point, class SiteDescriptor>
+template <class Point, class InputDescriptor>
 struct Skeleton_vertex_archetype
 {
   Point point;
-  std::vector<SiteDescriptor> vertices;
+  std::vector<InputDescriptor> vertices;
 };
 
-template <class Point, class SiteDescriptor>
+template <class Point, class InputDescriptor>
 using Skeleton_archetype = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS,
-                                                 Skeleton_vertex_archetype<Point, SiteDescriptor>>;
+                                                 Skeleton_vertex_archetype<Point, InputDescriptor>>;
 
 } // namespace CSCD::test
 

@@ -13,7 +13,7 @@
 #include "Triangle_mesh_archetype.h"
 #include "support/Shape.h"
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <array>
 #include <cstddef>
@@ -28,9 +28,7 @@ class Skeletonization_traits_archetype
 {
 public:
   using Point = Point_archetype;
-  using Site_descriptor = Triangle_mesh_archetype::Vertex;
-  using Index = CSCD::internal::Index;
-  using Vector_3 = CSCD::internal::Vector_3;
+  using Input_descriptor = Triangle_mesh_archetype::Vertex;
 
   explicit Skeletonization_traits_archetype(const Shape& shape)
       : m_mesh(shape), m_traits(m_mesh, Vertex_point_map_archetype(m_mesh))
@@ -52,7 +50,7 @@ public:
   auto descriptors(Index site) const { return m_traits.descriptors(site); }
   Point to_input_point(const Vector_3& p) const { return m_traits.to_input_point(p); }
   double to_input_length(double length) const { return m_traits.to_input_length(length); }
-  std::size_t number_of_input_sites() const { return m_traits.number_of_input_sites(); }
+  std::size_t number_of_input_vertices() const { return m_traits.number_of_input_vertices(); }
   std::size_t number_of_isolated_vertices() const { return m_traits.number_of_isolated_vertices(); }
   std::size_t number_of_components() const { return m_traits.number_of_components(); }
   std::size_t number_of_bridged_borders() const { return m_traits.number_of_bridged_borders(); }
@@ -65,10 +63,10 @@ public:
 
   /// \name TriangulatedSolidSkeletonizationTraits
   /// @{
-  const CSCD::internal::Surface_levels& levels() const { return m_traits.levels(); }
-  const CSCD::internal::Triangulated_surface& surface() const { return m_traits.surface(); }
+  const CSCD::Surface_levels& levels() const { return m_traits.levels(); }
+  const CSCD::Triangulated_surface& surface() const { return m_traits.surface(); }
   std::optional<Vector_3> middle_behind(const Vector_3& p) const { return m_traits.middle_behind(p); }
-  const CSCD::internal::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
+  const CSCD::Triangulated_surface& solid_surface() const { return m_traits.solid_surface(); }
   bool is_inside(const Vector_3& p) const { return m_traits.is_inside(p); }
   Closest_point_archetype closest_point(const Vector_3& p) const
   {

@@ -10,10 +10,10 @@
 #include "Surface_point_archetype.h"
 #include "Traits/to_surface.h"
 #include "support/Shape.h"
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <optional>
 #include <vector>
@@ -24,17 +24,16 @@ namespace CSCD::test {
 class Solid_traits_archetype
 {
 public:
-  using Vector_3 = CSCD::internal::Vector_3;
 
   explicit Solid_traits_archetype(const Shape& shape) : m_levels(to_levels(shape)), m_queries(solid_surface()) {}
   Solid_traits_archetype(const Solid_traits_archetype&) = delete;
   Solid_traits_archetype& operator=(const Solid_traits_archetype&) = delete;
   ~Solid_traits_archetype() = default;
 
-  const CSCD::internal::Surface_levels& levels() const { return m_levels; }
-  const CSCD::internal::Triangulated_surface& surface() const { return m_levels.finest().surface; }
+  const CSCD::Surface_levels& levels() const { return m_levels; }
+  const CSCD::Triangulated_surface& surface() const { return m_levels.finest().surface; }
   std::optional<Vector_3> middle_behind(const Vector_3& p) const { return m_queries.middle_behind(p); }
-  const CSCD::internal::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
+  const CSCD::Triangulated_surface& solid_surface() const { return m_levels.finest().surface; }
   bool is_inside(const Vector_3& p) const { return m_queries.is_inside(p); }
   Closest_point_archetype closest_point(const Vector_3& p) const
   {
@@ -51,7 +50,7 @@ public:
   }
 
 private:
-  CSCD::internal::Surface_levels m_levels;
+  CSCD::Surface_levels m_levels;
   CSCD::internal::Solid_queries m_queries;
 };
 

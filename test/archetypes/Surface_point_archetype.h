@@ -6,20 +6,20 @@
 #ifndef CSCD_TEST_ARCHETYPES_SURFACE_POINT_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SURFACE_POINT_ARCHETYPE_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 namespace CSCD::test {
 
 /// A point of a surface and the face that it lies in; there is none by default.
 struct Surface_point_archetype
 {
-  Surface_point_archetype(const CSCD::internal::Vector_3& its_point, CSCD::internal::Index its_face)
+  Surface_point_archetype(const CSCD::Vector_3& its_point, CSCD::Index its_face)
       : point(its_point), face(its_face)
   {
   }
 
-  CSCD::internal::Vector_3 point;
-  CSCD::internal::Index face;
+  CSCD::Vector_3 point;
+  CSCD::Index face;
 };
 
 /// The same of anything that has these members.

@@ -9,7 +9,7 @@
 
 struct Traits
 {
-  CSCD::internal::Surface_levels levels() const;
+  CSCD::Surface_levels levels() const;
 };
 
 int main()

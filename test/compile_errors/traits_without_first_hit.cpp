@@ -13,9 +13,9 @@ struct Traits
     Eigen::Vector3d point;
   };
 
-  const CSCD::internal::Surface_levels& levels() const;
-  const CSCD::internal::Triangulated_surface& surface() const;
-  const CSCD::internal::Triangulated_surface& solid_surface() const;
+  const CSCD::Surface_levels& levels() const;
+  const CSCD::Triangulated_surface& surface() const;
+  const CSCD::Triangulated_surface& solid_surface() const;
   bool is_inside(const Eigen::Vector3d& p) const;
   std::optional<Eigen::Vector3d> middle_behind(const Eigen::Vector3d& p) const;
   void crossings(const Eigen::Vector3d& p, const Eigen::Vector3d& q, std::vector<double>& distances) const;

@@ -13,7 +13,7 @@
 struct Traits
 {
   using Point = std::array<double, 3>;
-  using Site_descriptor = int;
+  using Input_descriptor = int;
 
   int number_of_sites() const;
   Eigen::Vector3d point(int i) const;
@@ -26,7 +26,7 @@ struct Traits
   double to_input_length(double length) const;
   int genus() const;
   int number_of_components() const;
-  int number_of_input_sites() const;
+  int number_of_input_vertices() const;
   int number_of_isolated_vertices() const;
   int number_of_bridged_borders() const;
   int number_of_inserted_vertices() const;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A weight that is no number is refused.
-// expected error: CSCD: SeparatorWeight requires w(separator) const, convertible to double
+// expected error: CSCD: SeparatorCost requires w(separator) const, convertible to double
 
 #include <CSCD/concepts.h>
 
@@ -15,5 +15,5 @@ struct Weight
 
 int main()
 {
-  CSCD::check_separator_weight<Weight>();
+  CSCD::check_separator_cost<Weight>();
 }

@@ -4,7 +4,7 @@
 // Disjoint sets against labels that are rewritten at every union, on random operations.
 
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace {
 
 using CSCD::internal::Disjoint_sets;
-using CSCD::internal::Index;
+using CSCD::Index;
 
 /// Whether `sets` are those of the indices with equal labels, each represented by one of them.
 testing::AssertionResult are_those_of(Disjoint_sets& sets, const std::vector<Index>& labels)

@@ -3,8 +3,8 @@
 //
 // Distances of a front against relaxing all edges until nothing changes, on random graphs.
 
-#include <CSCD/internal/Distance_front.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@
 
 namespace {
 
-using CSCD::internal::Distance_front;
-using CSCD::internal::Index;
+using CSCD::internal::Dijkstra_search;
+using CSCD::Index;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
@@ -54,11 +54,11 @@ std::vector<float> relaxed_distances(const Graph& graph, std::vector<float> dist
   return distance;
 }
 
-TEST(Distance_front, passes_every_vertex_once_in_order_at_its_least_distance)
+TEST(Dijkstra_search, passes_every_vertex_once_in_order_at_its_least_distance)
 {
   constexpr Index number_of_vertices = 200;
   std::mt19937 random(1);
-  Distance_front front(number_of_vertices); // one for all graphs: nothing may be left of those before
+  Dijkstra_search front(number_of_vertices); // one for all graphs: nothing may be left of those before
   for (int round = 0; round < 20; ++round) {
     const Graph graph = random_graph(number_of_vertices, random);
     std::vector<float> start(number_of_vertices, infinity);
@@ -91,9 +91,9 @@ TEST(Distance_front, passes_every_vertex_once_in_order_at_its_least_distance)
   }
 }
 
-TEST(Distance_front, tells_whether_a_way_is_shorter)
+TEST(Dijkstra_search, tells_whether_a_way_is_shorter)
 {
-  Distance_front front(2);
+  Dijkstra_search front(2);
   EXPECT_TRUE(front.reach(1, 2));
   EXPECT_FALSE(front.reach(1, 2));
   EXPECT_FALSE(front.reach(1, 3));

@@ -4,7 +4,7 @@
 // Marks that are taken back at once, the one time in four thousand million included at which the counter ends.
 
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@
 namespace {
 
 using CSCD::internal::Epoch_marks;
-using CSCD::internal::Index;
+using CSCD::Index;
 
 TEST(Epoch_marks, tells_whether_a_mark_is_new)
 {

@@ -4,7 +4,7 @@
 // The heap against the standard queue, on random operations.
 
 #include <CSCD/internal/Indexed_heap.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@
 
 namespace {
 
-using CSCD::internal::Index;
+using CSCD::Index;
 using CSCD::internal::Indexed_heap;
 
 /// The standard queue; entries that a decrease has made obsolete are skipped when they come out.
@@ -33,7 +33,7 @@ public:
   bool empty() const { return m_key.empty(); }
   bool contains(Index vertex) const { return m_key.count(vertex) > 0; }
   float key(Index vertex) const { return m_key.at(vertex); }
-  float least_key()
+  float min_key()
   {
     while (!contains(m_queue.top().second) || key(m_queue.top().second) != m_queue.top().first) {
       m_queue.pop();
@@ -54,7 +54,7 @@ void expect_pops_least(Indexed_heap& heap, Reference_queue& reference)
   const Indexed_heap::Entry entry = heap.pop();
   ASSERT_TRUE(reference.contains(entry.vertex));
   EXPECT_EQ(entry.key, reference.key(entry.vertex));
-  EXPECT_EQ(entry.key, reference.least_key());
+  EXPECT_EQ(entry.key, reference.min_key());
   reference.erase(entry.vertex);
 }
 

@@ -3,8 +3,8 @@
 //
 // Every vertex of a grid gets the label of the nearest start.
 
-#include <CSCD/internal/Labeled_front.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@
 
 namespace {
 
-using CSCD::internal::Index;
-using CSCD::internal::Labeled_front;
-using CSCD::internal::no_index;
+using CSCD::Index;
+using CSCD::internal::Multi_source_dijkstra_search;
+using CSCD::no_index;
 
 /// Calls `visit` for the neighbors on a square grid of `width` columns and rows, which are 1 apart.
 template <class Visit>
@@ -38,11 +38,11 @@ void visit_grid(Index width, Index vertex, const Visit& visit)
   }
 }
 
-TEST(Labeled_front, gives_every_vertex_the_label_of_the_nearest_start)
+TEST(Multi_source_dijkstra_search, gives_every_vertex_the_label_of_the_nearest_start)
 {
   constexpr Index width = 12;
   constexpr Index starts[] = {0, 5 * width + 7, 11 * width + 2};
-  Labeled_front front(width * width);
+  Multi_source_dijkstra_search front(width * width);
   for (Index label = 0; label < 3; ++label) {
     front.reach(starts[label], 0, label);
   }
@@ -60,9 +60,9 @@ TEST(Labeled_front, gives_every_vertex_the_label_of_the_nearest_start)
   }
 }
 
-TEST(Labeled_front, goes_on_from_where_a_later_start_is)
+TEST(Multi_source_dijkstra_search, goes_on_from_where_a_later_start_is)
 {
-  Labeled_front front(6); // two lines: 0 1 2 and 3 4 5
+  Multi_source_dijkstra_search front(6); // two lines: 0 1 2 and 3 4 5
   const auto line = [](Index vertex, const auto& visit) {
     if (vertex % 3 > 0) {
       visit(vertex - 1, 1.f);

@@ -4,7 +4,7 @@
 // The loop over indices, sequential and parallel.
 
 #include "support/Allow_threads.h"
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
 #include <CGAL/tags.h>
@@ -22,7 +22,7 @@
 namespace {
 
 using CSCD::internal::For_each_index;
-using CSCD::internal::Index;
+using CSCD::Index;
 
 /// Knows whether two threads use it at once.
 struct Worker

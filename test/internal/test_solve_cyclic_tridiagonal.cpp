@@ -3,7 +3,7 @@
 //
 // Solutions of closed chains, put back into their equations.
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/solve_cyclic_tridiagonal.h>
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@
 
 namespace {
 
-using CSCD::internal::Vector_3;
+using CSCD::Vector_3;
 
 TEST(solve_cyclic_tridiagonal, fulfils_the_equations)
 {

@@ -14,21 +14,21 @@
 
 namespace CSCD::test {
 
-/// While an object lives, TBB runs up to `most_threads` threads, even if there are fewer cores: then they take turns at
+/// While an object lives, TBB runs up to `max_threads` threads, even if there are fewer cores: then they take turns at
 /// any point of their work. Without TBB it does nothing.
 class Allow_threads
 {
 public:
 #ifdef CGAL_LINKED_WITH_TBB
-  explicit Allow_threads(std::size_t most_threads)
-      : m_control(tbb::global_control::max_allowed_parallelism, most_threads)
+  explicit Allow_threads(std::size_t max_threads)
+      : m_control(tbb::global_control::max_allowed_parallelism, max_threads)
   {
   }
 
 private:
   tbb::global_control m_control;
 #else
-  explicit Allow_threads(std::size_t /* most_threads */)
+  explicit Allow_threads(std::size_t /* max_threads */)
   {
   }
 #endif

@@ -23,9 +23,9 @@ namespace CSCD::test {
 struct Centreline_error
 {
   double mean_of_nodes = 0;    ///< distance of a node from the centreline
-  double largest_of_nodes = 0; ///< the largest of these
-  double largest_gap = 0;      ///< distance from a point of the centreline to the skeleton
-  double largest_of_radii = 0; ///< how wrong the radius is at nodes of degree 2, relative to the true one
+  double max_of_nodes = 0; ///< the largest of these
+  double max_gap = 0;      ///< distance from a point of the centreline to the skeleton
+  double max_of_radii = 0; ///< how wrong the radius is at nodes of degree 2, relative to the true one
 };
 
 namespace internal {
@@ -68,10 +68,10 @@ Centreline_error centreline_error(const Shape& shape, const Skeleton& skeleton)
     const double true_radius = radius_near(nearest, p);
     const double relative_distance = distance(nearest, p) / true_radius;
     error.mean_of_nodes += relative_distance / static_cast<double>(num_vertices(skeleton));
-    error.largest_of_nodes = std::max(error.largest_of_nodes, relative_distance);
+    error.max_of_nodes = std::max(error.max_of_nodes, relative_distance);
     if (degree(v, skeleton) == 2) {
-      error.largest_of_radii =
-          std::max(error.largest_of_radii, std::fabs(skeleton[v].radius - true_radius) / true_radius);
+      error.max_of_radii =
+          std::max(error.max_of_radii, std::fabs(skeleton[v].radius - true_radius) / true_radius);
     }
   }
   const std::vector<Centreline_segment> segments = internal::segments_of(skeleton);
@@ -81,7 +81,7 @@ Centreline_error centreline_error(const Shape& shape, const Skeleton& skeleton)
       const double t = static_cast<double>(i) / static_cast<double>(number_of_samples);
       const Triple p = (1 - t) * piece.source + t * piece.target;
       const double gap = distance(internal::nearest_segment(segments, p), p) / radius_near(piece, p);
-      error.largest_gap = std::max(error.largest_gap, gap);
+      error.max_gap = std::max(error.max_gap, gap);
     }
   }
   return error;

@@ -46,7 +46,7 @@ struct Tree_settings
   unsigned seed = 1;
   double height = 10;
   double radius = 0.2; ///< of the trunk at its base
-  std::size_t largest_order = 2;
+  std::size_t max_order = 2;
   std::size_t limbs_of_trunk = 9; ///< each limb has about two thirds as many for its length
 };
 
@@ -59,7 +59,7 @@ public:
   {
     grow({0, 0, 0}, {0, 0, 1}, settings.height, std::nullopt);
     for (std::size_t limb = 0; limb < m_limbs.size(); ++limb) {
-      if (m_limbs[limb].order < settings.largest_order) {
+      if (m_limbs[limb].order < settings.max_order) {
         branch_off(limb);
       }
     }

@@ -85,7 +85,7 @@ public:
 
 private:
   static constexpr double step = 0.02;       // between samples of an axis
-  static constexpr double least_share = 0.5; // of a limb that a branch must follow, and of a branch that must be on it
+  static constexpr double min_share = 0.5; // of a limb that a branch must follow, and of a branch that must be on it
 
   static double median(std::vector<double>& values)
   {
@@ -170,7 +170,7 @@ private:
       const std::vector<Triple> samples = sampled_axis(own);
       for (std::size_t limb = 0; limb < m_limbs.size(); ++limb) {
         const double of_limb = share(m_samples[limb], m_limbs[limb], m_branches[branch]);
-        if (of_limb < least_share) {
+        if (of_limb < min_share) {
           continue;
         }
         std::size_t near = 0;
@@ -179,7 +179,7 @@ private:
           near += distance <= m_tolerance + radius ? 1 : 0;
         }
         const double of_branch = samples.empty() ? 0 : double(near) / double(samples.size());
-        if (of_branch >= least_share) {
+        if (of_branch >= min_share) {
           pairs.push_back({of_limb + of_branch, limb, branch});
         }
       }

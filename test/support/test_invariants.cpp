@@ -74,8 +74,8 @@ TEST_F(Invariants, hold_for_an_exact_skeleton)
   EXPECT_EQ(violations(), Violations{});
   EXPECT_EQ(CSCD::test::count_inside(m_mesh, m_skeleton).fraction_of_nodes_inside(), 1);
   EXPECT_EQ(CSCD::test::count_inside(m_mesh, m_skeleton).fraction_of_length_inside(), 1);
-  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).largest_of_nodes, 1e-12);
-  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).largest_gap, 1e-12);
+  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).max_of_nodes, 1e-12);
+  EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).max_gap, 1e-12);
 }
 
 TEST_F(Invariants, notice_a_vertex_without_node)
@@ -138,7 +138,7 @@ TEST_F(Invariants, notice_nodes_outside)
   const CSCD::test::Inside_count count = CSCD::test::count_inside(m_mesh, m_skeleton);
   EXPECT_EQ(count.number_of_nodes_outside, 1u);
   EXPECT_LT(count.fraction_of_length_inside(), 1);
-  EXPECT_NEAR(CSCD::test::centreline_error(m_shape, m_skeleton).largest_of_nodes, 1.5, 1e-12);
+  EXPECT_NEAR(CSCD::test::centreline_error(m_shape, m_skeleton).max_of_nodes, 1.5, 1e-12);
 }
 
 TEST_F(Invariants, notice_a_gap_and_a_wrong_radius)
@@ -146,8 +146,8 @@ TEST_F(Invariants, notice_a_gap_and_a_wrong_radius)
   m_skeleton[8].point = Point(7, 0, 0);
   m_skeleton[4].radius = 1.5;
   const CSCD::test::Centreline_error error = CSCD::test::centreline_error(m_shape, m_skeleton);
-  EXPECT_NEAR(error.largest_gap, 1, 1e-12);
-  EXPECT_NEAR(error.largest_of_radii, 0.5, 1e-12);
+  EXPECT_NEAR(error.max_gap, 1, 1e-12);
+  EXPECT_NEAR(error.max_of_radii, 0.5, 1e-12);
 }
 
 TEST_F(Invariants, comparison_ignores_names_only)

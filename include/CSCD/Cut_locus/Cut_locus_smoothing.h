@@ -6,7 +6,7 @@
 #ifndef CSCD_CUT_LOCUS_CUT_LOCUS_SMOOTHING_H
 #define CSCD_CUT_LOCUS_CUT_LOCUS_SMOOTHING_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <cstddef>
 #include <utility>

@@ -1,16 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of an ORG tree that is kept as the cut locus.
+// The part of the ORG tree that is the cut locus.
 
 #ifndef CSCD_CUT_LOCUS_CUT_TREE_H
 #define CSCD_CUT_LOCUS_CUT_TREE_H
 
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Org_tree.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <queue>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -85,6 +93,156 @@ private:
   std::vector<Index> m_number_of_children;
   std::vector<Index> m_chords;
 };
+
+} // namespace CSCD::internal
+
+namespace CSCD {
+
+/// Keeps what can be reached from the root of the tree through cut points. Noise elsewhere does no harm, but one vertex
+/// that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
+struct Growing_policy
+{
+  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.
+  template <class Predicate>
+  void operator()(const Predicate& is_cut, internal::Cut_tree& cut) const
+  {
+    const internal::Org_tree::Graph& graph = cut.tree().graph();
+    std::vector<Index> reached = cut.tree().roots();
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+      for (const auto edge : boost::make_iterator_range(out_edges(reached[i], graph))) {
+        if (is_cut(target(edge, graph))) {
+          cut.keep(target(edge, graph));
+          reached.push_back(target(edge, graph));
+        }
+      }
+    }
+  }
+};
+
+/// Keeps every cut point and its way to the root of the tree: what remains when leaves that are none are removed until
+/// there are none left. Nothing is missed, but false cut points far away keep their ways too. `Growing_policy`
+/// is the other choice.
+struct Pruning_policy
+{
+  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their ways to the root; linear.
+  template <class Predicate>
+  void operator()(const Predicate& is_cut, internal::Cut_tree& cut) const
+  {
+    for (Index vertex : cut.tree().order()) {
+      if (is_cut(vertex)) {
+        cut.keep(vertex);
+      }
+    }
+  }
+};
+
+} // namespace CSCD
+
+namespace CSCD::internal {
+
+/// Removes from `cut` the branches that end in a leaf and are shorter than `min_length`, the shortest first; what
+/// they leave of their fork may then be one longer branch. A branch ends at a fork, at a root, or where it is
+/// protected. O(n log n) for n vertices. \param length gives the length of a halfedge
+template <class Length>
+void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
+{
+  const Org_tree& tree = cut.tree();
+  const auto ends_at = [&](Index vertex) { return cut.is_protected(vertex) || cut.number_of_children(vertex) > 1; };
+  const auto branch_length = [&](Index leaf) {
+    double sum = 0;
+    Index vertex = leaf;
+    do {
+      sum += length(tree.halfedge_to_parent(vertex));
+      vertex = tree.parent(vertex);
+    } while (!ends_at(vertex) && sum < min_length);
+    return sum;
+  };
+  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
+  for (Index vertex : tree.order()) {
+    if (cut.is_free_leaf(vertex)) {
+      queue.emplace(branch_length(vertex), vertex);
+    }
+  }
+  while (!queue.empty() && queue.top().first < min_length) {
+    const auto [known_length, leaf] = queue.top();
+    queue.pop();
+    const double current_length = branch_length(leaf);
+    if (current_length > known_length) {
+      queue.emplace(current_length, leaf);
+      continue;
+    }
+    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = tree.parent(vertex)) {
+      cut.remove(vertex);
+    }
+  }
+}
+
+/// Whether the free leaf `leaf` of `cut` lies beside another branch: next to a kept vertex that is neither its parent
+/// nor a child of its parent. Of two leaves side by side only the one with the greater Laplacian counts.
+template <class Frames>
+bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
+{
+  const Org_tree& tree = cut.tree();
+  const Index parent = tree.parent(leaf);
+  bool result = false;
+  frames.for_each_neighbor(leaf, [&](Index neighbor, Index) {
+    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || tree.parent(neighbor) == parent) {
+      return;
+    }
+    const bool is_weaker = std::pair(tree.laplacian(leaf), leaf) > std::pair(tree.laplacian(neighbor), neighbor);
+    result = result || cut.number_of_children(neighbor) > 0 || cut.is_protected(neighbor) || is_weaker;
+  });
+  return result;
+}
+
+/// Removes from `cut`, leaf by leaf, branches that lie beside other ones. O(n) for n vertices.
+/// \param frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
+template <class Frames>
+void thin_branches(const Frames& frames, Cut_tree& cut)
+{
+  std::vector<Index> queue;
+  for (Index vertex : cut.tree().order()) {
+    if (cut.is_free_leaf(vertex)) {
+      queue.push_back(vertex);
+    }
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (is_beside_branch(frames, cut, queue[i])) {
+      const Index parent = cut.tree().parent(queue[i]);
+      cut.remove(queue[i]);
+      if (cut.is_free_leaf(parent)) {
+        queue.push_back(parent);
+      }
+    }
+  }
+}
+
+/// Keeps of `tree`, the ORG tree of `measures`, what `policy` makes of the cut points; then calls `close_loops(cut)`,
+/// which may add chords; then makes branches one vertex wide and drops the short ones. O(n log n) for n vertices, and
+/// what `close_loops` costs.
+/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
+/// \param min_branch_length relative to the distance of the farthest vertex; branches of less than three mean
+///        edge lengths, which the triangulation alone can make, are dropped anyway
+template <class Measures, class CutLocusPolicy, class CloseLoops>
+Cut_tree filter_org_tree(const Measures& measures, const Org_tree& tree, const Cut_criterion& criterion,
+                         const CutLocusPolicy& policy, double min_branch_length, const CloseLoops& close_loops)
+{
+  constexpr double min_edges_of_branch = 3;
+  const auto& frames = measures.frames();
+  Cut_tree cut(tree);
+  const auto gradients = measures.gradients();
+  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion, gradients); }, cut);
+  close_loops(cut);
+  thin_branches(frames, cut);
+  double max_distance = 0;
+  for (Index root : tree.roots()) {
+    max_distance = std::max(max_distance, measures.distance(root));
+  }
+  const double min_length =
+      std::max(min_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
+  drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
+  return cut;
+}
 
 } // namespace CSCD::internal
 

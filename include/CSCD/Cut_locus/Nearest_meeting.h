@@ -6,9 +6,9 @@
 #ifndef CSCD_CUT_LOCUS_NEAREST_MEETING_H
 #define CSCD_CUT_LOCUS_NEAREST_MEETING_H
 
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <limits>
@@ -21,7 +21,7 @@ namespace CSCD::internal {
 class Nearest_meeting
 {
 public:
-  Nearest_meeting(const Triangulated_surface& surface, const Polar_front& front, Index source)
+  Nearest_meeting(const Triangulated_surface& surface, const Geodesic_polar_coordinates& front, Index source)
       : m_surface(surface), m_front(front), m_source_point(surface.point(source)),
         m_source_normal(surface.vertex_normal(source))
   {
@@ -31,7 +31,7 @@ public:
   {
     const float distance = m_front.distance(vertex);
     if (m_stop_distance == std::numeric_limits<float>::max()) {
-      m_stop_distance = reach_without_target * std::max(distance, least_rings * m_front.ring_radius());
+      m_stop_distance = reach_without_target * std::max(distance, min_rings * m_front.ring_radius());
     }
     const Vector_3 chord = (m_surface.point(vertex) + m_surface.point(neighbor)) / 2 - m_source_point;
     const double length = chord.norm();
@@ -59,19 +59,19 @@ private:
   static constexpr float reach_without_target = 2;
   /// ... but at least to this many of the longest edge at the source: on a rough surface, false meetings near the
   /// source would otherwise end the search.
-  static constexpr float least_rings = 6;
+  static constexpr float min_rings = 6;
   /// Cosine of the largest angle between the chord and the inward normal at the source, and the outward normal at the
   /// meeting. Any value from 0 keeps out tunnels; this one also drops meetings on the flank of a bump early.
-  static constexpr double least_chord_cosine = 0.5;
+  static constexpr double min_chord_cosine = 0.5;
 
   bool is_across_body(const Vector_3& chord, double length, Index vertex) const
   {
-    return -chord.dot(m_source_normal) > least_chord_cosine * length &&
-           chord.dot(m_surface.vertex_normal(vertex)) > least_chord_cosine * length;
+    return -chord.dot(m_source_normal) > min_chord_cosine * length &&
+           chord.dot(m_surface.vertex_normal(vertex)) > min_chord_cosine * length;
   }
 
   const Triangulated_surface& m_surface;
-  const Polar_front& m_front;
+  const Geodesic_polar_coordinates& m_front;
   Vector_3 m_source_point;
   Vector_3 m_source_normal;
   Index m_first = no_index;

@@ -6,7 +6,7 @@
 #ifndef CSCD_CUT_LOCUS_ORG_TREE_H
 #define CSCD_CUT_LOCUS_ORG_TREE_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
@@ -34,7 +34,7 @@ public:
                                                    boost::no_property, Index, Index>;
 
   /// Grows the tree; O(n log n) for n vertices.
-  /// \param measures those of a triangulation, `Cut_measures`, or of a point complex, `Point_cut_measures`
+  /// \param measures those of a triangulation, `Cut_locus_indicators`, or of a point complex, `Point_cut_locus_indicators`
   /// \param is_on_loop for every vertex
   template <class Measures>
   Org_tree(const Measures& measures, const std::vector<char>& is_on_loop)

@@ -7,8 +7,8 @@
 #define CSCD_CUT_LOCUS_SURFACE_WALK_H
 
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Traits/Open_triangulation.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <array>
@@ -59,11 +59,11 @@ public:
   Face_point operator()(Face_point from, Vector_3 displacement) const
   {
     // A displacement is about an edge long and crosses a few faces; more is a fan of needles.
-    constexpr int most_faces = 100;
+    constexpr int max_faces = 100;
     if (const Index vertex = vertex_of(from); vertex != no_index) {
       from = leave_vertex(vertex, displacement);
     }
-    for (int i = 0; i < most_faces; ++i) {
+    for (int i = 0; i < max_faces; ++i) {
       const Index exit = advance(from, displacement);
       if (exit == no_index || !cross(exit, from, displacement)) {
         break;

@@ -6,8 +6,8 @@
 #ifndef CSCD_CUT_LOCUS_TANGENT_FRAMES_H
 #define CSCD_CUT_LOCUS_TANGENT_FRAMES_H
 
-#include <CSCD/Traits/is_bridging_face.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -29,7 +29,7 @@ namespace CSCD::internal {
 ///         `number_of_vertices()`, `number_of_halfedges()`, `number_of_faces()`, static `next(h)`, `previous(h)` and
 ///         `face(h)`, and `origin(h)`, `target(h)`, `twin(h)`, which is `no_index` on a border, and `length(h)`: so it
 ///         may be intrinsic, with several edges between two vertices, and edges from a vertex to itself. The faces
-///         around each vertex form one fan. Faces for which there is a member `is_bridging(f)` that says so are no part
+///         around each vertex form one fan. Faces for which there is a member `is_hole_filling(f)` that says so are no part
 ///         of the surface.
 template <class Triangulation>
 class Tangent_frames
@@ -129,7 +129,7 @@ public:
 private:
   Index next_around_origin(Index halfedge) const { return m_triangulation.twin(m_triangulation.previous(halfedge)); }
   double angle(Index halfedge) const { return std::atan2(m_corners[halfedge].sine, m_corners[halfedge].cosine); }
-  bool is_bridging(Index halfedge) const { return is_bridging_face(m_triangulation, m_triangulation.face(halfedge)); }
+  bool is_hole_filling(Index halfedge) const { return is_hole_filling_face(m_triangulation, m_triangulation.face(halfedge)); }
 
   void measure_corners()
   {
@@ -137,14 +137,14 @@ private:
     std::size_t number = 0;
     for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
       m_corners[h].length = m_triangulation.length(h);
-      if (!is_bridging(h)) {
+      if (!is_hole_filling(h)) {
         sum += m_corners[h].length;
         ++number;
       }
     }
     m_mean_edge_length = number > 0 ? sum / double(number) : 0;
     for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
-      if (!is_bridging(h)) {
+      if (!is_hole_filling(h)) {
         measure_corner(h);
       }
     }
@@ -153,7 +153,7 @@ private:
   void measure_corner(Index h)
   {
     // Faces of less height than this, relative to their longest side, have no direction that can be trusted.
-    constexpr double least_height = 1e-8;
+    constexpr double min_height = 1e-8;
     const double a = m_corners[h].length;
     const double b = m_corners[m_triangulation.next(h)].length;
     const double c = m_corners[m_triangulation.previous(h)].length;
@@ -163,7 +163,7 @@ private:
     const double product = (side[2] + (side[1] + side[0])) * (side[0] - (side[2] - side[1])) *
                            (side[0] + (side[2] - side[1])) * (side[2] + (side[1] - side[0]));
     const double area = std::sqrt(std::max(0., product)) / 4;
-    if (!(2 * area > least_height * side[2] * side[2])) {
+    if (!(2 * area > min_height * side[2] * side[2])) {
       return;
     }
     Corner& corner = m_corners[h];
@@ -173,7 +173,7 @@ private:
   }
 
   /// The halfedge at which the fan around the origin of `halfedge` begins: the first after a border or, where that is
-  /// bridged, after the bridging faces; else `halfedge` itself.
+  /// bridged, after the hole-filling faces; else `halfedge` itself.
   Index first_of_fan(Index halfedge) const
   {
     Index at = halfedge;
@@ -183,7 +183,7 @@ private:
         return at;
       }
       const Index before = m_triangulation.next(twin);
-      if (is_bridging(before) && !is_bridging(at)) {
+      if (is_hole_filling(before) && !is_hole_filling(at)) {
         return at;
       }
       at = before;
@@ -197,7 +197,7 @@ private:
     bool is_closed = true;
     for_each_outgoing(vertex, [&](Index h) {
       sum += angle(h);
-      is_closed = is_closed && !is_bridging(h) && m_triangulation.twin(h) != no_index;
+      is_closed = is_closed && !is_hole_filling(h) && m_triangulation.twin(h) != no_index;
     });
     double& scale = m_scale[vertex];
     scale = is_closed && sum > 0 ? boost::math::double_constants::two_pi / sum : 1;

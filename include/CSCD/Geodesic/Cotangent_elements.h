@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Linear finite elements on a triangulation: its faces in the plane, masses, and the cotangent Laplacian.
+// Linear finite elements on triangles that are given by the lengths of their sides.
 
 #ifndef CSCD_GEODESIC_COTANGENT_ELEMENTS_H
 #define CSCD_GEODESIC_COTANGENT_ELEMENTS_H
 
-#include <CSCD/Geodesic/Face_layout.h>
-#include <CSCD/Traits/is_bridging_face.h>
+#include <CSCD/Surface/Flat_triangle.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <Eigen/SparseCore>
 
@@ -20,6 +20,61 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A triangle in the plane, counterclockwise: corner 0 at the origin, corner 1 at (`base`, 0), corner 2 at (`apex_x`,
+/// `apex_y`). This is the frame in which vectors in a face are given, so that a face needs no points in space.
+struct Face_layout
+{
+  double base = 0;   ///< positive
+  double apex_x = 0; ///< of any sign
+  double apex_y = 0; ///< positive
+
+  double area() const { return base * apex_y / 2; }
+
+  /// For each corner, the entry of the face's stiffness matrix for the two other corners: minus half the cotangent of
+  /// the angle at the corner.
+  std::array<double, 3> couplings() const
+  {
+    const double scale = -1 / (2 * base * apex_y);
+    return {scale * base * apex_x, scale * base * (base - apex_x),
+            scale * (apex_y * apex_y - apex_x * (base - apex_x))};
+  }
+
+  /// The position of the point with these barycentric coordinates.
+  std::array<double, 2> point(const std::array<double, 3>& coordinates) const
+  {
+    return {coordinates[1] * base + coordinates[2] * apex_x, coordinates[2] * apex_y};
+  }
+
+  std::array<double, 2> corner(std::size_t i) const
+  {
+    return i == 0 ? std::array<double, 2>{0, 0}
+                  : (i == 1 ? std::array<double, 2>{base, 0} : std::array<double, 2>{apex_x, apex_y});
+  }
+};
+
+/// In every laid out triangle, two sides together are longer than the third by at least this, relative to the longest:
+/// as in geometry-central's mollification. Heights are then at least a thousandth of the longest side, and cotangents
+/// at most some hundreds.
+inline constexpr double min_excess_length = 1e-5;
+
+/// Lays out the triangle whose sides from corner 0 to 1, 1 to 2 and 2 to 0 have these lengths.
+/// A triangle that is degenerate, or that does not exist, is laid out with all sides lengthened by as little as makes
+/// it one. This changes no other face: the matrices of the method are sums over faces, each positive semidefinite.
+/// \param unit a typical length of the surface, positive: a triangle that is a single point becomes a tiny one
+inline Face_layout lay_out_face(std::array<double, 3> lengths, double unit)
+{
+  // Extent, relative to the unit, below which a triangle counts as a point.
+  constexpr double min_extent = 1e-6;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const double excess = lengths[0] + lengths[1] + lengths[2] - 2 * longest;
+  const double missing = min_excess_length * std::max(longest, min_extent * unit) - excess;
+  for (double& length : lengths) {
+    length += std::max(missing, 0.);
+  }
+  const Flat_triangle triangle{lengths[0], lengths[1], lengths[2]};
+  return {triangle.base, triangle.foot(), triangle.height()};
+}
 
 /// Linear finite elements on a triangulation, from the lengths of its edges alone.
 ///
@@ -38,7 +93,7 @@ public:
 
   /// Lays out all faces of `triangulation`, which is not referred to later; linear.
   /// \tparam Triangulation has `number_of_vertices()`, `number_of_faces()`, `origin(h)` and `length(h)`, where face f
-  ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_bridging(f)`
+  ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_hole_filling(f)`
   template <class Triangulation>
   explicit Cotangent_elements(const Triangulation& triangulation)
       : m_number_of_triangulation_faces(triangulation.number_of_faces()),
@@ -48,7 +103,7 @@ public:
     measure_units(triangulation);
     m_faces.reserve(triangulation.number_of_faces());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (!is_bridging_face(triangulation, f)) {
+      if (!is_hole_filling_face(triangulation, f)) {
         add_face(triangulation, f);
       }
     }
@@ -59,7 +114,7 @@ public:
   const std::vector<Face>& faces() const { return m_faces; }
   /// The number of all faces of the triangulation.
   Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
-  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of bridging faces only.
+  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces only.
   double mass(Index vertex) const { return m_masses[vertex]; }
 
   Index number_of_components() const { return Index(m_units.size()); }
@@ -106,7 +161,7 @@ private:
   {
     Disjoint_sets sets(number_of_vertices());
     for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
-      if (!is_bridging_face(triangulation, f)) {
+      if (!is_hole_filling_face(triangulation, f)) {
         sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
         sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
       }
@@ -127,7 +182,7 @@ private:
   {
     std::vector<double> count(m_units.size(), 0.);
     for (Index h = 0; h < 3 * triangulation.number_of_faces(); ++h) {
-      if (!is_bridging_face(triangulation, h / 3)) {
+      if (!is_hole_filling_face(triangulation, h / 3)) {
         m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
         count[m_component[triangulation.origin(h)]] += 1;
       }

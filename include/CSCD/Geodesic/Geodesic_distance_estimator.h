@@ -6,21 +6,18 @@
 #ifndef CSCD_GEODESIC_GEODESIC_DISTANCE_ESTIMATOR_H
 #define CSCD_GEODESIC_GEODESIC_DISTANCE_ESTIMATOR_H
 
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Normalization.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/normalize_extent.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/vertex_point_map.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>
@@ -145,7 +142,6 @@ public:
   }
 
 private:
-  using Index = internal::Index;
   using Heat_method = internal::Heat_method;
   using Vertex_number_map =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
@@ -155,13 +151,13 @@ private:
   Geodesic_distance_estimator(const TriangleMesh& mesh, Collected_triangles&& collected, double time_step_factor)
       : m_mesh(&mesh), m_vertex_numbers(get(CGAL::dynamic_vertex_property_t<Index>(), mesh)),
         m_face_numbers(get(CGAL::dynamic_face_property_t<Index>(), mesh)),
-        m_normalization(internal::normalize_extent(collected.triangles.points)),
+        m_normalization(normalize_extent(collected.triangles.points)),
         m_surface(closed(std::move(collected.triangles), collected.pairing)),
-        m_method(internal::make_intrinsic_delaunay(m_surface, m_surface.first_bridging_face()), time_step_factor)
+        m_method(internal::make_intrinsic_delaunay(m_surface, m_surface.first_hole_filling_face()), time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
     for (const Vertex_descriptor vertex : vertices(mesh)) {
-      put(m_vertex_numbers, vertex, internal::no_index);
+      put(m_vertex_numbers, vertex, no_index);
     }
     for (Index i = 0; i < collected.descriptors.size(); ++i) {
       put(m_vertex_numbers, collected.descriptors[i], i);
@@ -172,11 +168,11 @@ private:
     }
   }
 
-  static internal::Triangulated_surface closed(internal::Indexed_triangles&& triangles,
-                                               const internal::Halfedge_pairing& pairing)
+  static Triangulated_surface closed(Indexed_triangles&& triangles,
+                                               const Halfedge_pairing& pairing)
   {
     internal::bridge_borders(triangles, pairing);
-    return internal::Triangulated_surface(std::move(triangles));
+    return Triangulated_surface(std::move(triangles));
   }
 
   template <class SourceRange>
@@ -186,7 +182,7 @@ private:
     for (const auto& source : sources) {
       if constexpr (std::is_convertible_v<decltype(source), Vertex_descriptor>) {
         const Index vertex = get(m_vertex_numbers, Vertex_descriptor(source));
-        if (vertex != internal::no_index) {
+        if (vertex != no_index) {
           result.push_back(internal::Geodesic_source::at_vertex(vertex));
         }
       } else {
@@ -217,7 +213,7 @@ private:
     for (const Vertex_descriptor vertex : vertices(*m_mesh)) {
       const Index i = get(m_vertex_numbers, vertex);
       put(distances, vertex,
-          i == internal::no_index ? std::numeric_limits<double>::infinity()
+          i == no_index ? std::numeric_limits<double>::infinity()
                                   : m_normalization.unit * std::max(field.distances[i], 0.));
     }
     if constexpr (std::is_convertible_v<decltype(*std::begin(sources)), Vertex_descriptor>) {
@@ -231,8 +227,8 @@ private:
   const TriangleMesh* m_mesh;
   Vertex_number_map m_vertex_numbers; // `no_index` for a vertex without a face
   Face_number_map m_face_numbers;
-  internal::Normalization m_normalization;
-  internal::Triangulated_surface m_surface;
+  Normalization m_normalization;
+  Triangulated_surface m_surface;
   Heat_method m_method;
 };
 

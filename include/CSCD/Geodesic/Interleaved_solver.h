@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Solves sparse symmetric systems for several right-hand sides at once.
+// Solves a factored sparse system for several right-hand sides side by side.
 
 #ifndef CSCD_GEODESIC_INTERLEAVED_SOLVER_H
 #define CSCD_GEODESIC_INTERLEAVED_SOLVER_H
 
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Lanes.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -23,6 +23,21 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// One number of each of `size` problems that are solved together, a power of two: 8 of them fill a cache line.
+template <std::size_t size>
+struct alignas(size * sizeof(double)) Simd_pack
+{
+  using Array = Eigen::Array<double, int(size), 1>;
+
+  auto array() { return Eigen::Map<Array, Eigen::Aligned>(values); }
+  auto array() const { return Eigen::Map<const Array, Eigen::Aligned>(values); }
+
+  double& operator[](std::size_t lane) { return values[lane]; }
+  double operator[](std::size_t lane) const { return values[lane]; }
+
+  double values[size];
+};
 
 /// The factors of symmetric positive definite matrices with a common pattern, for many right-hand sides.
 ///
@@ -69,12 +84,12 @@ public:
   /// Linear in the number of nonzeros of the factor; the solutions of a lane do not depend on the other lanes.
   /// \pre `x.size() == size()`
   template <std::size_t lanes>
-  void solve(std::size_t matrix, std::vector<Lanes<lanes>>& x) const
+  void solve(std::size_t matrix, std::vector<Simd_pack<lanes>>& x) const
   {
     CGAL_precondition(x.size() == size());
     const double* value = m_factors[matrix].values.data();
     for (std::size_t column = 0; column < size(); ++column) {
-      const typename Lanes<lanes>::Array from = x[column].array();
+      const typename Simd_pack<lanes>::Array from = x[column].array();
       // Right-hand sides with few entries reach few columns.
       if ((from != 0).any()) {
         for (std::size_t entry = m_column_begin[column]; entry < m_column_begin[column + 1]; ++entry) {
@@ -84,7 +99,7 @@ public:
     }
     const double* inverse_pivot = m_factors[matrix].inverse_pivots.data();
     for (std::size_t column = size(); column-- > 0;) {
-      typename Lanes<lanes>::Array sum = inverse_pivot[column] * x[column].array();
+      typename Simd_pack<lanes>::Array sum = inverse_pivot[column] * x[column].array();
       for (std::size_t entry = m_column_begin[column]; entry < m_column_begin[column + 1]; ++entry) {
         sum -= value[entry] * x[m_row[entry]].array();
       }

@@ -6,16 +6,15 @@
 #ifndef CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 #define CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
-#include <CSCD/Intrinsic/make_intrinsic_delaunay.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Point_cloud/build_point_complex.h>
-#include <CSCD/Point_cloud/collect_points.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/point_map.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -127,7 +126,6 @@ public:
   }
 
 private:
-  using Index = internal::Index;
   using Heat_method = internal::Heat_method;
 
   Point_set_distance_estimator(const PointRange& points, internal::Point_cloud&& cloud, double time_step_factor)
@@ -138,7 +136,7 @@ private:
       m_descriptors.assign(points.begin(), points.end());
       for (Index i = 0; i < m_descriptors.size(); ++i) {
         const std::size_t number = m_descriptors[i];
-        m_number.resize(std::max(m_number.size(), number + 1), internal::no_index);
+        m_number.resize(std::max(m_number.size(), number + 1), no_index);
         m_number[number] = i;
       }
     }
@@ -160,7 +158,7 @@ private:
   static Heat_method prepare(const internal::Point_cloud& cloud, double time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
-    const internal::Point_complex complex = internal::build_point_complex(cloud);
+    const Point_complex complex = internal::build_point_complex(cloud);
     const internal::Tufted_cover cover(complex);
     return Heat_method(internal::make_intrinsic_delaunay(cover), time_step_factor);
   }
@@ -169,7 +167,7 @@ private:
   Index number(const Point_descriptor& point) const
   {
     if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      CGAL_precondition(std::size_t(point) < m_number.size() && m_number[point] != internal::no_index);
+      CGAL_precondition(std::size_t(point) < m_number.size() && m_number[point] != no_index);
       return m_number[point];
     } else {
       CGAL_precondition(point < m_vertex.size());

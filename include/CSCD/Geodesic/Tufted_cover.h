@@ -6,9 +6,9 @@
 #ifndef CSCD_GEODESIC_TUFTED_COVER_H
 #define CSCD_GEODESIC_TUFTED_COVER_H
 
-#include <CSCD/Point_cloud/Point_complex.h>
-#include <CSCD/internal/Triangle_halfedges.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Geometry>
 

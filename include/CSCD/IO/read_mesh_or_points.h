@@ -8,7 +8,6 @@
 
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Mesh_repair_report.h>
-#include <CSCD/IO/Point_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>

@@ -6,14 +6,14 @@
 #ifndef CSCD_IO_READ_POINTS_H
 #define CSCD_IO_READ_POINTS_H
 
-#include <CSCD/IO/Point_format.h>
+#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/parse_off.h>
 #include <CSCD/IO/internal/parse_ply.h>
-#include <CSCD/IO/internal/parse_xyz.h>
+#include <CSCD/IO/internal/parse_points.h>
 #include <CSCD/IO/internal/read_content.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <istream>
 #include <string>

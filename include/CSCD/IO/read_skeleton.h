@@ -6,18 +6,15 @@
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
 
-#include <CSCD/IO/internal/parse_gel_graph.h>
 #include <CSCD/IO/internal/parse_json_skeleton.h>
-#include <CSCD/IO/internal/parse_obj_lines.h>
 #include <CSCD/IO/internal/parse_ply_edges.h>
-#include <CSCD/IO/internal/parse_polylines.h>
-#include <CSCD/IO/internal/parse_swc.h>
+#include <CSCD/IO/internal/parse_skeleton_text.h>
 #include <CSCD/IO/internal/read_content.h>
-#include <CSCD/IO/internal/skeleton_endings.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <boost/graph/graph_traits.hpp>
 

@@ -10,7 +10,6 @@
 #include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Triangle_mesh_builder.h>
-#include <CSCD/IO/internal/pair_manifold.h>
 #include <CSCD/IO/internal/parse_obj.h>
 #include <CSCD/IO/internal/parse_off.h>
 #include <CSCD/IO/internal/parse_ply.h>
@@ -18,11 +17,10 @@
 #include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/internal/repair_triangle_soup.h>
 #include <CSCD/IO/internal/triangulate_polygon_soup.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Surface_components.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/orient_outwards.h>
 #include <CSCD/exceptions.h>
 
 #include <istream>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_DOT_H
 
 #include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/Exact_node_property.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/graphviz.hpp>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_GRAPHML_H
 
 #include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/Exact_node_property.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 
 #include <boost/graph/graphml.hpp>
 #include <boost/property_map/dynamic_property_map.hpp>

@@ -6,11 +6,8 @@
 #ifndef CSCD_IO_WRITE_HTML_PAGE_H
 #define CSCD_IO_WRITE_HTML_PAGE_H
 
-#include <CSCD/IO/Html_page_cloud.h>
 #include <CSCD/IO/internal/Exact_format.h>
 #include <CSCD/IO/internal/Html_page_data.h>
-#include <CSCD/IO/internal/encode_base64.h>
-#include <CSCD/IO/internal/escape_html.h>
 #include <CSCD/IO/internal/html_page_template.h>
 
 #include <CGAL/assertions.h>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_PLY_H
 
 #include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_node_access.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>

@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_WRITE_SKELETON_H
 #define CSCD_IO_WRITE_SKELETON_H
 
-#include <CSCD/IO/internal/skeleton_endings.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 #include <CSCD/IO/write_dot.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_VTP_H
 
 #include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_node_access.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 #include <CSCD/Skeleton/split_into_branches.h>
 
 #include <boost/graph/graph_traits.hpp>

@@ -8,7 +8,7 @@
 
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/split_into_branches.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/graph/adjacency_list.hpp>
 

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulates an implicit surface, following it from cell to cell.
+// Triangulates the surface on which a field has a given value.
 
 #ifndef CSCD_MEASURE_ISOSURFACE_TRACKER_H
 #define CSCD_MEASURE_ISOSURFACE_TRACKER_H
 
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Measure/Position_measurement.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
 
+#include <Eigen/Core>
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
 
@@ -69,7 +73,7 @@ public:
     for (const Cell& cell : m_cells) {
       triangulate(cell, values_at_corners(cell));
     }
-    m_triangles.first_bridging_face = m_triangles.faces.size();
+    m_triangles.first_hole_filling_face = m_triangles.faces.size();
     return std::move(m_triangles);
   }
 
@@ -264,6 +268,63 @@ private:
   std::vector<Cell> m_cells; ///< that were visited
   Indexed_triangles m_triangles;
 };
+
+/// A triangulated field.
+struct Field_surface
+{
+  Indexed_triangles triangles;                    ///< closed and oriented, or empty
+  double cell_size = 0;                           ///< of the lattice
+  double unresolved_fraction = undefined_measure; ///< of the skeleton's length: no lattice point beside it is inside
+};
+
+/// The greatest number of cells for a skeleton: what is built on a million of them takes a gigabyte; and the field is
+/// evaluated about twice for each cell, each time over all edges, which should not take minutes.
+inline std::size_t maximum_number_of_cells(const Indexed_skeleton& skeleton)
+{
+  constexpr std::size_t max_cells = std::size_t(1) << 20;
+  constexpr std::size_t min_cells = std::size_t(1) << 12;
+  constexpr std::size_t max_cells_times_edges = std::size_t(1) << 27;
+  return std::clamp(max_cells_times_edges / (skeleton.edges.size() + 1), min_cells, max_cells);
+}
+
+/// Triangulates the zero set of `field` on a lattice, seeded along `skeleton`.
+/// Where that takes more cells than allowed, since radii or the skeleton are huge, the lattice is made coarser.
+/// \param cell_size of the lattice, positive
+/// \param maximum_number the greatest number of cells
+template <class Field>
+Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size,
+                                std::size_t maximum_number)
+{
+  for (;; cell_size *= 2) {
+    Isosurface_tracker<Field> tracker(field, cell_size, maximum_number);
+    const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size);
+    std::size_t number_unresolved = 0;
+    for (const Edge_sample& sample : samples) {
+      if (tracker.is_too_large()) {
+        break;
+      }
+      Eigen::Index axis = 0;
+      sample.tangent.cwiseAbs().minCoeff(&axis);
+      number_unresolved += tracker.track_around(sample.point, int(axis)) ? 0 : 1;
+    }
+    for (const Vector_3& point : skeleton.points) { // nodes without edges, and edges shorter than a cell
+      if (!tracker.is_too_large()) {
+        tracker.track_around(point, 0);
+      }
+    }
+    if (!tracker.is_too_large()) {
+      const double fraction = samples.empty() ? undefined_measure : double(number_unresolved) / double(samples.size());
+      return {tracker.release(), cell_size, fraction};
+    }
+  }
+}
+
+/// The same with as many cells as the skeleton may have.
+template <class Field>
+Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size)
+{
+  return triangulate_field(field, skeleton, cell_size, maximum_number_of_cells(skeleton));
+}
 
 } // namespace CSCD::internal
 

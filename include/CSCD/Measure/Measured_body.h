@@ -6,20 +6,17 @@
 #ifndef CSCD_MEASURE_MEASURED_BODY_H
 #define CSCD_MEASURE_MEASURED_BODY_H
 
-#include <CSCD/Measure/normalize_diagonal.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/Normalization.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/Traits/Surface_components.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/bridge_borders.h>
-#include <CSCD/Traits/canonical_order.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/orient_outwards.h>
-#include <CSCD/Traits/renumber.h>
-#include <CSCD/Traits/split_pillows.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -52,7 +49,7 @@ public:
     }
     Surface_components components(triangles, pairing);
     orient_outwards(triangles, pairing, components);
-    split_pillows(triangles, pairing, components);
+    split_two_face_components(triangles, pairing, components);
     m_number_of_components = components.number();
     // What has near numbers should be near in space, for the queries' sake.
     const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;

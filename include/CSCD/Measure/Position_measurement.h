@@ -1,27 +1,58 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Whether a skeleton is inside the body, and in its middle.
+// Where a skeleton lies in the body.
 
 #ifndef CSCD_MEASURE_POSITION_MEASUREMENT_H
 #define CSCD_MEASURE_POSITION_MEASUREMENT_H
 
 #include <CSCD/Measure/Measured_body.h>
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/sample_edges.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Traits/Solid_queries.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A point of a skeleton, and the unit direction of its edge.
+struct Edge_sample
+{
+  Vector_3 point = Vector_3::Zero();
+  Vector_3 tangent = Vector_3::Zero();
+};
+
+/// Samples the edges of `skeleton` evenly: they are laid end to end in their order, and every piece of length `spacing`
+/// gets a sample at its middle. So each sample stands for the same length, however the skeleton is cut into edges.
+/// O(e + l / spacing) for e edges of total length l.
+/// \pre `spacing` is positive
+inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, double spacing)
+{
+  std::vector<Edge_sample> samples;
+  double to_next = spacing / 2;
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    const double length = skeleton.length(edge);
+    if (!(length > 0)) {
+      continue;
+    }
+    const Vector_3& source = skeleton.points[edge[0]];
+    const Vector_3 tangent = (skeleton.points[edge[1]] - source) / length;
+    while (to_next <= length) {
+      samples.push_back({source + to_next * tangent, tangent});
+      to_next += spacing;
+    }
+    to_next -= length;
+  }
+  return samples;
+}
 
 /// What the rays from a point across a skeleton tell.
 struct Ray_star
@@ -72,7 +103,7 @@ public:
     m_result.number_of_surface_components = body.number_of_components();
     m_result.genus = body.genus();
     m_result.number_of_borders = body.number_of_borders();
-    m_result.largest_distance_outside = 0;
+    m_result.max_distance_outside = 0;
   }
 
   Position_measures operator()()
@@ -106,14 +137,14 @@ private:
       return true;
     }
     const double distance = (m_queries.closest_point(point).point - point).norm();
-    m_result.largest_distance_outside = std::max(m_result.largest_distance_outside, distance);
+    m_result.max_distance_outside = std::max(m_result.max_distance_outside, distance);
     return false;
   }
 
   /// The direction of the skeleton at a node of one or two edges; nothing at others and where it turns back.
   std::optional<Vector_3> tangent(Index v, const std::vector<Index>& neighbors) const
   {
-    constexpr double least_norm = 1e-6;
+    constexpr double min_norm = 1e-6;
     if (neighbors.empty() || neighbors.size() > 2) {
       return std::nullopt;
     }
@@ -121,7 +152,7 @@ private:
     if (neighbors.size() == 2) {
       result -= (m_skeleton.points[neighbors[1]] - m_skeleton.points[v]).stableNormalized();
     }
-    return result.norm() > least_norm ? std::optional<Vector_3>(result.normalized()) : std::nullopt;
+    return result.norm() > min_norm ? std::optional<Vector_3>(result.normalized()) : std::nullopt;
   }
 
   void measure_nodes()

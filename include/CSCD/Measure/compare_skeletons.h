@@ -7,13 +7,12 @@
 #define CSCD_MEASURE_COMPARE_SKELETONS_H
 
 #include <CSCD/Measure/Branch_graph.h>
-#include <CSCD/Measure/Comparison_side.h>
-#include <CSCD/Measure/Skeleton_comparison.h>
+#include <CSCD/Measure/Compared_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Traits/Normalization.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <Eigen/Geometry>
 
@@ -95,14 +94,14 @@ Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& s
   internal::Indexed_skeleton b = internal::index_skeleton(second);
   internal::check_skeleton(a, "first");
   internal::check_skeleton(b, "second");
-  const internal::Normalization normalization = internal::common_normalization(a, b);
+  const Normalization normalization = internal::common_normalization(a, b);
   for (internal::Indexed_skeleton* skeleton : {&a, &b}) {
-    for (internal::Vector_3& point : skeleton->points) {
+    for (Vector_3& point : skeleton->points) {
       point = normalization.from_input(point);
     }
   }
-  const internal::Comparison_side side_a(std::move(a));
-  const internal::Comparison_side side_b(std::move(b));
+  const internal::Compared_skeleton side_a(std::move(a));
+  const internal::Compared_skeleton side_b(std::move(b));
   Skeleton_comparison result;
   result.diagonal = normalization.unit;
   result.match_distance = match_distance;

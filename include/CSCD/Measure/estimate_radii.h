@@ -6,10 +6,9 @@
 #ifndef CSCD_MEASURE_ESTIMATE_RADII_H
 #define CSCD_MEASURE_ESTIMATE_RADII_H
 
-#include <CSCD/Measure/Segment_tree.h>
-#include <CSCD/Measure/segment_ends.h>
+#include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -81,8 +80,8 @@ private:
 
   double weight(Index v, Index w) const
   {
-    constexpr double least_length = 1e-9; // in the coordinates of the skeleton: equal nodes have equal radii
-    return 1 / std::max((m_skeleton.points[v] - m_skeleton.points[w]).norm(), least_length);
+    constexpr double min_length = 1e-9; // in the coordinates of the skeleton: equal nodes have equal radii
+    return 1 / std::max((m_skeleton.points[v] - m_skeleton.points[w]).norm(), min_length);
   }
 
   void solve(const std::vector<Index>& nodes, const std::vector<Index>& unknown, std::vector<double>& radii) const
@@ -127,7 +126,7 @@ inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, c
 {
   CGAL_precondition(!points.empty() && skeleton.number_of_nodes() > 0);
   const std::vector<std::array<Index, 2>> ends = segment_ends(skeleton);
-  const Segment_tree tree = segment_tree(skeleton, ends);
+  const Segment_bvh tree = segment_tree(skeleton, ends);
   std::vector<double> sum(skeleton.number_of_nodes(), 0.);
   std::vector<double> weight(skeleton.number_of_nodes(), 0.);
   double total = 0;
@@ -141,11 +140,11 @@ inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, c
     weight[target] += t;
     total += nearest.distance;
   }
-  constexpr double least_weight = 1e-9; // in points
+  constexpr double min_weight = 1e-9; // in points
   std::vector<double> radii(skeleton.number_of_nodes(), 0.);
   std::vector<char> is_known(skeleton.number_of_nodes(), 0);
   for (std::size_t v = 0; v < radii.size(); ++v) {
-    if (weight[v] > least_weight) {
+    if (weight[v] > min_weight) {
       radii[v] = sum[v] / weight[v];
       is_known[v] = 1;
     }

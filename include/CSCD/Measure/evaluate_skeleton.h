@@ -9,10 +9,9 @@
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Skeleton_evaluation.h>
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/measured_input.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <type_traits>
 

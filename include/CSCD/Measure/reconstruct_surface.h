@@ -6,12 +6,11 @@
 #ifndef CSCD_MEASURE_RECONSTRUCT_SURFACE_H
 #define CSCD_MEASURE_RECONSTRUCT_SURFACE_H
 
+#include <CSCD/Measure/Isosurface_tracker.h>
 #include <CSCD/Measure/Skeleton_evaluation.h>
-#include <CSCD/Measure/measured_input.h>
-#include <CSCD/Measure/triangulate_field.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/properties.h>
@@ -64,8 +63,8 @@ void reconstruct_surface(const Surface& surface, const Skeleton& skeleton, Trian
   const internal::Field_surface result = evaluation.reconstruct(method);
   std::vector<Point> points;
   points.reserve(result.triangles.points.size());
-  for (const internal::Vector_3& point : result.triangles.points) {
-    const internal::Vector_3 p = measured->normalization().to_input(point);
+  for (const Vector_3& point : result.triangles.points) {
+    const Vector_3 p = measured->normalization().to_input(point);
     points.emplace_back(Coordinate(p.x()), Coordinate(p.y()), Coordinate(p.z()));
   }
   TriangleMesh mesh;

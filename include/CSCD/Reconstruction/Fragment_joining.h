@@ -6,12 +6,11 @@
 #ifndef CSCD_RECONSTRUCTION_FRAGMENT_JOINING_H
 #define CSCD_RECONSTRUCTION_FRAGMENT_JOINING_H
 
-#include <CSCD/Point_cloud/Neighbor_table.h>
-#include <CSCD/Point_cloud/Point_tree.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <array>
@@ -85,7 +84,7 @@ public:
     m_triangles.faces.resize(kept);
     m_triangles.faces.insert(m_triangles.faces.end(), m_bands.begin(), m_bands.end());
     turn_faces();
-    m_triangles.first_bridging_face = m_triangles.faces.size();
+    m_triangles.first_hole_filling_face = m_triangles.faces.size();
     return result;
   }
 
@@ -95,20 +94,20 @@ private:
   /// A vertex that is among so many nearest neighbors of one in another fragment belongs to the same body ...
   static constexpr Index near_neighbors = 16;
   /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
-  static constexpr double most_near_part = 0.15;
+  static constexpr double max_near_part = 0.15;
   /// The widest gap over which fragments are joined, relative to how far those neighbors reach: about nine spacings of
   /// points. Only missing data explain such gaps.
   static constexpr double widest_gap = 4;
   /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
   static constexpr Index far_neighbors = 256;
   /// Fragments of at most so many faces are no bodies of their own: with a border ...
-  static constexpr std::size_t largest_open_debris = 800;
+  static constexpr std::size_t max_open_debris = 800;
   /// ... and without, when they look whole.
-  static constexpr std::size_t largest_closed_debris = 100;
+  static constexpr std::size_t max_closed_debris = 100;
   /// The least length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
-  static constexpr double least_border = 3;
+  static constexpr double min_border = 3;
   /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
-  static constexpr double least_border_in_reaches = 4;
+  static constexpr double min_border_in_reaches = 4;
   /// Border vertices among which the other end of such a gap is sought.
   static constexpr Index border_neighbors = 48;
   /// Volumes below this, relative to the area to the power 3/2, do not tell which side is out: a half ball has 0.13.
@@ -296,7 +295,7 @@ private:
   {
     const bool is_open = std::any_of(m_members[group].begin(), m_members[group].end(),
                                      [this](Index fragment) { return m_has_border[fragment] != 0; });
-    return m_size[group] <= (is_open ? largest_open_debris : largest_closed_debris);
+    return m_size[group] <= (is_open ? max_open_debris : max_closed_debris);
   }
 
   /// Pairs of border vertices of different fragments.
@@ -344,7 +343,7 @@ private:
     if (group_a == group_b) {
       return false;
     }
-    if (double(std::min(m_size[group_a], m_size[group_b])) > most_near_part * double(m_triangles.faces.size())) {
+    if (double(std::min(m_size[group_a], m_size[group_b])) > max_near_part * double(m_triangles.faces.size())) {
       return false;
     }
     unite(group_a, group_b, a, b);
@@ -360,7 +359,7 @@ private:
     const Index group_a = group(a);
     const Index group_b = group(b);
     const double border =
-        std::max(least_border * distance(a, b), least_border_in_reaches * std::max(m_reach[a], m_reach[b]));
+        std::max(min_border * distance(a, b), min_border_in_reaches * std::max(m_reach[a], m_reach[b]));
     if (group_a == group_b || !has_border_of(a, border) || !has_border_of(b, border)) {
       return false;
     }

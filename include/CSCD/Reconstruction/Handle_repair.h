@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Removes handles that are too small for the sampling to prove them.
+// Removes handles that are too small for the spacing of the points to prove them.
 
 #ifndef CSCD_RECONSTRUCTION_HANDLE_REPAIR_H
 #define CSCD_RECONSTRUCTION_HANDLE_REPAIR_H
 
 #include <CSCD/Reconstruction/Local_handle_search.h>
-#include <CSCD/Reconstruction/Loop_flood.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/Vertex_loop.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -22,6 +21,32 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Cuts `triangles` open along `loops`: the faces to the right of a loop get copies of its vertices, which are
+/// appended. Linear in the degrees of the vertices. \return for every copy, in order, the vertex of which it is one
+/// \pre `surface` is that of `triangles`, with the same numbers; the loops have no vertex in common, and consecutive
+///      vertices are neighbors
+inline std::vector<Index> cut_along_loops(Indexed_triangles& triangles, const Triangulated_surface& surface,
+                                          const std::vector<Vertex_loop>& loops)
+{
+  std::vector<Index> originals;
+  for (const Vertex_loop& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Index copy = Index(triangles.points.size());
+      triangles.points.push_back(Vector_3(triangles.points[loop[i]]));
+      originals.push_back(loop[i]);
+      const Index forward = surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]);
+      const Index before = loop[(i + loop.size() - 1) % loop.size()];
+      // Clockwise from the way out to the way in lie the faces to the right.
+      Index h = forward;
+      do {
+        h = surface.previous_around_origin(h);
+        triangles.faces[h / 3][h % 3] = copy;
+      } while (surface.target(h) != before);
+    }
+  }
+  return originals;
+}
 
 /// Finds disjoint loops that are a few edges long and, taken together, do not separate the surface: to cut along one
 /// and to close both sides removes a bridge between two sheets, or closes a hole through a thin limb.
@@ -69,7 +94,7 @@ private:
   /// false ones remain.
   static constexpr double longest_loop = 4.0;
   /// Lengths below this part of the mean length of all edges count as this.
-  static constexpr double least_edge_part = 0.5;
+  static constexpr double min_edge_part = 0.5;
 
   struct Candidate
   {
@@ -90,7 +115,7 @@ private:
     for (const Corner& corner : m_corners.neighbors(vertex)) {
       sum += double(corner.length);
     }
-    return std::max(sum / m_surface.degree(vertex), least_edge_part * m_corners.mean_length());
+    return std::max(sum / m_surface.degree(vertex), min_edge_part * m_corners.mean_length());
   }
 
   void search_around(Index vertex)
@@ -106,7 +131,7 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  Corner_table m_corners;
+  Vertex_fan_table m_corners;
   Local_handle_search m_search;
   Loop_flood m_flood;
   std::vector<Candidate> m_candidates;

@@ -1,24 +1,126 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds short loops that might go around a handle.
+// Finds short loops around small handles.
 
 #ifndef CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
 #define CSCD_RECONSTRUCTION_LOCAL_HANDLE_SEARCH_H
 
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/Vertex_loop.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Floods the faces on both sides of a loop in lock step, so that the work is about that for the smaller side where the
+/// loop separates, and until the floods meet where it does not. Loops can be made barriers that no flood crosses.
+/// Nothing of the size of the surface is touched for a loop; reuse one object.
+class Loop_flood
+{
+public:
+  explicit Loop_flood(const Triangulated_surface& surface)
+      : m_surface(surface), m_is_barrier(surface.number_of_halfedges(), 0),
+        m_on_loop(surface.number_of_halfedges()), m_side{Epoch_marks(surface.number_of_faces()),
+                                                         Epoch_marks(surface.number_of_faces())}
+  {
+  }
+
+  /// Whether `loop` separates its component of the surface, cut along all barriers.
+  /// \pre consecutive vertices are neighbors
+  bool separates(const Vertex_loop& loop)
+  {
+    start(loop);
+    for (std::size_t next = 0;; ++next) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        if (next >= m_front[side].size()) {
+          return true;
+        }
+        if (!expand(m_front[side][next], side)) {
+          return false;
+        }
+      }
+    }
+  }
+
+  /// The number of faces that the last flood visited.
+  std::size_t number_of_visits() const { return m_front[0].size() + m_front[1].size(); }
+
+  /// Keeps all later floods from crossing `loop`.
+  void add_barrier(const Vertex_loop& loop)
+  {
+    for_each_halfedge(loop, [this](Index h) {
+      m_is_barrier[h] = 1;
+      m_is_barrier[m_surface.twin(h)] = 1;
+    });
+  }
+
+private:
+  template <class Use>
+  void for_each_halfedge(const Vertex_loop& loop, const Use& use) const
+  {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      use(m_surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]));
+    }
+  }
+
+  void start(const Vertex_loop& loop)
+  {
+    m_on_loop.clear();
+    for (std::size_t side = 0; side < 2; ++side) {
+      m_front[side].clear();
+      m_side[side].clear();
+    }
+    for_each_halfedge(loop, [this](Index h) {
+      m_on_loop.mark(h);
+      m_on_loop.mark(m_surface.twin(h));
+    });
+    for_each_halfedge(loop, [this](Index h) {
+      add(Triangulated_surface::face(h), 0);
+      add(Triangulated_surface::face(m_surface.twin(h)), 1);
+    });
+  }
+
+  void add(Index face, std::size_t side)
+  {
+    if (m_side[side].mark(face)) {
+      m_front[side].push_back(face);
+    }
+  }
+
+  /// Floods the neighbors of `face`. \return whether the other side has not been met
+  bool expand(Index face, std::size_t side)
+  {
+    if (m_side[1 - side].is_marked(face)) {
+      return false;
+    }
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      if (m_on_loop.is_marked(h) || m_is_barrier[h] != 0) {
+        continue;
+      }
+      const Index neighbor = Triangulated_surface::face(m_surface.twin(h));
+      if (m_side[1 - side].is_marked(neighbor)) {
+        return false;
+      }
+      add(neighbor, side);
+    }
+    return true;
+  }
+
+  const Triangulated_surface& m_surface;
+  std::vector<std::uint8_t> m_is_barrier;
+  Epoch_marks m_on_loop;
+  Epoch_marks m_side[2];
+  std::vector<Index> m_front[2];
+};
 
 /// Finds the short loops through a vertex that are not filled by the faces around it: a basis of the homology of a
 /// geodesic ball. Most balls are discs, which is seen by counting. From the tree of shortest paths and a cotree of
@@ -28,7 +130,7 @@ namespace CSCD::internal {
 class Local_handle_search
 {
 public:
-  Local_handle_search(const Triangulated_surface& surface, const Corner_table& corners)
+  Local_handle_search(const Triangulated_surface& surface, const Vertex_fan_table& corners)
       : m_surface(surface), m_corners(corners), m_heap(surface.number_of_vertices()),
         m_reached(surface.number_of_vertices()), m_distance(surface.number_of_vertices()),
         m_parent(surface.number_of_vertices()), m_first_hop(surface.number_of_vertices()),
@@ -162,7 +264,7 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  const Corner_table& m_corners;
+  const Vertex_fan_table& m_corners;
   Indexed_heap m_heap;
   Epoch_marks m_reached;
   std::vector<float> m_distance;

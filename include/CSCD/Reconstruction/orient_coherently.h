@@ -6,7 +6,7 @@
 #ifndef CSCD_RECONSTRUCTION_ORIENT_COHERENTLY_H
 #define CSCD_RECONSTRUCTION_ORIENT_COHERENTLY_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <array>

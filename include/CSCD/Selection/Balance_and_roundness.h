@@ -1,27 +1,116 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well a separator cuts a limb, as the published method weighs it.
+// How well a separator cuts a limb, as the published method scores it.
 
 #ifndef CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 #define CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 
-#include <CSCD/Selection/Separator_sides.h>
-#include <CSCD/Selection/span_inside_share.h>
-#include <CSCD/Separator/Bump_test.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/Epoch_marks.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Measures the surface on the two sides of separators, one after the other. The work is that of the surface near a
+/// separator, up to a distance and an area that are given. One object serves one thread.
+/// \tparam Surface what separators lie on
+template <class Surface>
+class Separator_sides
+{
+public:
+  /// One side of a separator.
+  struct Side
+  {
+    double band_area = 0; ///< of the surface within a distance of the separator
+    double area = 0;      ///< of all the surface on this side, or something above a limit
+  };
+
+  /// \param surface is referred to
+  explicit Separator_sides(const Surface& surface)
+      : m_surface(surface), m_crossed(surface.number_of_halfedges()), m_front(surface.number_of_vertices())
+  {
+  }
+
+  /// Measures one side.
+  /// \param width the distance along edges that bounds the band \param limit where the area need not be counted further
+  Side measure(const Separator& separator, bool is_left, double width, double limit)
+  {
+    m_crossed.clear();
+    m_front.clear();
+    for (const Edge_crossing& crossing : separator.crossings) {
+      m_crossed.mark(m_surface.edge(crossing.halfedge));
+    }
+    for (const Edge_crossing& crossing : separator.crossings) {
+      // The target of the halfedge lies on the left.
+      const Index vertex = is_left ? m_surface.target(crossing.halfedge) : m_surface.origin(crossing.halfedge);
+      const double part = is_left ? 1 - crossing.position : crossing.position;
+      m_front.reach(vertex, float(part * m_surface.length(crossing.halfedge)));
+    }
+    return spread(width, limit);
+  }
+
+private:
+  Side spread(double width, double limit)
+  {
+    Side side;
+    m_front.spread([&](Index vertex, float distance) {
+      const double area = double(m_surface.vertex_area(vertex));
+      side.area += area;
+      // The part of the vertex that is in the band, as if it was a square along it.
+      const double extent = std::sqrt(area);
+      const double from = std::max(double(distance) - extent / 2, 0.);
+      const double to = std::min(double(distance) + extent / 2, width);
+      side.band_area += std::max(to - from, 0.) * extent;
+      if (from > width && side.area > limit) {
+        return;
+      }
+      for (Index halfedge : m_surface.outgoing(vertex)) {
+        if (!m_crossed.is_marked(m_surface.edge(halfedge))) {
+          m_front.reach(m_surface.target(halfedge), distance + float(m_surface.length(halfedge)));
+        }
+      }
+    });
+    return side;
+  }
+
+  const Surface& m_surface;
+  Epoch_marks m_crossed;
+  Dijkstra_search m_front;
+};
+
+/// The share of the cone from the center of a closed polygon to its points that lies inside the body: nearly 1 for a
+/// curve around a limb, nearly 0 for one around a hole, which bounds no disc in the body (section 3.2.2). Sampled.
+/// \tparam Traits a model of `SolidSkeletonizationTraits`
+template <class Traits>
+double span_inside_share(const Traits& traits, const std::vector<Vector_3>& points, const Vector_3& center)
+{
+  constexpr std::size_t max_directions = 8;
+  constexpr double parts[] = {0.25, 0.5, 0.75}; // of the way from the center to the curve
+  const std::size_t directions = std::min(points.size(), max_directions);
+  std::size_t inside = traits.is_inside(center) ? 1 : 0;
+  std::size_t samples = 1;
+  for (std::size_t i = 0; i < directions; ++i) {
+    const Vector_3& point = points[i * points.size() / directions];
+    for (double part : parts) {
+      inside += traits.is_inside(center + part * (point - center)) ? 1 : 0;
+      ++samples;
+    }
+  }
+  return double(inside) / double(samples);
+}
 
 /// Weighs separators by the balance of the surface on their two sides and by their roundness (section 3.2.1), and
 /// prunes those that cut no limb (section 3.2.2). One object serves one thread.
@@ -49,14 +138,14 @@ public:
     weight = 0;
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
-    const double least_area = Bump_test::least_area_ratio * squared_length;
-    const typename Sides::Side left = m_sides.measure(separator, true, width, least_area);
-    const typename Sides::Side right = m_sides.measure(separator, false, width, least_area);
-    if (std::min(left.area, right.area) < least_area) {
+    const double min_area = Enclosed_area_test::min_area_ratio * squared_length;
+    const typename Sides::Side left = m_sides.measure(separator, true, width, min_area);
+    const typename Sides::Side right = m_sides.measure(separator, false, width, min_area);
+    if (std::min(left.area, right.area) < min_area) {
       return Verdict::bump;
     }
     curve_points(m_traits.surface(), separator, m_points);
-    if (span_inside_share(m_traits, m_points, separator.center) < least_inside_share) {
+    if (span_inside_share(m_traits, m_points, separator.center) < min_inside_share) {
       return Verdict::tunnel;
     }
     const double balance = std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area);
@@ -72,7 +161,7 @@ private:
   /// Width of the bands, relative to the length of the separator.
   static constexpr double band_width = 1. / 8;
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
-  static constexpr double least_inside_share = 0.7;
+  static constexpr double min_inside_share = 0.7;
 
   const Traits& m_traits;
   Sides m_sides;

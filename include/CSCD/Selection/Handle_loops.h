@@ -8,12 +8,12 @@
 
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Distance_front.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -198,12 +198,12 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  const Corner_table& m_corners;
+  const Vertex_fan_table& m_corners;
   const Separator_arrangement& m_arrangement;
   std::vector<std::uint8_t> m_is_crossed;
   std::vector<Index> m_region; ///< of every halfedge that is not crossed: its face or, if that is cut, a border
   Disjoint_sets m_capped;      ///< of faces and of both sides of the separators at every point
-  Distance_front m_front;
+  Dijkstra_search m_front;
   std::vector<Index> m_parent;
   std::vector<Chord_end> m_ends;
   std::vector<Cotree_edge> m_edges;

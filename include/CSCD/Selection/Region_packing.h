@@ -8,16 +8,58 @@
 
 #include <CSCD/Selection/Balance_and_roundness.h>
 #include <CSCD/Selection/Separator_overlaps.h>
-#include <CSCD/Selection/Separator_regions.h>
-#include <CSCD/Selection/pack_by_overlap.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Assigns every vertex to the packed separator that is nearest along the edges (Alg. 2, line 12). Each separator
+/// starts from the ring of vertices that it passes closest to; so its region is connected and never empty. A component
+/// of the surface without any separator is a region of its own.
+class Separator_regions
+{
+public:
+  /// Computes the regions of the separators `packed` of the list `separators`; O(n log n).
+  /// \param surface whose edges the separators cross
+  /// \pre no two of the packed separators overlap, as `Separator_overlaps` has it
+  template <class Surface>
+  Separator_regions(const Surface& surface, const std::vector<Separator>& separators, const std::vector<Index>& packed)
+      : m_front(surface.number_of_vertices()), m_size(Index(packed.size()))
+  {
+    const auto for_each_neighbor = [&surface](Index vertex, const auto& visit) {
+      for (const Index halfedge : surface.outgoing(vertex)) {
+        visit(surface.target(halfedge), float(surface.length(halfedge)));
+      }
+    };
+    for (Index i = 0; i < packed.size(); ++i) {
+      for (const Edge_crossing& crossing : separators[packed[i]].crossings) {
+        m_front.reach(nearest_vertex(surface, crossing), 0, i);
+      }
+    }
+    m_front.spread(for_each_neighbor);
+    for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+      if (m_front.label(vertex) == no_index) {
+        m_front.reach(vertex, 0, m_size++);
+        m_front.spread(for_each_neighbor);
+      }
+    }
+  }
+
+  /// The number of regions: first those of the packed separators, in their order, then those of components without any.
+  Index size() const { return m_size; }
+  /// The region of `vertex`.
+  Index operator[](Index vertex) const { return m_front.label(vertex); }
+
+private:
+  Multi_source_dijkstra_search m_front;
+  Index m_size;
+};
 
 /// Packed separators, and the regions of the surface that are nearest to them.
 class Region_packing

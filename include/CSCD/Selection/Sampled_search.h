@@ -6,31 +6,101 @@
 #ifndef CSCD_SELECTION_SAMPLED_SEARCH_H
 #define CSCD_SELECTION_SAMPLED_SEARCH_H
 
-#include <CSCD/Geodesic/Geodesic_source.h>
-#include <CSCD/Geodesic/Heat_field.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Selection/Distance_sampling.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Field_search_result.h>
-#include <CSCD/Separator/Field_search_space.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Shortening_rule.h>
-#include <CSCD/Separator/Target_rule.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/random/mersenne_twister.hpp>
+#include <boost/random/uniform_01.hpp>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Draws vertices at random, with a probability in proportion to the area that a vertex stands for and to its geodesic
+/// distance from the nearest vertex drawn before (section 3.1.7). So sources spread over the surface, however finely
+/// parts of it are triangulated, and limbs that have not been visited come first.
+class Distance_sampling
+{
+public:
+  /// \param areas for each vertex, the area that it stands for; vertices of no area are never drawn
+  Distance_sampling(std::vector<double> areas, unsigned random_seed)
+      : m_areas(std::move(areas)), m_distance(m_areas.size(), std::numeric_limits<double>::infinity()),
+        m_sums(m_areas.size()), m_generator(random_seed)
+  {
+  }
+
+  /// Draws up to `size` different vertices to `batch`; fewer if hardly more have an area. Linear.
+  void draw(std::size_t size, std::vector<Index>& batch)
+  {
+    batch.clear();
+    const double total = sum_probabilities();
+    // What was drawn in this batch has a share of the sums still, and is rejected. The bound is for surfaces of few
+    // vertices, where hardly another one may be left.
+    constexpr std::size_t max_rejections = 64;
+    std::size_t rejections = 0;
+    while (batch.size() < size && rejections < max_rejections && total > 0) {
+      const double position = boost::random::uniform_01<double>()(m_generator) * total;
+      const auto vertex = Index(std::upper_bound(m_sums.begin(), m_sums.end(), position) - m_sums.begin());
+      if (vertex < m_sums.size() && std::find(batch.begin(), batch.end(), vertex) == batch.end()) {
+        batch.push_back(vertex);
+      } else {
+        ++rejections;
+      }
+    }
+  }
+
+  /// Takes note of a source: `distance(vertex)` is the geodesic distance from it, infinite where it does not reach.
+  template <class Distance>
+  void add_source(const Distance& distance)
+  {
+    for (std::size_t vertex = 0; vertex < m_distance.size(); ++vertex) {
+      m_distance[vertex] = std::min(m_distance[vertex], std::max(0., double(distance(Index(vertex)))));
+    }
+  }
+
+private:
+  /// Vertices that no source reaches count as far as the farthest that is reached; where all have been drawn, each
+  /// counts alike. \return the sum of all
+  double sum_probabilities()
+  {
+    double farthest = 0;
+    for (double distance : m_distance) {
+      if (std::isfinite(distance)) {
+        farthest = std::max(farthest, distance);
+      }
+    }
+    double sum = 0;
+    for (std::size_t vertex = 0; vertex < m_areas.size(); ++vertex) {
+      sum += m_areas[vertex] * (farthest > 0 ? std::min(m_distance[vertex], farthest) : 1.);
+      m_sums[vertex] = sum;
+    }
+    return sum;
+  }
+
+  std::vector<double> m_areas;
+  std::vector<double> m_distance;
+  std::vector<double> m_sums;
+  boost::random::mt19937 m_generator;
+};
 
 /// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
 /// method gives the distance field of each, and that its separator.
@@ -72,9 +142,9 @@ public:
 
 private:
   static constexpr std::size_t group_size = Heat_method::batch_size;
-  static constexpr std::size_t most_groups = 4;
+  static constexpr std::size_t max_groups = 4;
   /// Sources of a round: enough for a few threads, and few against the number of all.
-  static constexpr std::size_t round_size = group_size * most_groups;
+  static constexpr std::size_t round_size = group_size * max_groups;
 
   using Surface = std::decay_t<decltype(std::declval<const Traits&>().surface())>;
   using Space = Field_search_space<Surface>;
@@ -151,7 +221,7 @@ private:
   For_each_index<ConcurrencyTag, std::unique_ptr<Worker>> m_for_each;
   std::vector<Index> m_sources;
   std::array<Field_search_result, round_size> m_results;
-  std::array<std::vector<float>, most_groups> m_distance; ///< from the nearest source of a group
+  std::array<std::vector<float>, max_groups> m_distance; ///< from the nearest source of a group
 };
 
 } // namespace CSCD::internal

@@ -7,10 +7,10 @@
 #define CSCD_SELECTION_SURFACE_REGIONS_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Labeled_front.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <vector>
 
@@ -27,10 +27,10 @@ public:
   static constexpr Index rough_size = 16000;
 
   /// Computes the regions of the separators `packed` of the list `separators`, on the finest level of at most
-  /// `most_vertices` vertices; O(n log n) there.
+  /// `max_vertices` vertices; O(n log n) there.
   Surface_regions(const Surface_levels& levels, const std::vector<Separator>& separators,
-                  const std::vector<Index>& packed, Index most_vertices)
-      : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(most_vertices)]),
+                  const std::vector<Index>& packed, Index max_vertices)
+      : m_finest(levels.finest()), m_level(levels[levels.finest_with_at_most(max_vertices)]),
         m_front(m_level.surface.number_of_vertices())
   {
     for (Index i = 0; i < packed.size(); ++i) {
@@ -66,7 +66,7 @@ private:
 
   const Surface_level& m_finest;
   const Surface_level& m_level;
-  Labeled_front m_front;
+  Multi_source_dijkstra_search m_front;
 };
 
 } // namespace CSCD::internal

@@ -13,10 +13,9 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Triangulated_surface.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/use.h>
@@ -63,9 +62,9 @@ private:
   static constexpr int number_of_straightening_passes = 15;
   /// Bound for the vertices visited in looking for shorter loops around the handles of one piece: a few seconds at
   /// most.
-  static constexpr std::size_t most_visits = 10000000;
+  static constexpr std::size_t max_visits = 10000000;
   /// Samples of the disc that a loop spans: each point of the loop and the middle between it and the center.
-  static constexpr double least_inside_part = 0.5;
+  static constexpr double min_inside_part = 0.5;
 
   struct Candidate
   {
@@ -138,11 +137,11 @@ private:
     }
     // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
     const std::vector<Vertex_loop> rough_loops = handle_loops(root);
-    const std::size_t most_roots = most_visits / m_surface.number_of_vertices();
+    const std::size_t max_roots = max_visits / m_surface.number_of_vertices();
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < rough_loops.size(); ++i) {
       candidates.push_back(measure(rough_loops[i]));
-      if (i < most_roots) {
+      if (i < max_roots) {
         for (const Vertex_loop& loop : handle_loops(rough_loops[i].front())) {
           candidates.push_back(measure(loop));
         }
@@ -161,7 +160,7 @@ private:
     const auto inside = std::count_if(points.begin(), points.end(), [&](const Vector_3& point) {
       return m_traits.is_inside((point + measures.center) / 2);
     });
-    return {loop, measures.length, double(inside) >= least_inside_part * double(points.size())};
+    return {loop, measures.length, double(inside) >= min_inside_part * double(points.size())};
   }
 
   /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from what `arrangement`

@@ -6,15 +6,12 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 #define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 
-#include <CSCD/Cut_locus/Cut_criterion.h>
-#include <CSCD/Separator/Cut_loop.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Separator/Descent.h>
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/Separator/Target_rule.h>
 #include <CSCD/Separator/incoming_directions.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,13 +24,43 @@
 #include <utility>
 #include <vector>
 
+namespace CSCD {
+
+/// Which cut point is the target of a source.
+enum class Target_rule
+{
+  nearest_in_space,     ///< least Euclidean distance: around the limb, however wide it is
+  nearest_along_surface ///< least geodesic distance: on a wide body that may be around another limb (supplement, J.1)
+};
+
+} // namespace CSCD
+
 namespace CSCD::internal {
+
+/// A simple closed curve along edges, and how it was found.
+struct Cut_loop
+{
+  /// `found`, or why there is none: `no_cut_point`, else what the last candidate was rejected for.
+  Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
+  /// From the target to the base and back, if there is a curve.
+  Edge_steps steps;
+  Index target = no_index;
+  /// Where the two ways to the source join: the source or a vertex near it.
+  Index base = no_index;
+  /// Distance of the target along the surface.
+  double distance = 0;
+  /// Distance in space between the two ways half way down, relative to that of the target along the surface: 0.64 on a
+  /// round tube, about 0 around a bump.
+  double path_separation = 0;
+  /// How many candidates had which outcome, in the order of `Cut_loop_outcome`.
+  std::array<std::size_t, number_of_cut_loop_outcomes> number_of_candidates{};
+};
 
 /// Selects the target of a source among its cut points, traces the two ways back from it, and joins them (supplement,
 /// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
 /// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
 /// size of the surface.
-/// \tparam Measures `Cut_measures` of a triangulation, or `Point_cut_measures`
+/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
 template <class Measures>
 class Cut_loop_finder
 {
@@ -97,15 +124,15 @@ private:
   /// the targets of limbs of usual meshes.
   static constexpr double first_shell = 16;
   /// A target is farther from its source than this many mean edge lengths: nearer, the heat method's field is wrong.
-  static constexpr double least_distance = 4;
+  static constexpr double min_distance = 4;
   /// The least distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
-  static constexpr double least_distance_to_chord = 0.98;
-  /// The least aperture: half of that of a round tube. It decides about more targets than any other test.
-  static constexpr double least_aperture = 0.3;
+  static constexpr double min_distance_to_chord = 0.98;
+  /// The least path_separation: half of that of a round tube. It decides about more targets than any other test.
+  static constexpr double min_path_separation = 0.3;
   /// The greatest distance of the base from the source, relative to that of the target ...
-  static constexpr double most_stem = 0.1;
+  static constexpr double max_stem = 0.1;
   /// ... or to the mean edge length: ways along edges join a few edges before the source, wherever they come from.
-  static constexpr double most_edges_of_stem = 3;
+  static constexpr double max_edges_of_stem = 3;
 
   /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.
   /// \return whether there are vertices at `end` or beyond
@@ -113,7 +140,7 @@ private:
   {
     m_candidates.clear();
     bool has_more = false;
-    const double least = least_distance * m_frames.mean_edge_length();
+    const double least = min_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
       if (!(measures.is_reached(vertex) && measures.distance(vertex) >= least)) {
         continue;
@@ -134,7 +161,7 @@ private:
   {
     loop.target = target;
     loop.distance = measures.distance(target);
-    if (loop.distance < least_distance_to_chord * (m_points[target] - m_points[source]).norm()) {
+    if (loop.distance < min_distance_to_chord * (m_points[target] - m_points[source]).norm()) {
       return Cut_loop_outcome::distance_below_chord;
     }
     const std::optional<std::array<Edge_step, 2>> directions = incoming_directions(measures, target);
@@ -151,11 +178,11 @@ private:
       return Cut_loop_outcome::meets_at_once;
     }
     if (measures.distance(loop.base) >
-        std::max(most_stem * loop.distance, most_edges_of_stem * m_frames.mean_edge_length())) {
+        std::max(max_stem * loop.distance, max_edges_of_stem * m_frames.mean_edge_length())) {
       return Cut_loop_outcome::long_stem;
     }
-    loop.aperture = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm() / loop.distance;
-    if (loop.aperture < least_aperture) {
+    loop.path_separation = (half_way(measures, m_path[0]) - half_way(measures, m_path[1])).norm() / loop.distance;
+    if (loop.path_separation < min_path_separation) {
       return Cut_loop_outcome::narrow;
     }
     join_paths(loop);

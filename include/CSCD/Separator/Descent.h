@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Ways down a distance field to its source.
+// Paths along edges down a distance field to its source.
 
 #ifndef CSCD_SEPARATOR_DESCENT_H
 #define CSCD_SEPARATOR_DESCENT_H
 
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/internal/Distance_front.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -16,6 +15,37 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A step along an edge. The edge is named by a halfedge, since there may be several between two vertices.
+struct Edge_step
+{
+  Index halfedge = no_index;
+  /// Whether the step goes from the target of the halfedge to its origin: on a border there is no other halfedge.
+  bool is_reversed = false;
+};
+
+/// Consecutive steps, each beginning where the one before ends.
+using Edge_steps = std::vector<Edge_step>;
+
+template <class Triangulation>
+Index begin_of(const Triangulation& triangulation, const Edge_step& step)
+{
+  return step.is_reversed ? triangulation.target(step.halfedge) : triangulation.origin(step.halfedge);
+}
+
+template <class Triangulation>
+Index end_of(const Triangulation& triangulation, const Edge_step& step)
+{
+  return step.is_reversed ? triangulation.origin(step.halfedge) : triangulation.target(step.halfedge);
+}
+
+/// The same step the other way: by the twin of its halfedge, if there is one.
+template <class Triangulation>
+Edge_step reversed(const Triangulation& triangulation, const Edge_step& step)
+{
+  const Index twin = triangulation.twin(step.halfedge);
+  return twin != no_index ? Edge_step{twin, step.is_reversed} : Edge_step{step.halfedge, !step.is_reversed};
+}
 
 /// Traces ways along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
 /// must lead down. Where none does, the way goes on along a shortest path to a vertex that is nearer than all before:
@@ -126,7 +156,7 @@ private:
   }
 
   const Frames& m_frames;
-  Distance_front m_front;
+  Dijkstra_search m_front;
   std::vector<Edge_step> m_step_to; ///< the step by which the front came to a vertex
   Edge_steps m_detour;
   std::size_t m_number_of_minima = 0;

@@ -6,15 +6,13 @@
 #ifndef CSCD_SEPARATOR_EDGE_FLIP_SHORTENING_H
 #define CSCD_SEPARATOR_EDGE_FLIP_SHORTENING_H
 
-#include <CSCD/Intrinsic/Edge_trace.h>
-#include <CSCD/Intrinsic/Intrinsic_patch.h>
-#include <CSCD/Intrinsic/Intrinsic_triangulation.h>
-#include <CSCD/Intrinsic/mollifying_length.h>
-#include <CSCD/Separator/Edge_path.h>
-#include <CSCD/Separator/Shortening_outcome.h>
-#include <CSCD/Separator/Surface_path.h>
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Flat_triangle.h>
+#include <CSCD/Surface/Intrinsic_patch.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
@@ -27,7 +25,164 @@
 #include <utility>
 #include <vector>
 
+namespace CSCD {
+
+/// What has become of a curve that was shortened.
+enum class Shortening_outcome
+{
+  straight,  ///< it is a geodesic: nowhere can it be shortened locally
+  held,      ///< it can be shortened at pinned vertices only
+  collapsed, ///< a closed curve has shrunk to a point, or to less than the allowed part of its length
+  unfinished ///< it can still be shortened at a vertex, but not by flips, or not in the allowed number of steps
+};
+
+} // namespace CSCD
+
 namespace CSCD::internal {
+
+/// A path of segments, each along a halfedge, open or closed, as a linked list. Where several segments run along one
+/// edge, they lie side by side in an order that is kept: so the path has a left and a right also where it touches
+/// itself. Segments keep their numbers while edges of the triangulation are flipped.
+/// \tparam Patch the triangulation; its `twin(h)` may add faces
+template <class Patch>
+class Edge_path
+{
+public:
+  explicit Edge_path(Patch& patch) : m_patch(patch) {}
+
+  void clear()
+  {
+    m_segments.clear();
+    m_outermost.clear();
+  }
+
+  /// \name Segments
+  /// @{
+  /// The number of segments that were added, removed ones included.
+  Index number_of_added_segments() const { return Index(m_segments.size()); }
+  Index halfedge(Index segment) const { return m_segments[segment].halfedge; }
+  /// `no_index` at the ends of an open path.
+  Index next(Index segment) const { return m_segments[segment].next; }
+  Index previous(Index segment) const { return m_segments[segment].previous; }
+  bool is_removed(Index segment) const { return m_segments[segment].halfedge == no_index; }
+  /// How often what follows the segment has changed.
+  Index version(Index segment) const { return m_segments[segment].version; }
+
+  /// Makes `second`, or nothing, follow `first`, or nothing.
+  void link(Index first, Index second)
+  {
+    if (first != no_index) {
+      m_segments[first].next = second;
+      ++m_segments[first].version;
+    }
+    if (second != no_index) {
+      m_segments[second].previous = first;
+    }
+  }
+  /// @}
+
+  /// \name Strands
+  /// @{
+  /// The segment on the edge of `halfedge` that lies nearest to the face of `halfedge`, or `no_index`.
+  Index outermost(Index halfedge) const { return halfedge < m_outermost.size() ? m_outermost[halfedge] : no_index; }
+  bool is_on_edge(Index halfedge) const { return outermost(halfedge) != no_index; }
+  /// Whether `a` and `b` lie side by side on one edge.
+  bool are_side_by_side(Index a, Index b) const { return m_segments[a].left == b || m_segments[a].right == b; }
+
+  /// Adds a segment along `halfedge`, nearer than all others on its edge to the face of `side`, which is `halfedge` or
+  /// its twin. It has no neighbors in the path yet.
+  Index add(Index halfedge, Index side)
+  {
+    const Index segment = Index(m_segments.size());
+    const Index inner = outermost(side);
+    m_segments.push_back({halfedge, no_index, no_index, no_index, no_index, 0});
+    (halfedge == side ? m_segments[segment].right : m_segments[segment].left) = inner;
+    if (inner == no_index) {
+      set_outermost(m_patch.twin(side), segment);
+    } else {
+      neighbor(inner, side) = segment;
+    }
+    set_outermost(side, segment);
+    return segment;
+  }
+
+  /// Takes `segment` off its edge for good.
+  void remove(Index segment)
+  {
+    const Index h = m_segments[segment].halfedge;
+    const Index t = m_patch.twin(h);
+    const Index left = m_segments[segment].left;
+    const Index right = m_segments[segment].right;
+    if (left == no_index) {
+      set_outermost(h, right);
+    } else {
+      neighbor(left, t) = right;
+    }
+    if (right == no_index) {
+      set_outermost(t, left);
+    } else {
+      neighbor(right, h) = left;
+    }
+    m_segments[segment].halfedge = no_index;
+  }
+
+  /// Follows a flip of the edge of `h` and `t`, on which no segment lies, see `Intrinsic_triangulation::flip()`.
+  void follow_flip(Index h, Index t)
+  {
+    const Index from_left = outermost(Patch::previous(h));
+    const Index from_right = outermost(Patch::previous(t));
+    renumber(from_left, Patch::previous(h), t);
+    renumber(from_right, Patch::previous(t), h);
+    set_outermost(Patch::previous(h), no_index);
+    set_outermost(Patch::previous(t), no_index);
+    set_outermost(t, from_left);
+    set_outermost(h, from_right);
+  }
+  /// @}
+
+private:
+  struct Segment
+  {
+    Index halfedge;
+    Index previous;
+    Index next;
+    Index left;  // the next strand on the left of the halfedge
+    Index right; // and on its right
+    Index version;
+  };
+
+  /// The next strand beside `segment` on the side of the face of `halfedge`, which is that of the segment or its twin.
+  Index& neighbor(Index segment, Index halfedge)
+  {
+    return m_segments[segment].halfedge == halfedge ? m_segments[segment].left : m_segments[segment].right;
+  }
+
+  void set_outermost(Index halfedge, Index segment)
+  {
+    if (halfedge >= m_outermost.size()) {
+      if (segment == no_index) {
+        return;
+      }
+      m_outermost.resize(m_patch.number_of_halfedges(), no_index);
+    }
+    m_outermost[halfedge] = segment;
+  }
+
+  /// Renames the halfedge `from` to `to` in all strands of its edge, of which the outermost one is `segment`.
+  void renumber(Index segment, Index from, Index to)
+  {
+    while (segment != no_index) {
+      Segment& strand = m_segments[segment];
+      const bool is_same_way = strand.halfedge == from || strand.halfedge == to;
+      strand.halfedge = strand.halfedge == from ? to : strand.halfedge;
+      segment = is_same_way ? strand.right : strand.left;
+    }
+  }
+
+  std::vector<Segment> m_segments;
+  std::vector<Index> m_outermost;
+  Patch& m_patch;
+};
 
 /// Shortens curves along edges, closed or open, by flipping edges of the triangulation beside them: where the curve
 /// makes an angle of less than pi, the edges within the angle are flipped until the curve can go along the far side
@@ -54,7 +209,7 @@ public:
 
   /// The same on the first `number_of_faces` faces of a surface only, around the others, which no curve ever crosses:
   /// where they are in the way, it goes along their edges. So borders are kept that were bridged, see
-  /// `first_bridging_face()`.
+  /// `first_hole_filling_face()`.
   Edge_flip_shortening(const Triangulation& surface, Index number_of_faces)
       : m_patch(surface, added_length(surface, number_of_faces)), m_path(m_patch), m_number_of_faces(number_of_faces)
   {
@@ -108,7 +263,7 @@ private:
   static constexpr double pi = boost::math::constants::pi<double>();
 
   /// A curve is given up after so many steps for each of its first segments: hundreds of times what it takes.
-  static constexpr std::size_t most_steps_per_segment = 1000;
+  static constexpr std::size_t max_steps_per_segment = 1000;
 
   /// An angle of less than pi between a segment and the next one.
   struct Bend
@@ -125,15 +280,15 @@ private:
     }
   };
 
-  /// Shortens the curve; one of a single segment is taken off its vertex at most `most_single_steps` times.
+  /// Shortens the curve; one of a single segment is taken off its vertex at most `max_single_steps` times.
   template <class IsPinned>
   void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
-           std::size_t most_single_steps)
+           std::size_t max_single_steps)
   {
     start(halfedges, is_closed);
-    m_most_single_steps = most_single_steps;
+    m_max_single_steps = max_single_steps;
     for_each_segment([&](Index segment) { queue(segment, is_pinned); });
-    std::size_t steps_left = most_steps_per_segment * (halfedges.size() + 1);
+    std::size_t steps_left = max_steps_per_segment * (halfedges.size() + 1);
     while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
       const Bend bend = pop();
       if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
@@ -293,7 +448,7 @@ private:
       m_blocked.push_back(bend);
       return;
     }
-    flip_spokes(bend);
+    flip_incident_edges(bend);
     collect_arc(bend);
     double length = 0;
     for (const Arc_edge& edge : m_arc) {
@@ -323,7 +478,7 @@ private:
   }
 
   /// Flips the edges within the angle until none can be: the far side is then convex.
-  void flip_spokes(const Bend& bend)
+  void flip_incident_edges(const Bend& bend)
   {
     auto [first, last] = sides(bend.segment, bend.is_left);
     Index h = m_patch.next_around_origin(first);
@@ -369,7 +524,7 @@ private:
       m_is_collapsed = true;
       return;
     }
-    if (m_number_of_single_steps == m_most_single_steps || m_length >= m_length_of_single) {
+    if (m_number_of_single_steps == m_max_single_steps || m_length >= m_length_of_single) {
       return;
     }
     ++m_number_of_single_steps;
@@ -500,7 +655,7 @@ private:
   double m_first_length = 0;
   double m_length_of_single = 0; // when it was a single segment and taken off its vertex for the last time
   std::size_t m_number_of_single_steps = 0;
-  std::size_t m_most_single_steps = 0;
+  std::size_t m_max_single_steps = 0;
   bool m_is_closed = true;
   bool m_is_collapsed = false;
 };

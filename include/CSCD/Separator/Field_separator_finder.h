@@ -6,22 +6,50 @@
 #ifndef CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 #define CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 
-#include <CSCD/Separator/Cut_loop.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Cut_locus/Point_derivatives.h>
+#include <CSCD/Cut_locus/Tangent_frames.h>
+#include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
-#include <CSCD/Separator/Cut_loop_outcome.h>
-#include <CSCD/Separator/Field_search_result.h>
-#include <CSCD/Separator/Target_rule.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_neighborhoods.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
+#include <CGAL/assertions.h>
+
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
+/// The result of the search for the separator of one source.
+struct Field_search_result
+{
+  /// `found`, or why no loop was.
+  Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
+  /// Of the loop, if one was found; `collapsed` leaves no separator.
+  Shortening_outcome shortening = Shortening_outcome::collapsed;
+  Separator separator;
+
+  bool has_separator() const
+  {
+    return outcome == Cut_loop_outcome::found && shortening != Shortening_outcome::collapsed;
+  }
+};
+
 /// The published way from a distance field to a separator (Alg. 3): cut points by the thresholds of Laplacian and
 /// gradient angle, the target, two ways back from it, and shortening within the locality ball. One object serves one
 /// thread; it keeps working memory of the size of the surface.
-/// \tparam Measures `Cut_measures` of a triangulation, or `Point_cut_measures`
+/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
 /// \tparam Shortening has the member `shorten_vertex_loop(vertices, source, separator)`
 template <class Measures, class Shortening>
 class Field_separator_finder
@@ -61,6 +89,82 @@ private:
   Cut_loop_finder<Measures> m_loop_finder;
   Shortening m_shortening;
   Cut_loop m_loop;
+};
+
+/// How distances on a `Surface` are estimated, and separators found from them: prepared once, shared by all threads.
+/// A specialization has the type `Finder`, whose objects are called as `Field_separator_finder` is, the constant
+/// `default_shortening_rule`, and the members of that for meshes.
+template <class Surface>
+class Field_search_space;
+
+/// Meshes: the heat method on the intrinsic Delaunay triangulation, and loops along the edges of the mesh.
+template <>
+class Field_search_space<Triangulated_surface>
+{
+public:
+  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulated_surface>, Separator_shortening>;
+
+  static constexpr Shortening_rule default_shortening_rule = Shortening_rule::edge_flips;
+
+  /// \param surface is referred to and must outlive this object
+  Field_search_space(const Triangulated_surface& surface, Shortening_rule shortening_rule)
+      : m_surface(surface), m_frames(surface), m_heat_method(make_intrinsic_delaunay(surface))
+  {
+    if (shortening_rule == Shortening_rule::variational) {
+      m_queries.emplace(surface);
+    }
+  }
+  Field_search_space(Triangulated_surface&&, Shortening_rule) = delete;
+
+  const Heat_method& heat_method() const { return m_heat_method; }
+
+  /// Makes a finder, which refers to this object.
+  Finder make_finder(Target_rule target_rule) const
+  {
+    return Finder(m_frames, m_surface.points(), target_rule, m_surface, m_queries ? &*m_queries : nullptr);
+  }
+
+private:
+  const Triangulated_surface& m_surface;
+  Tangent_frames<Triangulated_surface> m_frames;
+  Heat_method m_heat_method;
+  std::optional<Solid_queries> m_queries; ///< for the variational shortening
+};
+
+/// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of
+/// the complex, and the variational flow.
+template <>
+class Field_search_space<Point_complex>
+{
+public:
+  using Finder = Field_separator_finder<Point_cut_locus_indicators, Point_separator_shortening>;
+
+  static constexpr Shortening_rule default_shortening_rule = Shortening_rule::variational;
+
+  /// \param complex is referred to and must outlive this object
+  /// \pre `shortening_rule` is `variational`: points have no edges to be flipped
+  Field_search_space(const Point_complex& complex, [[maybe_unused]] Shortening_rule shortening_rule)
+      : m_complex(complex), m_frames(complex), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
+        m_derivatives(m_frames, m_heat_method.operators().elements), m_neighborhoods(complex)
+  {
+    CGAL_precondition(shortening_rule == Shortening_rule::variational);
+  }
+  Field_search_space(Point_complex&&, Shortening_rule) = delete;
+
+  const Heat_method& heat_method() const { return m_heat_method; }
+
+  /// Makes a finder, which refers to this object.
+  Finder make_finder(Target_rule target_rule) const
+  {
+    return Finder(m_derivatives, m_complex.points(), target_rule, m_complex, m_neighborhoods);
+  }
+
+private:
+  const Point_complex& m_complex;
+  Point_frames m_frames;
+  Heat_method m_heat_method;
+  Point_derivatives m_derivatives;
+  Point_neighborhoods m_neighborhoods;
 };
 
 } // namespace CSCD::internal

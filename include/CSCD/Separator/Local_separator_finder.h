@@ -7,16 +7,15 @@
 #define CSCD_SEPARATOR_LOCAL_SEPARATOR_FINDER_H
 
 #include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Polar_front.h>
-#include <CSCD/Separator/Bump_test.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Surface_levels.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +41,7 @@ struct Search_result
   Search_outcome outcome = Search_outcome::no_cut; ///< how the search ended
   Separator separator;                             ///< where one was found
   bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
-  internal::Index level = 0; ///< the level of detail that decided
+  Index level = 0; ///< the level of detail that decided
   double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
 };
 
@@ -55,8 +54,6 @@ struct Search_result
 template <class Traits>
 class Local_separator_finder
 {
-  using Index = internal::Index;
-  using Vector_3 = internal::Vector_3;
 
 public:
   /// Prepares the working memory; `traits` is referred to and must outlive this object.
@@ -78,7 +75,7 @@ public:
     }
     measure_vertex_loop(result);
     Workspace& workspace = workspace_of(result.level);
-    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < internal::Bump_test::least_area_ratio) {
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < internal::Enclosed_area_test::min_area_ratio) {
       result.outcome = Search_outcome::bump;
       return;
     }
@@ -87,19 +84,19 @@ public:
 
 private:
   /// A loop of fewer edges than this is too coarse to decide on: the next finer level is tried.
-  static constexpr std::size_t least_loop_size = 16;
+  static constexpr std::size_t min_loop_size = 16;
   /// A loop of fewer edges encloses nothing.
-  static constexpr std::size_t least_simple_loop_size = 3;
-  /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `least_loop_size` edges
+  static constexpr std::size_t min_simple_loop_size = 3;
+  /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `min_loop_size` edges
   /// is about its square; found by experiment on 27 meshes.
-  static constexpr std::size_t most_visits = std::size_t(1.6 * least_loop_size * least_loop_size);
+  static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
   /// Where the measurement of the area on the smaller side may stop.
-  static constexpr double bump_limit = 1.01 * internal::Bump_test::least_area_ratio;
+  static constexpr double bump_limit = 1.01 * internal::Enclosed_area_test::min_area_ratio;
   /// A section is accepted if its length is within these bounds, relative to the loop's ...
-  static constexpr double least_section_length = 0.5;
-  static constexpr double most_section_length = 1.35;
+  static constexpr double min_section_length = 0.5;
+  static constexpr double max_section_length = 1.35;
   /// ... and if its center has moved by less than this, relative to the loop's length.
-  static constexpr double most_center_shift = 0.12;
+  static constexpr double max_center_shift = 0.12;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
   /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
@@ -107,12 +104,12 @@ private:
 
   struct Workspace
   {
-    explicit Workspace(const internal::Surface_level& level)
+    explicit Workspace(const Surface_level& level)
         : front(level.corners, level.surface.number_of_vertices()), bump_test(level.surface)
     {
     }
-    internal::Polar_front front;
-    internal::Bump_test bump_test;
+    internal::Geodesic_polar_coordinates front;
+    internal::Enclosed_area_test bump_test;
   };
 
   Workspace& workspace_of(Index level)
@@ -137,7 +134,7 @@ private:
     for (level = std::min(level_hint, m_levels.top());;) {
       const bool is_capped = direction != Direction::finer && level < m_levels.top();
       const internal::Front_end end =
-          trace(source, level, is_capped ? most_visits : std::numeric_limits<std::size_t>::max());
+          trace(source, level, is_capped ? max_visits : std::numeric_limits<std::size_t>::max());
       if (end == internal::Front_end::capped) {
         ++level;
         direction = Direction::coarser;
@@ -145,10 +142,10 @@ private:
       }
       const bool is_last = level == 0 || direction == Direction::coarser;
       if (!m_loop.empty()) {
-        if (is_last || m_loop.size() >= least_loop_size) {
-          return m_loop.size() >= least_simple_loop_size ? Search_outcome::found : Search_outcome::degenerate;
+        if (is_last || m_loop.size() >= min_loop_size) {
+          return m_loop.size() >= min_simple_loop_size ? Search_outcome::found : Search_outcome::degenerate;
         }
-      } else if (is_last || workspace_of(level).front.number_of_visits() > 2 * most_visits) {
+      } else if (is_last || workspace_of(level).front.number_of_visits() > 2 * max_visits) {
         return Search_outcome::no_cut;
       }
       --level;
@@ -159,8 +156,8 @@ private:
   /// Grows a front on `level` and traces the loop of the nearest meeting, if there is one.
   internal::Front_end trace(Index source, Index level, std::size_t visits)
   {
-    const internal::Surface_level& surface_level = m_levels[level];
-    internal::Polar_front& front = workspace_of(level).front;
+    const Surface_level& surface_level = m_levels[level];
+    internal::Geodesic_polar_coordinates& front = workspace_of(level).front;
     const Index level_source = surface_level.from_finest(source);
     internal::Nearest_meeting meeting(surface_level.surface, front, level_source);
     const internal::Front_end end = front.grow(level_source, visits, meeting);
@@ -173,7 +170,7 @@ private:
 
   void measure_vertex_loop(Search_result& result)
   {
-    const internal::Triangulated_surface& surface = m_levels[result.level].surface;
+    const Triangulated_surface& surface = m_levels[result.level].surface;
     m_points.clear();
     for (Index vertex : m_loop) {
       m_points.push_back(surface.point(vertex));
@@ -185,7 +182,7 @@ private:
   void shorten(Index source, Search_result& result)
   {
     // The loop starts at the coarse source, which stands for several fine vertices.
-    const internal::Surface_level& level = m_levels[result.level];
+    const Surface_level& level = m_levels[result.level];
     result.separator.source = level.to_finest(level.from_finest(source));
     result.separator.level = result.level;
     result.is_section = shorten_by_section(result.separator);
@@ -206,7 +203,7 @@ private:
       if (axis.dot(loop_normal) < 0) {
         axis = -axis;
       }
-      if (!m_section.cut_at_vertex(separator.source, axis, most_section_length * loop_length)) {
+      if (!m_section.cut_at_vertex(separator.source, axis, max_section_length * loop_length)) {
         if (step == 0) {
           break;
         }
@@ -215,9 +212,9 @@ private:
         continue;
       }
       const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
-      if (measures.length >= most_section_length * loop_length ||
-          measures.length <= least_section_length * loop_length ||
-          (measures.center - loop_center).norm() >= most_center_shift * loop_length) {
+      if (measures.length >= max_section_length * loop_length ||
+          measures.length <= min_section_length * loop_length ||
+          (measures.center - loop_center).norm() >= max_center_shift * loop_length) {
         break;
       }
       if (measures.length < best_length) {
@@ -232,7 +229,7 @@ private:
     return best_length < std::numeric_limits<double>::max();
   }
 
-  bool shorten_by_straightening(const internal::Surface_level& level, Separator& separator)
+  bool shorten_by_straightening(const Surface_level& level, Separator& separator)
   {
     if (!level.finest_vertex.empty()) {
       if (!m_projection(level, m_loop, m_fine_loop)) {
@@ -240,23 +237,23 @@ private:
       }
       std::swap(m_loop, m_fine_loop);
     }
-    const internal::Triangulated_surface& finest = m_levels.finest().surface;
+    const Triangulated_surface& finest = m_levels.finest().surface;
     if (!internal::push_off(finest, m_loop, separator.crossings)) {
       return false;
     }
     m_straightening(separator.crossings, number_of_straightening_passes);
     internal::crossing_points(finest, separator.crossings, m_points);
     internal::set_measures(separator, m_points);
-    return separator.crossings.size() >= least_simple_loop_size;
+    return separator.crossings.size() >= min_simple_loop_size;
   }
 
-  const internal::Surface_levels& m_levels;
+  const Surface_levels& m_levels;
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;
   internal::Straightening m_straightening;
-  internal::Vertex_loop m_loop;
-  internal::Vertex_loop m_fine_loop;
+  Vertex_loop m_loop;
+  Vertex_loop m_fine_loop;
   std::vector<Vector_3> m_points;
 };
 

@@ -7,11 +7,11 @@
 #define CSCD_SEPARATOR_LOOP_PROJECTION_H
 
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Traits/Corner_table.h>
-#include <CSCD/Traits/Surface_levels.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -48,8 +48,8 @@ public:
 
 private:
   /// A path may be this many times as long as the straight line.
-  static constexpr double largest_detour = 3;
-  static constexpr std::size_t least_loop_size = 4;
+  static constexpr double max_detour = 3;
+  static constexpr std::size_t min_loop_size = 4;
 
   struct Label
   {
@@ -62,7 +62,7 @@ private:
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
     const Vector_3 goal = surface.point(to);
-    const float limit = float(largest_detour * (surface.point(from) - goal).norm());
+    const float limit = float(max_detour * (surface.point(from) - goal).norm());
     m_heap.clear();
     m_reached.clear();
     m_settled.clear();
@@ -132,7 +132,7 @@ private:
         loop.resize(kept + 1);
       }
     }
-    return loop.size() >= least_loop_size;
+    return loop.size() >= min_loop_size;
   }
 
   const Surface_levels& m_levels;

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A closed curve on the surface that cuts a limb.
+// A curve on the surface that cuts a limb, and the measures of curves.
 
 #ifndef CSCD_SEPARATOR_SEPARATOR_H
 #define CSCD_SEPARATOR_SEPARATOR_H
 
-#include <CSCD/Traits/Edge_crossing.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CSCD {
@@ -21,29 +23,115 @@ struct Separator
 {
   /// The crossings in order along the curve. On a mesh, consecutive ones lie in one face, the last and the first too;
   /// on a point cloud they have an end in common, or ends that are neighbors.
-  std::vector<internal::Edge_crossing> crossings;
+  std::vector<Edge_crossing> crossings;
   /// On a point cloud, the points of the curve, which passes the crossed edges at a distance. Empty on a mesh, where
   /// the curve is the polygon of its crossings.
-  std::vector<internal::Vector_3> points;
+  std::vector<Vector_3> points;
   /// Length of the curve.
   double length = 0;
   /// Mean of its points by length.
-  internal::Vector_3 center = internal::Vector_3::Zero();
+  Vector_3 center = Vector_3::Zero();
   /// Unit normal of the vector area of the curve; the left side of the curve lies on its positive side.
-  internal::Vector_3 normal = internal::Vector_3::UnitZ();
+  Vector_3 normal = Vector_3::UnitZ();
   /// Norm of the vector area: the area that a planar curve encloses.
   double area = 0;
   /// Root mean square distance of the curve from its mean plane, relative to its length.
   double planarity = 0;
   /// The vertex of the finest surface from which it was found.
-  internal::Index source = internal::no_index;
+  Index source = no_index;
   /// The level of detail on which it was found.
-  internal::Index level = 0;
+  Index level = 0;
 
   /// Radius of the circle of the same length.
   double radius() const { return length / (2 * boost::math::double_constants::pi); }
 };
 
 } // namespace CSCD
+
+namespace CSCD::internal {
+
+/// The point where `crossing` lies.
+/// \tparam Surface a `Triangulated_surface` or a `Point_complex`
+template <class Surface>
+Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
+{
+  return (1 - crossing.position) * surface.point(surface.origin(crossing.halfedge)) +
+         crossing.position * surface.point(surface.target(crossing.halfedge));
+}
+
+/// Writes the points of `crossings` to `points`, which is reused.
+template <class Surface>
+void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& crossings, std::vector<Vector_3>& points)
+{
+  points.resize(crossings.size());
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    points[i] = crossing_point(surface, crossings[i]);
+  }
+}
+
+/// Writes the points of the curve of `separator` to `points`, which is reused: its own, or else those of its crossings.
+template <class Surface>
+void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector_3>& points)
+{
+  if (separator.points.empty()) {
+    crossing_points(surface, separator.crossings, points);
+  } else {
+    points = separator.points;
+  }
+}
+
+/// The measures of a closed polygon.
+struct Polygon_measures
+{
+  double length = 0;
+  Vector_3 center = Vector_3::Zero();      ///< mean by length
+  Vector_3 vector_area = Vector_3::Zero(); ///< half the sum of the cross products of consecutive points
+  double planarity = 0;                    ///< root mean square distance from the mean plane, relative to the length
+};
+
+/// Measures the closed polygon `points`; linear.
+inline Polygon_measures measure_polygon(const std::vector<Vector_3>& points)
+{
+  Polygon_measures result;
+  const std::size_t size = points.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector_3& a = points[i];
+    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    const double length = (b - a).norm();
+    result.length += length;
+    result.center += length / 2 * (a + b);
+  }
+  if (!(result.length > 0)) {
+    result.center = size == 0 ? Vector_3(Vector_3::Zero()) : points.front();
+    return result;
+  }
+  result.center /= result.length;
+  for (std::size_t i = 0; i < size; ++i) {
+    const Vector_3& b = points[i + 1 < size ? i + 1 : 0];
+    result.vector_area += (points[i] - result.center).cross(b - result.center) / 2;
+  }
+  const Vector_3 normal = result.vector_area.normalized();
+  double squared_deviation = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double length = (points[i + 1 < size ? i + 1 : 0] - points[i]).norm();
+    const double height = (points[i] - result.center).dot(normal);
+    squared_deviation += length * height * height;
+  }
+  result.planarity = std::sqrt(squared_deviation / result.length) / result.length;
+  return result;
+}
+
+/// Sets the measures of `separator` to those of its polygon `points`.
+inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
+{
+  const Polygon_measures measures = measure_polygon(points);
+  separator.length = measures.length;
+  separator.center = measures.center;
+  separator.area = measures.vector_area.norm();
+  separator.normal = separator.area > 0 ? Vector_3(measures.vector_area / separator.area) : Vector_3(Vector_3::UnitZ());
+  separator.planarity = measures.planarity;
+}
+
+} // namespace CSCD::internal
 
 #endif // CSCD_SEPARATOR_SEPARATOR_H

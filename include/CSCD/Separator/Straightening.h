@@ -7,9 +7,8 @@
 #define CSCD_SEPARATOR_STRAIGHTENING_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -127,7 +126,7 @@ private:
         ++i;
         continue;
       }
-      // The run around the vertex also holds those neighbors that cross its spokes farther out.
+      // The run around the vertex also holds those neighbors that cross its incident edges farther out.
       const bool is_on_right = crossing.position < 0.5;
       const auto is_in_run = [&](std::size_t j) { return passes(crossings[j % size], vertex, is_on_right); };
       std::size_t first = i;
@@ -149,7 +148,7 @@ private:
     std::swap(crossings, m_result);
   }
 
-  /// Whether `crossing` crosses a spoke of `vertex`, which lies on its right or left.
+  /// Whether `crossing` crosses a incident edge of `vertex`, which lies on its right or left.
   bool passes(const Edge_crossing& crossing, Index vertex, bool is_on_right) const
   {
     return (is_on_right ? m_surface.origin(crossing.halfedge) : m_surface.target(crossing.halfedge)) == vertex;
@@ -174,35 +173,35 @@ private:
       return false;
     }
     collect_other_side(crossings[first % size].halfedge, crossings[last % size].halfedge, is_on_right);
-    if (m_spokes.empty() || angle_over_spokes(vertex, crossing_point(m_surface, before),
+    if (m_incident_edges.empty() || angle_over_incident_edges(vertex, crossing_point(m_surface, before),
                                               crossing_point(m_surface, after)) >= pi - angle_margin) {
       return false;
     }
-    for (Index spoke : m_spokes) {
+    for (Index incident_edge : m_incident_edges) {
       if (is_on_right) {
-        m_result.push_back({m_surface.twin(spoke), 1 - passed_position});
+        m_result.push_back({m_surface.twin(incident_edge), 1 - passed_position});
       } else {
-        m_result.push_back({spoke, passed_position});
+        m_result.push_back({incident_edge, passed_position});
       }
     }
     return true;
   }
 
-  /// Collects the spokes of the vertex that the run does not cross, in the order in which the curve will cross them.
+  /// Collects the incident edges of the vertex that the run does not cross, in the order in which the curve will cross them.
   void collect_other_side(Index first, Index last, bool is_on_right)
   {
-    m_spokes.clear();
+    m_incident_edges.clear();
     const Index begin = is_on_right ? first : m_surface.twin(first);
     const Index end = is_on_right ? last : m_surface.twin(last);
     const auto step = [&](Index h) {
       return is_on_right ? m_surface.next_around_origin(h) : m_surface.previous_around_origin(h);
     };
     for (Index h = step(begin); h != end && h != begin; h = step(h)) {
-      m_spokes.push_back(h);
+      m_incident_edges.push_back(h);
     }
   }
 
-  double angle_over_spokes(Index vertex, const Vector_3& before, const Vector_3& after) const
+  double angle_over_incident_edges(Index vertex, const Vector_3& before, const Vector_3& after) const
   {
     const Vector_3& center = m_surface.point(vertex);
     const auto angle_between = [](const Vector_3& u, const Vector_3& v) {
@@ -210,8 +209,8 @@ private:
     };
     Vector_3 direction = before - center;
     double angle = 0;
-    for (Index spoke : m_spokes) {
-      const Vector_3 next_direction = m_surface.point(m_surface.target(spoke)) - center;
+    for (Index incident_edge : m_incident_edges) {
+      const Vector_3 next_direction = m_surface.point(m_surface.target(incident_edge)) - center;
       angle += angle_between(direction, next_direction);
       direction = next_direction;
     }
@@ -241,7 +240,7 @@ private:
 
   const Triangulated_surface& m_surface;
   std::vector<Edge_crossing> m_result;
-  std::vector<Index> m_spokes;
+  std::vector<Index> m_incident_edges;
 };
 
 } // namespace CSCD::internal

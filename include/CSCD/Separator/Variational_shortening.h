@@ -6,10 +6,9 @@
 #ifndef CSCD_SEPARATOR_VARIATIONAL_SHORTENING_H
 #define CSCD_SEPARATOR_VARIATIONAL_SHORTENING_H
 
-#include <CSCD/Separator/Closest_point_projection.h>
-#include <CSCD/Separator/Shortening_outcome.h>
-#include <CSCD/Separator/resample_polygon.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/solve_cyclic_tridiagonal.h>
 
 #include <CGAL/assertions.h>
@@ -24,6 +23,33 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Writes to `samples` so many points at equal distances along the closed polygon `points`, beginning at its first
+/// point. Linear.
+/// \pre `points` is not empty and `number` is positive
+inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t number, std::vector<Vector_3>& samples)
+{
+  CGAL_precondition(!points.empty() && number > 0);
+  double length = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    length += (points[(i + 1) % points.size()] - points[i]).norm();
+  }
+  samples.clear();
+  const double step = length / double(number);
+  double begin = 0; // of the side that follows `side`
+  std::size_t side = 0;
+  double side_length = (points[1 % points.size()] - points[0]).norm();
+  for (std::size_t k = 0; k < number; ++k) {
+    const double position = double(k) * step;
+    while (begin + side_length < position && side + 1 < points.size()) {
+      begin += side_length;
+      ++side;
+      side_length = (points[(side + 1) % points.size()] - points[side]).norm();
+    }
+    const double part = side_length > 0 ? std::clamp((position - begin) / side_length, 0., 1.) : 0.;
+    samples.push_back((1 - part) * points[side] + part * points[(side + 1) % points.size()]);
+  }
+}
 
 /// What a variational shortening has done.
 struct Variational_report
@@ -59,15 +85,15 @@ public:
   /// Weight of leaving the ball, that of the supplement.
   static constexpr double ball_weight = 10;
   /// Most iterations; a curve on a smooth surface takes some twenty.
-  static constexpr int most_iterations = 200;
+  static constexpr int max_iterations = 200;
   /// A curve that has less than this part of its length is given up: what separates loses less.
-  static constexpr double least_length_ratio = 0.5;
+  static constexpr double min_length_ratio = 0.5;
 
   /// Shortens the closed polygon `points`, which lies on the surface or near it, within the ball around `center`.
   /// O(iterations times `number_of_samples` projections).
   /// \param points gets the samples, on the surface and about equally far from each other
   /// \param radius of the ball; infinite for none
-  /// \return `held` where points are at the rim of the ball, `unfinished` after `most_iterations`
+  /// \return `held` where points are at the rim of the ball, `unfinished` after `max_iterations`
   /// \pre `number_of_samples` >= 3, `points` is not empty
   Variational_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
                                 double radius)
@@ -104,17 +130,17 @@ private:
   /// Points move at most so far in an iteration, in units.
   static constexpr double longest_step = 0.5;
   /// The curve has converged where no gradient is longer than this; a side pulls by 2 e.
-  static constexpr double least_gradient = 1e-4 * 5.4;
+  static constexpr double min_gradient = 1e-4 * 5.4;
   /// Or where so many iterations together lower the energy by less than this, relative to it.
-  static constexpr double least_decrease = 1e-4;
+  static constexpr double min_decrease = 1e-4;
   static constexpr int patience = 10;
   /// Armijo's condition: the part of the decrease promised by the gradient that a step has to bring.
   static constexpr double sufficient_decrease = 1e-4;
   /// A step is not tried that promises to lower the energy by less than this, relative to it: such steps one by one
-  /// could not bring what `least_decrease` asks for.
-  static constexpr double least_promise = 0.1 * least_decrease / patience;
+  /// could not bring what `min_decrease` asks for.
+  static constexpr double min_promise = 0.1 * min_decrease / patience;
   /// A point that is projected to a side that looks the other way has gone through the body: the cosine of 120 degrees.
-  static constexpr double least_normal_cosine = -0.5;
+  static constexpr double min_normal_cosine = -0.5;
 
   std::size_t size() const { return m_curve.size(); }
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
@@ -220,8 +246,8 @@ private:
     double energy_before = last_energy; // some iterations ago
     double step = 1;
     set_gradient();
-    while (longest(m_gradient) > least_gradient) {
-      if (report.number_of_iterations == most_iterations) {
+    while (longest(m_gradient) > min_gradient) {
+      if (report.number_of_iterations == max_iterations) {
         return Shortening_outcome::unfinished;
       }
       ++report.number_of_iterations;
@@ -230,11 +256,11 @@ private:
       if (step == 0) {
         return outcome_at_minimum();
       }
-      if (length() < least_length_ratio * report.length_before) {
+      if (length() < min_length_ratio * report.length_before) {
         return Shortening_outcome::collapsed;
       }
       if (report.number_of_iterations % patience == 0) {
-        if (energy_before - last_energy <= least_decrease * energy_before) {
+        if (energy_before - last_energy <= min_decrease * energy_before) {
           return outcome_at_minimum();
         }
         energy_before = last_energy;
@@ -258,7 +284,7 @@ private:
   /// \return that step, 0 if there is none
   double descend(double step, double slope, double& last_energy)
   {
-    for (; step * slope > least_promise * last_energy; step /= 2) {
+    for (; step * slope > min_promise * last_energy; step /= 2) {
       if (!try_step(step)) {
         continue;
       }
@@ -278,7 +304,7 @@ private:
     m_next.resize(size());
     for (std::size_t i = 0; i < size(); ++i) {
       m_next[i] = m_projection(m_curve[i].point - step * m_unit * m_direction[i], m_curve[i].site);
-      if (m_next[i].normal.dot(m_curve[i].normal) < least_normal_cosine) {
+      if (m_next[i].normal.dot(m_curve[i].normal) < min_normal_cosine) {
         return false;
       }
     }

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Closed curves along edges: from the two arms of a front to a list of crossed edges.
+// Closed curves along edges and through vertices, and the edges that they cross when pushed aside.
 
 #ifndef CSCD_SEPARATOR_VERTEX_LOOP_H
 #define CSCD_SEPARATOR_VERTEX_LOOP_H
 
-#include <CSCD/Geodesic/Polar_front.h>
+#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Traits/Triangulated_surface.h>
-#include <CSCD/Traits/Vertex_loop.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,9 +19,26 @@
 
 namespace CSCD::internal {
 
+/// A polygon over a surface, open or closed, which may pass through vertices and along edges.
+struct Surface_path
+{
+  /// Where it crosses edges, see `Edge_crossing`, and the vertices that it passes through, in order. At a vertex,
+  /// `position` is 0 and `halfedge` is from the vertex: the path leaves along it if the next point is a vertex too, and
+  /// otherwise into its face. The last point of an open path is a vertex of which any halfedge is given.
+  std::vector<Edge_crossing> points;
+  bool is_closed = true;
+  double length = 0;
+};
+
+/// Whether a point of a `Surface_path` is a vertex.
+inline bool is_vertex(const Edge_crossing& point)
+{
+  return point.position == 0;
+}
+
 /// Writes to `loop` the closed curve from the source of `front` to `first`, across the edge to `second`, and back.
 /// Where both arms leave the source by the same path, that path is left out.
-inline void trace_loop(const Polar_front& front, Index first, Index second, Vertex_loop& loop)
+inline void trace_loop(const Geodesic_polar_coordinates& front, Index first, Index second, Vertex_loop& loop)
 {
   loop.clear();
   for (Index vertex = first; vertex != no_index; vertex = front.parent(vertex)) {
@@ -62,9 +80,69 @@ inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loo
          h = surface.next_around_origin(h)) {
       crossings.push_back({h, offset});
     }
-    // The spokes were collected from the way out to the way in.
+    // The incident edges were collected from the way out to the way in.
     std::reverse(crossings.begin() + std::ptrdiff_t(first_here), crossings.end());
   }
+  return crossings.size() >= 3;
+}
+
+/// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from the way in to the
+/// way out. `before`, `vertex` and `after` are consecutive points of the path.
+template <class Append>
+void push_off_vertex(const Triangulated_surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
+                     const Edge_crossing& after, const Append& append)
+{
+  // Distance from the vertex, relative to the length of the crossed edge.
+  constexpr double offset = 0.01;
+  const bool comes_along = is_vertex(before);
+  const Index back = surface.twin(before.halfedge);
+  const Index way_in = comes_along ? back : Triangulated_surface::previous(back);
+  const Index way_out = vertex.halfedge;
+  Index incident_edge = comes_along ? surface.previous_around_origin(way_in) : way_in;
+  // Both ways in one face: the left side holds all incident edges or none.
+  if (way_in == way_out && !comes_along && !is_vertex(after) && 1 - before.position < after.position) {
+    append({incident_edge, offset});
+    incident_edge = surface.previous_around_origin(incident_edge);
+  }
+  for (; incident_edge != way_out; incident_edge = surface.previous_around_origin(incident_edge)) {
+    append({incident_edge, offset});
+  }
+}
+
+/// Writes to `crossings` the edges that `path` crosses when it is pushed a little to its left where it passes through
+/// vertices and along edges. Linear in the number of points and the degrees of the vertices.
+/// \return whether at least three edges are crossed
+/// \pre `path` is closed
+inline bool push_off_vertices(const Triangulated_surface& surface, const Surface_path& path,
+                              std::vector<Edge_crossing>& crossings)
+{
+  CGAL_precondition(path.is_closed);
+  const auto cancels = [&surface](const Edge_crossing& a, const Edge_crossing& b) {
+    return a.halfedge == surface.twin(b.halfedge);
+  };
+  const auto append = [&](const Edge_crossing& crossing) {
+    if (!crossings.empty() && cancels(crossings.back(), crossing)) {
+      crossings.pop_back();
+    } else {
+      crossings.push_back(crossing);
+    }
+  };
+  crossings.clear();
+  const std::vector<Edge_crossing>& points = path.points;
+  const std::size_t size = points.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (is_vertex(points[i])) {
+      push_off_vertex(surface, points[(i + size - 1) % size], points[i], points[(i + 1) % size], append);
+    } else {
+      append(points[i]);
+    }
+  }
+  std::size_t stem = 0;
+  while (2 * stem + 2 <= crossings.size() && cancels(crossings[crossings.size() - 1 - stem], crossings[stem])) {
+    ++stem;
+  }
+  crossings.erase(crossings.end() - std::ptrdiff_t(stem), crossings.end());
+  crossings.erase(crossings.begin(), crossings.begin() + std::ptrdiff_t(stem));
   return crossings.size() >= 3;
 }
 

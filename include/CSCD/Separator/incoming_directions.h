@@ -6,9 +6,9 @@
 #ifndef CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
 #define CSCD_SEPARATOR_INCOMING_DIRECTIONS_H
 
-#include <CSCD/Cut_locus/Front_sector.h>
-#include <CSCD/Separator/Edge_step.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Separator/Descent.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/container/small_vector.hpp>
 #include <boost/math/constants/constants.hpp>
@@ -33,7 +33,7 @@ public:
 
   Front_sides(const Measures& measures, Index vertex)
   {
-    Front_sectors sectors;
+    Gradient_samples sectors;
     measures.collect_sectors(vertex, sectors);
     // The cycle twice, so that arcs need not wrap around.
     boost::container::small_vector<Sum, 33> sums(1);
@@ -42,7 +42,7 @@ public:
       sums.push_back({sums.back().gradient + sector.gradient, sums.back().direction + sector.direction});
     }
     const std::size_t size = sectors.size();
-    const std::size_t stride = (size + most_sectors - 1) / most_sectors;
+    const std::size_t stride = (size + max_sectors - 1) / max_sectors;
     for (std::size_t begin = 0; begin < size; begin += stride) {
       for (std::size_t end = begin + stride; end < begin + size && end < size; end += stride) {
         consider(difference(sums[end], sums[begin]), difference(sums[begin + size], sums[end]));
@@ -57,7 +57,7 @@ public:
 
 private:
   /// Faces around a vertex that are sorted into sides one by one; of more, several go together.
-  static constexpr std::size_t most_sectors = 32;
+  static constexpr std::size_t max_sectors = 32;
 
   struct Sum
   {
@@ -86,69 +86,69 @@ private:
 };
 
 /// An edge of a vertex: where it leads, and in which direction.
-struct Spoke
+struct Incident_edge
 {
   Edge_step step;
   double distance; ///< that of its end, from the source
   double angle;    ///< in the frame of the vertex
 };
 
-using Spokes = boost::container::small_vector<Spoke, 16>;
+using Incident_edges = boost::container::small_vector<Incident_edge, 16>;
 
 /// Collects the edges of `vertex`, counterclockwise.
 template <class Measures>
-void collect_spokes(const Measures& measures, Index vertex, Spokes& spokes)
+void collect_incident_edges(const Measures& measures, Index vertex, Incident_edges& incident_edges)
 {
   const auto& frames = measures.frames();
   frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
     const bool is_reversed = frames.triangulation().origin(halfedge) != vertex;
-    spokes.push_back({{halfedge, is_reversed},
+    incident_edges.push_back({{halfedge, is_reversed},
                       measures.distance(neighbor),
                       is_reversed ? frames.direction_at_target(halfedge) : frames.direction_at_origin(halfedge)});
   });
 }
 
-/// The two nearest ends of `spokes` that are nearer than their neighbors in the ring and at least a right angle apart;
+/// The two nearest ends of `incident edges` that are nearer than their neighbors in the ring and at least a right angle apart;
 /// null where there are none.
-inline std::array<const Spoke*, 2> ring_minima(const Spokes& spokes)
+inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& incident_edges)
 {
-  const std::size_t size = spokes.size();
-  const bool is_border = spokes.back().step.is_reversed;
+  const std::size_t size = incident_edges.size();
+  const bool is_border = incident_edges.back().step.is_reversed;
   // Of equal ones that follow each other the first counts.
   const auto is_nearer = [&](std::size_t a, std::size_t b) {
-    return spokes[a].distance < spokes[b].distance || (spokes[a].distance == spokes[b].distance && a < b);
+    return incident_edges[a].distance < incident_edges[b].distance || (incident_edges[a].distance == incident_edges[b].distance && a < b);
   };
   const auto is_minimum = [&](std::size_t i) {
     const bool has_before = i > 0 || !is_border;
     const bool has_after = i + 1 < size || !is_border;
     return (!has_before || is_nearer(i, (i + size - 1) % size)) && (!has_after || is_nearer(i, (i + 1) % size));
   };
-  std::array<const Spoke*, 2> result{};
+  std::array<const Incident_edge*, 2> result{};
   for (std::size_t i = 0; i < size; ++i) {
-    if (is_minimum(i) && (result[0] == nullptr || spokes[i].distance < result[0]->distance)) {
-      result[0] = &spokes[i];
+    if (is_minimum(i) && (result[0] == nullptr || incident_edges[i].distance < result[0]->distance)) {
+      result[0] = &incident_edges[i];
     }
   }
   for (std::size_t i = 0; i < size; ++i) {
-    const double turn = std::abs(spokes[i].angle - result[0]->angle);
+    const double turn = std::abs(incident_edges[i].angle - result[0]->angle);
     const bool is_apart =
         std::min(turn, boost::math::double_constants::two_pi - turn) >= boost::math::double_constants::half_pi;
-    if (is_apart && is_minimum(i) && (result[1] == nullptr || spokes[i].distance < result[1]->distance)) {
-      result[1] = &spokes[i];
+    if (is_apart && is_minimum(i) && (result[1] == nullptr || incident_edges[i].distance < result[1]->distance)) {
+      result[1] = &incident_edges[i];
     }
   }
   return result;
 }
 
-/// The edge of `spokes` that is closest in direction to the way of the front whose distance has the gradient
+/// The edge of `incident edges` that is closest in direction to the way of the front whose distance has the gradient
 /// `gradient`.
-inline const Spoke* closest_to_descent(const Spokes& spokes, const std::complex<double>& gradient)
+inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges, const std::complex<double>& gradient)
 {
-  const auto cosine = [&](const Spoke& spoke) {
-    return -gradient.real() * std::cos(spoke.angle) - gradient.imag() * std::sin(spoke.angle);
+  const auto cosine = [&](const Incident_edge& incident_edge) {
+    return -gradient.real() * std::cos(incident_edge.angle) - gradient.imag() * std::sin(incident_edge.angle);
   };
-  const auto closest = std::max_element(spokes.begin(), spokes.end(),
-                                        [&](const Spoke& a, const Spoke& b) { return cosine(a) < cosine(b); });
+  const auto closest = std::max_element(incident_edges.begin(), incident_edges.end(),
+                                        [&](const Incident_edge& a, const Incident_edge& b) { return cosine(a) < cosine(b); });
   return &*closest;
 }
 
@@ -160,18 +160,18 @@ inline const Spoke* closest_to_descent(const Spokes& spokes, const std::complex<
 template <class Measures>
 std::optional<std::array<Edge_step, 2>> incoming_directions(const Measures& measures, Index vertex)
 {
-  Spokes spokes;
-  collect_spokes(measures, vertex, spokes);
-  if (spokes.empty()) {
+  Incident_edges incident_edges;
+  collect_incident_edges(measures, vertex, incident_edges);
+  if (incident_edges.empty()) {
     return std::nullopt;
   }
-  std::array<const Spoke*, 2> chosen = ring_minima(spokes);
+  std::array<const Incident_edge*, 2> chosen = ring_minima(incident_edges);
   if (chosen[1] == nullptr) {
     const Front_sides<Measures> sides(measures, vertex);
     if (!sides) {
       return std::nullopt;
     }
-    chosen = {closest_to_descent(spokes, sides.gradient(0)), closest_to_descent(spokes, sides.gradient(1))};
+    chosen = {closest_to_descent(incident_edges, sides.gradient(0)), closest_to_descent(incident_edges, sides.gradient(1))};
     if (chosen[0] == chosen[1]) {
       return std::nullopt;
     }

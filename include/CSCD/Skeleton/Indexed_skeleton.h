@@ -7,7 +7,7 @@
 #define CSCD_SKELETON_INDEXED_SKELETON_H
 
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>

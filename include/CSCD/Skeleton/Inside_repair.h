@@ -6,8 +6,8 @@
 #ifndef CSCD_SKELETON_INSIDE_REPAIR_H
 #define CSCD_SKELETON_INSIDE_REPAIR_H
 
-#include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Vector_3.h>
 
 #include <Eigen/Geometry>
 
@@ -25,12 +25,12 @@ template <class Traits>
 class Inside_repair
 {
 public:
-  Inside_repair(const Traits& traits, Skeleton_draft& draft)
-      : m_traits(traits), m_draft(draft), m_offset(relative_offset * diagonal(traits.surface().points())),
-        m_is_outside(draft.size(), 0)
+  Inside_repair(const Traits& traits, Skeleton_builder& builder)
+      : m_traits(traits), m_builder(builder), m_offset(relative_offset * diagonal(traits.surface().points())),
+        m_is_outside(builder.size(), 0)
   {
-    for (Index node = 0; node < draft.size(); ++node) {
-      m_is_outside[node] = !draft[node].is_removed && !traits.is_inside(draft[node].position) ? 1 : 0;
+    for (Index node = 0; node < builder.size(); ++node) {
+      m_is_outside[node] = !builder[node].is_removed && !traits.is_inside(builder[node].position) ? 1 : 0;
     }
   }
 
@@ -39,8 +39,8 @@ public:
   {
     repair_nodes();
     std::vector<Edge> edges;
-    m_draft.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
-    for (int round = 0; round < most_rounds && !edges.empty(); ++round) {
+    m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
+    for (int round = 0; round < max_rounds && !edges.empty(); ++round) {
       edges = repair_edges(edges);
     }
   }
@@ -53,14 +53,14 @@ public:
   std::size_t number_of_edges_outside()
   {
     std::size_t count = 0;
-    m_draft.for_each_edge([&](Index a, Index b) { count += first_stretch_outside(a, b) ? 1 : 0; });
+    m_builder.for_each_edge([&](Index a, Index b) { count += first_stretch_outside(a, b) ? 1 : 0; });
     return count;
   }
 
 private:
   using Edge = std::pair<Index, Index>;
 
-  static constexpr int most_rounds = 4;
+  static constexpr int max_rounds = 4;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
@@ -75,12 +75,12 @@ private:
 
   void repair_nodes()
   {
-    for (Index node = 0; node < m_draft.size(); ++node) {
+    for (Index node = 0; node < m_builder.size(); ++node) {
       if (m_is_outside[node] == 0) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_traits.middle_behind(m_draft[node].position)) {
-        m_draft[node].position = *middle;
+      if (const std::optional<Vector_3> middle = m_traits.middle_behind(m_builder[node].position)) {
+        m_builder[node].position = *middle;
         m_is_outside[node] = 0;
       }
     }
@@ -89,8 +89,8 @@ private:
   /// The middle of the first stretch of the edge that is outside.
   std::optional<Vector_3> first_stretch_outside(Index a, Index b)
   {
-    const Vector_3& from = m_draft[a].position;
-    const Vector_3& to = m_draft[b].position;
+    const Vector_3& from = m_builder[a].position;
+    const Vector_3& to = m_builder[b].position;
     m_traits.crossings(from, to, m_crossings);
     const double length = (to - from).norm();
     m_crossings.push_back(length);
@@ -116,7 +116,7 @@ private:
         continue;
       }
       if (const std::optional<Vector_3> middle = m_traits.middle_behind(*outside)) {
-        const Index node = m_draft.split_edge(a, b, *middle, (m_draft[a].radius + m_draft[b].radius) / 2);
+        const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
@@ -126,7 +126,7 @@ private:
   }
 
   const Traits& m_traits;
-  Skeleton_draft& m_draft;
+  Skeleton_builder& m_builder;
   double m_offset;
   std::vector<char> m_is_outside; ///< for every node
   std::vector<double> m_crossings;

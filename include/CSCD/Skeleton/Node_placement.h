@@ -8,21 +8,104 @@
 
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Surface_regions.h>
+#include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/curve_measures.h>
-#include <CSCD/Skeleton/Section_disc.h>
-#include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/Skeleton/Surface_pieces.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Builds the draft of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
+/// The vertices of each piece, on the level of the regions, and what follows from them.
+class Surface_pieces
+{
+public:
+  Surface_pieces(const Cut_graph& cut_graph, const Surface_regions& regions) : m_regions(regions)
+  {
+    const Triangulated_surface& surface = regions.level().surface;
+    const Index n = surface.number_of_vertices();
+    std::vector<Index> piece(n);
+    m_begin.assign(cut_graph.pieces().size() + 1, 0);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      piece[vertex] = cut_graph.piece_of_vertex(regions.level().to_finest(vertex));
+      ++m_begin[piece[vertex] + 1];
+    }
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
+    m_vertices.resize(n);
+    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      m_vertices[fill[piece[vertex]]++] = vertex;
+    }
+  }
+
+  /// The vertices of `piece`; none in a piece that is smaller than the triangles of the level.
+  CGAL::Iterator_range<const Index*> vertices(Index piece) const
+  {
+    return {m_vertices.data() + m_begin[piece], m_vertices.data() + m_begin[piece + 1]};
+  }
+  bool is_empty(Index piece) const { return m_begin[piece] == m_begin[piece + 1]; }
+
+  /// A sum of points by area.
+  struct Weighted_sum
+  {
+    Vector_3 sum = Vector_3::Zero();
+    double weight = 0;
+
+    void add(const Vector_3& point, double point_weight)
+    {
+      sum += point_weight * point;
+      weight += point_weight;
+    }
+  };
+
+  /// The area-weighted sum of those vertices of `piece` that are at least `min_distance` from its separators.
+  Weighted_sum area_sum(Index piece, float min_distance = 0) const
+  {
+    const Triangulated_surface& surface = m_regions.level().surface;
+    Weighted_sum result;
+    for (Index vertex : vertices(piece)) {
+      if (m_regions.distance(vertex) >= min_distance) {
+        result.add(surface.point(vertex), double(surface.vertex_area(vertex)));
+      }
+    }
+    return result;
+  }
+
+  /// The largest distance of a vertex of `piece` from its separators; 0 in an empty piece.
+  float height(Index piece) const
+  {
+    float result = 0;
+    for (Index vertex : vertices(piece)) {
+      result = std::max(result, m_regions.distance(vertex));
+    }
+    return result;
+  }
+
+  /// The largest extent of `piece` from `origin` in `direction`; 0 where it does not reach beyond `origin`.
+  double extent(Index piece, const Vector_3& origin, const Vector_3& direction) const
+  {
+    double result = 0;
+    for (Index vertex : vertices(piece)) {
+      result = std::max(result, direction.dot(m_regions.level().surface.point(vertex) - origin));
+    }
+    return result;
+  }
+
+private:
+  const Surface_regions& m_regions;
+  std::vector<Index> m_begin;
+  std::vector<Index> m_vertices;
+};
+
+/// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
 /// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
 template <class Traits>
@@ -36,15 +119,15 @@ public:
   {
   }
 
-  /// The placed draft. Parallel edges and loops may occur where a piece joins two separators, or one to itself.
-  Skeleton_draft operator()()
+  /// The placed builder. Parallel edges and loops may occur where a piece joins two separators, or one to itself.
+  Skeleton_builder operator()()
   {
-    Skeleton_draft draft;
-    place_separators(draft);
+    Skeleton_builder builder;
+    place_separators(builder);
     for (Index piece = 0; piece < m_cut_graph.pieces().size(); ++piece) {
-      connect_piece(draft, piece);
+      connect_piece(builder, piece);
     }
-    return draft;
+    return builder;
   }
 
 private:
@@ -57,15 +140,15 @@ private:
   /// first lies outwards of the middle of the body, the second on it; half and half reconstructs best.
   static constexpr double region_share = 0.5;
   /// A piece at the end of a limb gets a tip if it is higher than this, relative to the radius of the limb ...
-  static constexpr double least_tip_height = 0.7;
+  static constexpr double min_tip_height = 0.7;
   /// ... and the tip stays this far below the surface ...
   static constexpr double tip_depth = 0.75;
   /// ... and this far from the node that it hangs on, likewise.
-  static constexpr double least_tip_length = 0.3;
+  static constexpr double min_tip_length = 0.3;
   /// The direction of a tip is that to the vertices beyond this part of the height of the piece.
   static constexpr double far_part = 0.6;
 
-  void place_separators(Skeleton_draft& draft)
+  void place_separators(Skeleton_builder& builder)
   {
     const Triangulated_surface& surface = m_regions.level().surface;
     std::vector<Surface_pieces::Weighted_sum> region(m_packed.size());
@@ -81,26 +164,26 @@ private:
       crossing_points(m_traits.levels().finest().surface, separator.crossings, outline);
       const Section_disc disc = section_disc(outline);
       const Vector_3 centroid = region[i].sum / region[i].weight;
-      const Index node = draft.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
-      draft[node].separators = {i};
+      const Index node = builder.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
+      builder[node].separators = {i};
     }
   }
 
-  void connect_piece(Skeleton_draft& draft, Index piece)
+  void connect_piece(Skeleton_builder& builder, Index piece)
   {
     const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
     if (around.empty()) {
-      place_blob(draft, piece);
+      place_blob(builder, piece);
     } else if (around.size() == 1) {
-      place_tip(draft, piece, around.front());
+      place_tip(builder, piece, around.front());
     } else if (around.size() == 2) {
-      draft.add_edge(around[0], around[1]);
+      builder.add_edge(around[0], around[1]);
     } else {
-      place_junction(draft, piece);
+      place_junction(builder, piece);
     }
   }
 
-  void place_junction(Skeleton_draft& draft, Index piece)
+  void place_junction(Skeleton_builder& builder, Index piece)
   {
     Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
     double radius = 0;
@@ -110,44 +193,44 @@ private:
       sum.add(separator.center, junction_separator_weight * separator.length * separator.length);
       radius = std::max(radius, separator.radius());
     }
-    const Index node = draft.add_node(sum.sum / sum.weight, radius);
-    draft[node].pieces = {piece};
+    const Index node = builder.add_node(sum.sum / sum.weight, radius);
+    builder[node].pieces = {piece};
     for (Index i : around) {
-      draft.add_edge(node, i);
+      builder.add_edge(node, i);
     }
   }
 
-  void place_tip(Skeleton_draft& draft, Index piece, Index base)
+  void place_tip(Skeleton_builder& builder, Index piece, Index base)
   {
-    const double radius = draft[base].radius;
+    const double radius = builder[base].radius;
     const float height = m_pieces.height(piece);
     const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
-    if (!(height > least_tip_height * radius) || !(far.weight > 0)) {
+    if (!(height > min_tip_height * radius) || !(far.weight > 0)) {
       return;
     }
-    extend(draft, base, piece, (far.sum / far.weight - draft[base].position).normalized(), radius);
+    extend(builder, base, piece, (far.sum / far.weight - builder[base].position).normalized(), radius);
   }
 
   /// Hangs a tip on `node`, in `direction`, if `piece` extends far enough.
-  void extend(Skeleton_draft& draft, Index node, Index piece, const Vector_3& direction, double radius)
+  void extend(Skeleton_builder& builder, Index node, Index piece, const Vector_3& direction, double radius)
   {
-    const double length = m_pieces.extent(piece, draft[node].position, direction) - tip_depth * radius;
-    if (length > least_tip_length * radius) {
-      const Index tip = draft.add_node(draft[node].position + length * direction, radius);
-      draft[tip].pieces = {piece};
-      draft.add_edge(node, tip);
+    const double length = m_pieces.extent(piece, builder[node].position, direction) - tip_depth * radius;
+    if (length > min_tip_length * radius) {
+      const Index tip = builder.add_node(builder[node].position + length * direction, radius);
+      builder[tip].pieces = {piece};
+      builder.add_edge(node, tip);
     }
   }
 
   /// A component that no separator cuts: a node in its middle, and two tips if it is longer than thick.
-  void place_blob(Skeleton_draft& draft, Index piece)
+  void place_blob(Skeleton_builder& builder, Index piece)
   {
     const Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
     const Vector_3 center = sum.weight > 0 ? Vector_3(sum.sum / sum.weight)
                                            : m_regions.level().surface.point(*m_pieces.vertices(piece).begin());
     const double radius = (m_traits.closest_point(center).point - center).norm();
-    const Index node = draft.add_node(center, radius);
-    draft[node].pieces = {piece};
+    const Index node = builder.add_node(center, radius);
+    builder[node].pieces = {piece};
     Vector_3 farthest = center;
     for (Index vertex : m_pieces.vertices(piece)) {
       const Vector_3& point = m_regions.level().surface.point(vertex);
@@ -156,8 +239,8 @@ private:
       }
     }
     const Vector_3 direction = (farthest - center).normalized();
-    extend(draft, node, piece, direction, radius);
-    extend(draft, node, piece, -direction, radius);
+    extend(builder, node, piece, direction, radius);
+    extend(builder, node, piece, -direction, radius);
   }
 
   const Traits& m_traits;

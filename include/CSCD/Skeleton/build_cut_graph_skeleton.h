@@ -9,15 +9,11 @@
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Site_assignment.h>
-#include <CSCD/Skeleton/center_junctions.h>
-#include <CSCD/Skeleton/drop_overshoots.h>
-#include <CSCD/Skeleton/make_simple.h>
-#include <CSCD/Skeleton/merge_junctions.h>
-#include <CSCD/Skeleton/smooth_branches.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/Vertex_assignment.h>
+#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 
 #include <utility>
@@ -34,19 +30,19 @@ Embedded_skeleton build_cut_graph_skeleton(const Traits& traits, const std::vect
 {
   Node_placement<Traits> placement(traits, separators, packing.packed(), packing.cut_graph());
   Embedded_skeleton result;
-  result.draft = placement();
-  make_simple(result.draft);
-  merge_junctions(result.draft);
-  center_junctions(traits, result.draft);
-  drop_overshoots(result.draft);
-  Branch_refinement<Traits>(traits, result.draft)();
-  smooth_branches(result.draft);
-  Inside_repair<Traits> repair(traits, result.draft);
+  result.graph = placement();
+  make_simple(result.graph);
+  merge_junctions(result.graph);
+  center_junctions(traits, result.graph);
+  drop_overshoots(result.graph);
+  Branch_refinement<Traits>(traits, result.graph)();
+  smooth_branches(result.graph);
+  Inside_repair<Traits> repair(traits, result.graph);
   repair();
-  result.draft.compact();
+  result.graph.compact();
   report.number_of_nodes_outside = repair.number_of_nodes_outside();
   report.number_of_edges_outside = repair.number_of_edges_outside();
-  Site_assignment<Traits>(traits, packing.cut_graph(), result.draft).move_to(result);
+  Vertex_assignment<Traits>(traits, packing.cut_graph(), result.graph).move_to(result);
   return result;
 }
 

@@ -6,21 +6,184 @@
 #ifndef CSCD_SKELETON_BUILD_QUOTIENT_SKELETON_H
 #define CSCD_SKELETON_BUILD_QUOTIENT_SKELETON_H
 
-#include <CSCD/Selection/Separator_regions.h>
-#include <CSCD/Skeleton/Embedded_skeleton.h>
+#include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Skeleton/Inside_repair.h>
-#include <CSCD/Skeleton/Quotient_graph.h>
-#include <CSCD/Skeleton/Skeleton_draft.h>
-#include <CSCD/Skeleton/make_simple.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept.
+///
+/// Regions meet in a network of curves between them. Where a connected part of the network is one closed curve, it has
+/// a region on either side, which an edge joins. Where curves meet, at faces that have corners in three regions, all
+/// regions around that part of the network meet, and a junction joins them in place of a clique of edges. A region
+/// counts for every one of its border cycles: three regions around a thin handle, which meet in three separate curves,
+/// stay a cycle. Curves that end at a hole of the surface go on across it, two and two where they are between the same
+/// regions. If all regions, and the neighborhoods of all parts of the network, are planar, the first Betti number of
+/// the graph is the genus of the surface.
+class Quotient_graph
+{
+public:
+  /// Computes the graph; near linear.
+  /// \param region a function that returns the region of a vertex
+  template <class Surface, class Region>
+  Quotient_graph(const Surface& surface, const Region& region)
+      : m_networks(surface.number_of_halfedges()), m_cycles(surface.number_of_halfedges())
+  {
+    const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      const std::array<Index, 3> sides = surface.face_halfedges(face);
+      for (std::size_t k = 0; k < 3; ++k) {
+        join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
+      }
+    }
+    join_at_holes(surface, region, is_between);
+    collect(surface, region, is_between);
+  }
+
+  /// For each connected part of the network, the regions of the border cycles around it, two at least; a region with
+  /// several cycles there stands several times.
+  const std::vector<std::vector<Index>>& meetings() const { return m_meetings; }
+
+private:
+  /// Joins what is connected within a face, at the corner that its side `h` leaves. The border cycle of a region has a
+  /// point on every halfedge that leaves the region, named after it.
+  template <class Surface, class Predicate>
+  void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
+  {
+    if (is_between(h) && is_between(before)) {
+      m_networks.join(surface.edge(h), surface.edge(before));
+      m_cycles.join(h, surface.twin(before));
+      if (!is_between(after)) {
+        // The corner lies alone in its region; the other two are on the other side.
+        m_cycles.join(surface.twin(h), before);
+      }
+    }
+  }
+
+  /// An edge of a hole between two regions, where a curve of the network ends, seen from one of them.
+  struct Hole_end
+  {
+    Index hole; ///< a vertex that stands for it
+    Index from; ///< a region
+    Index to;   ///< the other one
+    Index halfedge;
+  };
+  using Hole_ends = std::vector<Hole_end>;
+
+  /// All ends, by hole and regions; holes that touch are one.
+  template <class Surface, class Region, class Predicate>
+  static Hole_ends find_hole_ends(const Surface& surface, const Region& region, const Predicate& is_between)
+  {
+    std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
+    for (Index face = 0; face < surface.number_of_faces(); ++face) {
+      for (const Index h : surface.face_halfedges(face)) {
+        ++number_of_faces[surface.edge(h)];
+      }
+    }
+    Disjoint_sets holes(surface.number_of_vertices());
+    Hole_ends ends;
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (number_of_faces[surface.edge(h)] == 1) {
+        holes.join(surface.origin(h), surface.target(h));
+        if (is_between(h)) {
+          ends.push_back({0, region(surface.origin(h)), region(surface.target(h)), h});
+        }
+      }
+    }
+    for (Hole_end& end : ends) {
+      end.hole = holes.find(surface.origin(end.halfedge));
+    }
+    std::sort(ends.begin(), ends.end(), [](const Hole_end& a, const Hole_end& b) {
+      return std::tie(a.hole, a.from, a.to, a.halfedge) < std::tie(b.hole, b.from, b.to, b.halfedge);
+    });
+    return ends;
+  }
+
+  template <class Surface, class Region, class Predicate>
+  void join_at_holes(const Surface& surface, const Region& region, const Predicate& is_between)
+  {
+    const Hole_ends ends = find_hole_ends(surface, region, is_between);
+    for (auto begin = ends.begin(); begin != ends.end();) {
+      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.hole != begin->hole; });
+      join_at_hole(surface, Hole_ends(begin, end));
+      begin = end;
+    }
+  }
+
+  /// Joins what ends at one hole. A region that has only one other beside it there is a finger of it into the hole, and
+  /// the curve between the two goes on around its tip; without it, its neighbor may be one. What cannot be taken away
+  /// like that meets in a point.
+  template <class Surface>
+  void join_at_hole(const Surface& surface, Hole_ends ends)
+  {
+    for (auto finger = find_finger(ends); finger != ends.end(); finger = find_finger(ends)) {
+      const Index tip = finger->from;
+      const auto rest = std::stable_partition(ends.begin(), ends.end(),
+                                              [tip](const Hole_end& end) { return end.from != tip && end.to != tip; });
+      join_ends(surface, Hole_ends(rest, ends.end()));
+      ends.erase(rest, ends.end());
+    }
+    join_ends(surface, ends);
+  }
+
+  /// The first end of a region all of whose ends lead to the same other one. \pre `ends` are sorted
+  static Hole_ends::iterator find_finger(Hole_ends& ends)
+  {
+    for (auto begin = ends.begin(); begin != ends.end();) {
+      const auto end = std::find_if(begin, ends.end(), [&](const Hole_end& e) { return e.from != begin->from; });
+      if (begin->to == std::prev(end)->to) {
+        return begin;
+      }
+      begin = end;
+    }
+    return ends.end();
+  }
+
+  /// Joins all of `ends`, and the border cycles of each region there. \pre they are sorted
+  template <class Surface>
+  void join_ends(const Surface& surface, const Hole_ends& ends)
+  {
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+      m_networks.join(surface.edge(ends[i - 1].halfedge), surface.edge(ends[i].halfedge));
+      if (ends[i - 1].from == ends[i].from) {
+        m_cycles.join(ends[i - 1].halfedge, ends[i].halfedge);
+      }
+    }
+  }
+
+  template <class Surface, class Region, class Predicate>
+  void collect(const Surface& surface, const Region& region, const Predicate& is_between)
+  {
+    std::vector<Index> meeting_of_network(surface.number_of_halfedges(), no_index);
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (!is_between(h) || m_cycles.find(h) != h) {
+        continue;
+      }
+      Index& meeting = meeting_of_network[m_networks.find(surface.edge(h))];
+      if (meeting == no_index) {
+        meeting = Index(m_meetings.size());
+        m_meetings.emplace_back();
+      }
+      m_meetings[meeting].push_back(region(surface.origin(h)));
+    }
+  }
+
+  Disjoint_sets m_networks; ///< of edges between regions
+  Disjoint_sets m_cycles;   ///< of halfedges that leave a region
+  std::vector<std::vector<Index>> m_meetings;
+};
 
 /// Builds the skeleton whose nodes are the regions of the packed separators: at their centroids by area (Alg. 2, lines
 /// 13 and 14), joined where regions touch.
@@ -37,25 +200,25 @@ public:
   Embedded_skeleton operator()(Skeletonization_report& report)
   {
     Embedded_skeleton result;
-    Skeleton_draft& draft = result.draft;
-    place_regions(draft);
+    Skeleton_builder& builder = result.graph;
+    place_regions(builder);
     const Quotient_graph graph(m_traits.surface(), [this](Index vertex) { return m_regions[vertex]; });
     for (const std::vector<Index>& meeting : graph.meetings()) {
-      connect(draft, meeting);
+      connect(builder, meeting);
     }
-    make_simple(draft);
-    Inside_repair<Traits> repair(m_traits, draft);
+    make_simple(builder);
+    Inside_repair<Traits> repair(m_traits, builder);
     repair();
-    draft.compact();
+    builder.compact();
     report.number_of_nodes_outside = repair.number_of_nodes_outside();
     report.number_of_edges_outside = repair.number_of_edges_outside();
-    assign_sites(result);
+    assign_vertices(result);
     return result;
   }
 
 private:
-  /// The node of region i is node i of the draft.
-  void place_regions(Skeleton_draft& draft)
+  /// The node of region i is node i of the builder.
+  void place_regions(Skeleton_builder& builder)
   {
     std::vector<Vector_3> sum(m_regions.size(), Vector_3::Zero());
     std::vector<Vector_3> plain_sum(m_regions.size(), Vector_3::Zero());
@@ -72,64 +235,64 @@ private:
       // A region may have no area, where a border was bridged.
       const Vector_3 center =
           area[region] > 0 ? Vector_3(sum[region] / area[region]) : Vector_3(plain_sum[region] / double(count[region]));
-      draft[draft.add_node(center, 0)].separators = {region};
+      builder[builder.add_node(center, 0)].separators = {region};
     }
     m_area = std::move(area);
-    const std::vector<double> radius = radii([](Index region) { return region; }, draft);
+    const std::vector<double> radius = radii([](Index region) { return region; }, builder);
     for (Index region = 0; region < m_regions.size(); ++region) {
-      draft[region].radius = radius[region];
+      builder[region].radius = radius[region];
     }
   }
 
-  void connect(Skeleton_draft& draft, const std::vector<Index>& meeting)
+  void connect(Skeleton_builder& builder, const std::vector<Index>& meeting)
   {
     if (meeting.size() == 2) {
-      draft.add_edge(meeting[0], meeting[1]);
+      builder.add_edge(meeting[0], meeting[1]);
       return;
     }
     Vector_3 sum = Vector_3::Zero();
     double radius = 0;
     double area = 0;
     for (Index region : meeting) {
-      sum += m_area[region] * draft[region].position;
-      radius += m_area[region] * draft[region].radius;
+      sum += m_area[region] * builder[region].position;
+      radius += m_area[region] * builder[region].radius;
       area += m_area[region];
     }
     const Index junction =
-        area > 0 ? draft.add_node(sum / area, radius / area) : draft.add_node(draft[meeting.front()].position, 0);
+        area > 0 ? builder.add_node(sum / area, radius / area) : builder.add_node(builder[meeting.front()].position, 0);
     for (Index region : meeting) {
-      draft.add_edge(junction, region);
+      builder.add_edge(junction, region);
     }
   }
 
-  void assign_sites(Embedded_skeleton& skeleton) const
+  void assign_vertices(Embedded_skeleton& skeleton) const
   {
-    const Skeleton_draft& draft = skeleton.draft;
+    const Skeleton_builder& builder = skeleton.graph;
     std::vector<Index> node_of_region(m_regions.size());
-    for (Index node = 0; node < draft.size(); ++node) {
-      for (Index region : draft[node].separators) {
+    for (Index node = 0; node < builder.size(); ++node) {
+      for (Index region : builder[node].separators) {
         node_of_region[region] = node;
       }
     }
-    skeleton.node_of_site.resize(m_traits.number_of_sites());
+    skeleton.node_of_vertex.resize(m_traits.number_of_sites());
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      skeleton.node_of_site[site] = node_of_region[m_regions[site]];
+      skeleton.node_of_vertex[site] = node_of_region[m_regions[site]];
     }
-    skeleton.radius = radii([&](Index region) { return node_of_region[region]; }, draft);
+    skeleton.radius = radii([&](Index region) { return node_of_region[region]; }, builder);
   }
 
-  /// For each node, the median by area of the distances of its sites; what the draft has where a node has no sites.
+  /// For each node, the median by area of the distances of its sites; what the builder has where a node has no sites.
   template <class NodeOfRegion>
-  std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_draft& draft) const
+  std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_builder& builder) const
   {
-    std::vector<std::vector<std::pair<double, double>>> distances(draft.size());
+    std::vector<std::vector<std::pair<double, double>>> distances(builder.size());
     for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
       const Index node = node_of_region(m_regions[site]);
-      distances[node].emplace_back((m_traits.point(site) - draft[node].position).norm(), m_traits.weight(site));
+      distances[node].emplace_back((m_traits.point(site) - builder[node].position).norm(), m_traits.weight(site));
     }
-    std::vector<double> result(draft.size());
-    for (Index node = 0; node < draft.size(); ++node) {
-      result[node] = distances[node].empty() ? draft[node].radius : weighted_median(distances[node]);
+    std::vector<double> result(builder.size());
+    for (Index node = 0; node < builder.size(); ++node) {
+      result[node] = distances[node].empty() ? builder[node].radius : weighted_median(distances[node]);
     }
     return result;
   }

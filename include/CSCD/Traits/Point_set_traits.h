@@ -1,74 +1,78 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface through points, as the skeletonization sees it.
+// Points with their neighborhoods, as the skeletonization sees them: no surface is made of them.
 
 #ifndef CSCD_TRAITS_POINT_SET_TRAITS_H
 #define CSCD_TRAITS_POINT_SET_TRAITS_H
 
-#include <CSCD/Point_cloud/assign_to_nearest.h>
-#include <CSCD/Point_cloud/collect_points.h>
-#include <CSCD/Reconstruction/Reconstruction_report.h>
-#include <CSCD/Reconstruction/reconstruct_surface.h>
-#include <CSCD/Traits/Compiled_surface_traits.h>
-#include <CSCD/Traits/Points_of_sites.h>
-#include <CSCD/Traits/compile_surface.h>
-#include <CSCD/internal/Vector_3.h>
-#include <CSCD/internal/point_map.h>
+#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_solid_queries.h>
+#include <CSCD/Surface/build_point_complex.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
 
+#include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <chrono>
 #include <cstddef>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
 
-/// The surface traits of a point set, a model of `SkeletonizationTraits` and of
-/// `TriangulatedSolidSkeletonizationTraits`.
+/// The surface traits of a point cloud by its neighborhoods, a model of `SkeletonizationTraits` and of
+/// `SolidSkeletonizationTraits`: what CSCD-PC works on, as published.
 ///
-/// A closed surface is made of the points: they are triangulated by an advancing front, fragments joined, holes closed,
-/// and handles removed that are too small for the sampling to prove them. Sites are the vertices of this surface. Every
-/// point of the input belongs to one site: its own, that of an equal point, or the nearest, if it is no vertex.
+/// Every point is joined to those around it by triangles that are Delaunay in the tangent planes (supplement, appendix
+/// G.2); neighborhoods do not lead over to another sheet. The triangles are nearly a surface, and need not be one: no
+/// hole is closed, nothing is cut. A point is inside where the winding number of the points with their normals and
+/// areas says so. Sites are the points of the fragments that are not small; every point of the input belongs to one
+/// site: its own, that of an equal point, or the nearest.
 /// \tparam PointRange a range over elements of any type, or a `CGAL::Point_set_3`
 /// \tparam PointMap a readable map from these elements to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
 template <class PointRange, class PointMap = decltype(internal::default_point_map(std::declval<const PointRange&>()))>
-class Point_set_traits : public internal::Compiled_surface_traits<typename boost::property_traits<PointMap>::value_type>
+class Point_set_traits
 {
-  using Base = internal::Compiled_surface_traits<typename boost::property_traits<PointMap>::value_type>;
-
 public:
   /// \name Types
   /// @{
 
   /// The points of the input.
-  using Point = typename Base::Point;
-  /// The number of a site.
-  using Index = typename Base::Index;
+  using Point = typename boost::property_traits<PointMap>::value_type;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
-  using Site_descriptor = internal::Point_descriptor<PointRange>;
+  using Input_descriptor = internal::Point_descriptor<PointRange>;
   /// @}
 
-  /// Makes a surface of `points`, which are not referred to later; O(n log n).
-  /// \throw Input_error naming the point and the remedy if a coordinate is not finite, or if no surface can be made of
-  ///        the points: fewer than four different ones, all on a line, none of them connected
+  /// Joins `points`, which are not referred to later, with their neighbors; O(n log n).
+  /// \throw Input_error naming the point and the remedy if a coordinate is not finite, or if the points sample no
+  ///        surface: fewer than four different ones, all on a line, none of them connected
   Point_set_traits(const PointRange& points, const PointMap& point_map)
   {
     compile(points, point_map, internal::No_normals());
   }
   /// The same, with the point map of a `CGAL::Point_set_3`; of other ranges the elements are the points.
-  explicit Point_set_traits(const PointRange& points) : Point_set_traits(points, internal::default_point_map(points)) {}
+  explicit Point_set_traits(const PointRange& points)
+      : Point_set_traits(points, internal::default_point_map(points))
+  {
+  }
   /// The same for points with normals.
   /// \param points the points
   /// \param point_map maps the elements of `points` to points
   /// \param normal_map a readable map from the elements of `points` to vectors with coordinates `x()`, `y()`, `z()`,
-  ///        of any length and of either orientation: surfaces are not made across them
+  ///        of any length and of either orientation
   template <class NormalMap>
   Point_set_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
@@ -77,92 +81,128 @@ public:
   /// The descriptors of the sites would refer to a range that is gone.
   explicit Point_set_traits(PointRange&&) = delete;
   Point_set_traits(PointRange&&, const PointMap&) = delete;
+  Point_set_traits(const Point_set_traits&) = delete;
+  Point_set_traits& operator=(const Point_set_traits&) = delete;
+  ~Point_set_traits() = default;
 
-  /// \name Sites of the input
+  /// \name Sites
   /// @{
 
-  /// The points of the input for which the site stands; none for an inserted site.
-  CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const { return m_points[site]; }
-  /// The number of points of the input.
-  std::size_t number_of_input_sites() const { return m_points.number_of_points(); }
-  /// None: every point belongs to a site.
-  std::size_t number_of_isolated_vertices() const { return 0; }
+  /// One for each place of points.
+  Index number_of_sites() const { return m_complex.number_of_vertices(); }
+  /// Its place, in the normalized frame.
+  const Vector_3& point(Index site) const { return m_complex.point(site); }
+  /// The part of the area that the site stands for.
+  double weight(Index site) const { return m_complex.vertex_area(site); }
+  /// The outward unit normal.
+  const Vector_3& normal(Index site) const { return m_complex.normal(site); }
+  /// The sites that are joined with `site`, counterclockwise.
+  auto neighbors(Index site) const
+  {
+    const auto target = [this](Index halfedge) { return m_complex.target(halfedge); };
+    const auto outgoing = m_complex.outgoing(site);
+    return CGAL::make_range(boost::make_transform_iterator(outgoing.begin(), target),
+                            boost::make_transform_iterator(outgoing.end(), target));
+  }
+  /// The points of the input for which the site stands.
+  auto descriptors(Index site) const { return m_points[site]; }
   /// @}
 
-  /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
-  /// such are scans of trees, which `extract_tree_skeleton()` is for.
-  bool is_surface_doubtful() const
+  /// \name Triangles
+  /// @{
+
+  /// Those that join the points.
+  Index number_of_triangles() const { return m_complex.number_of_faces(); }
+  /// The three sites of a triangle, counterclockwise seen from outside.
+  std::array<Index, 3> triangle(Index face) const { return m_complex.face_vertices(face); }
+  /// The triangles with their edges.
+  const Point_complex& surface() const { return m_complex; }
+  /// @}
+
+  /// \name Coordinates of the input
+  /// @{
+
+  /// A point of the normalized frame in the coordinates of the input.
+  Point to_input_point(const Vector_3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
+  /// A length of the normalized frame in the unit of the input.
+  double to_input_length(double length) const { return length * m_normalization.unit; }
+  /// @}
+
+  /// \name The body
+  /// @{
+
+  /// Whether the winding number of the points around `point` is more than a half.
+  bool is_inside(const Vector_3& point) const { return m_body->is_inside(point); }
+  /// The middle of the body behind the site that is nearest to `point`, if it can be told.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const { return m_body->middle_behind(point); }
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
+  /// What it crosses twice within half the spacing of the points may be missed.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
   {
-    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+    m_body->crossings(from, to, distances);
   }
+  /// @}
+
+  /// \name Counts
+  /// @{
+
+  /// The number of points of the input.
+  std::size_t number_of_input_vertices() const { return m_points.number_of_points(); }
+  /// None: every point belongs to a site.
+  std::size_t number_of_isolated_vertices() const { return 0; }
+  /// None: borders stay as they are.
+  std::size_t number_of_bridged_borders() const { return 0; }
+  /// None: points are not refined.
+  std::size_t number_of_inserted_vertices() const { return 0; }
+  /// None: triangles are made of the points.
+  std::size_t number_of_degenerate_faces() const { return 0; }
+  /// The number of connected parts that are not small fragments.
+  std::size_t number_of_components() const { return m_complex.number_of_components(); }
+  /// Not known: the triangles need not be a surface.
+  std::optional<std::size_t> genus() const { return std::nullopt; }
+  /// @}
 
   /// What is doubtful about the input or was mended, one sentence each.
   std::vector<std::string> warnings() const
   {
     std::vector<std::string> result;
-    const auto warn = [&result](std::size_t count, const char* what) {
-      if (count > 0) {
-        result.push_back(std::to_string(count) + ' ' + what);
-      }
-    };
-    if (is_surface_doubtful()) {
-      result.emplace_back("the points hardly sample the surface of a body: it has " +
-                          std::to_string(m_report.number_of_border_edges) + " border edges for " +
-                          std::to_string(m_report.number_of_points) +
-                          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
-                          "extract_tree_skeleton() is made for it");
+    if (m_number_of_duplicates > 0) {
+      result.push_back(std::to_string(m_number_of_duplicates) +
+                       " points at the place of others: they belong to the same nodes");
     }
-    warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
-    warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
-    warn(m_report.number_of_holes, "holes of the reconstructed surface: closed by faces without weight");
-    warn(m_report.joined_gaps.size(), "gaps between fragments of the reconstructed surface: bridged");
-    warn(m_report.cut_handles.size(), "handles too small for the spacing of the points: cut");
+    if (m_number_of_points_off_surface > 0) {
+      result.push_back(std::to_string(m_number_of_points_off_surface) +
+                       " points in small fragments or alone: they belong to the nodes of the nearest");
+    }
     return result;
   }
-
-  /// What was done to make a surface of the points.
-  const Reconstruction_report& reconstruction_report() const { return m_report; }
 
   /// The wall-clock seconds that the constructor took.
   double seconds_to_compile() const { return m_seconds_to_compile; }
 
 private:
-  /// Border edges for each point from which on the surface is doubtful: 70 clouds of surfaces had at most 0.07, three
-  /// scans of trees 0.20 and more.
-  static constexpr double doubtful_border_edges = 0.12;
-
   template <class NormalMap>
   void compile(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
     const auto start = std::chrono::steady_clock::now();
     const internal::Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
-    internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
-    m_report = std::move(reconstructed.report);
-    auto compiled = internal::compile_surface(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
-    compiled.normalization = cloud.normalization.then(compiled.normalization);
-    compiled.number_of_bridged_borders = m_report.number_of_holes;
-    Base::set_surface(std::move(compiled));
-    m_points = {points, cloud, sites_of_points(cloud, reconstructed.point_of_vertex), Base::number_of_sites()};
+    m_normalization = cloud.normalization;
+    m_number_of_duplicates = cloud.number_of_duplicates();
+    std::vector<Index> vertex_of_point;
+    m_complex = drop_fragments(internal::build_point_complex(cloud), vertex_of_point);
+    m_number_of_points_off_surface = cloud.points.size() - m_complex.number_of_vertices();
+    internal::assign_to_nearest(cloud.points, vertex_of_point);
+    m_points = {points, cloud, vertex_of_point, number_of_sites()};
+    m_body = std::make_unique<internal::Point_solid_queries>(m_complex);
     m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  /// Finds the site of every point of the cloud.
-  std::vector<Index> sites_of_points(const internal::Point_cloud& cloud,
-                                     const std::vector<Index>& point_of_vertex) const
-  {
-    std::vector<Index> result(cloud.points.size(), internal::no_index);
-    for (Index site = 0; site < Base::number_of_sites(); ++site) {
-      const Index vertex = Base::input_point(site);
-      if (vertex != internal::no_index && point_of_vertex[vertex] != internal::no_index) {
-        result[point_of_vertex[vertex]] = site;
-      }
-    }
-    internal::assign_to_nearest(cloud.points, result);
-    return result;
-  }
-
-  internal::Points_of_sites<PointRange> m_points;
-  Reconstruction_report m_report;
+  Point_complex m_complex;
+  Normalization m_normalization;
+  internal::Input_points<PointRange> m_points;
+  std::unique_ptr<const internal::Point_solid_queries> m_body; // refers to the complex
+  std::size_t m_number_of_duplicates = 0;
+  std::size_t m_number_of_points_off_surface = 0;
   double m_seconds_to_compile = 0;
 };
 

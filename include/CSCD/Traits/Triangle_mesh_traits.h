@@ -6,10 +6,10 @@
 #ifndef CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 #define CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 
-#include <CSCD/Traits/Compiled_surface_traits.h>
+#include <CSCD/Surface/compile_surface.h>
+#include <CSCD/Traits/Triangulated_solid.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/compile_surface.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -51,7 +51,7 @@ public:
   /// The number of a site.
   using Index = typename Base::Index;
   /// What identifies a site of the input.
-  using Site_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  using Input_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   /// @}
 
   /// Compiles `mesh`, which is not referred to later; near linear.
@@ -77,22 +77,22 @@ public:
   /// @{
 
   /// Whether the site is a vertex of the input, not an inserted one.
-  bool is_input_site(Index site) const { return Base::input_point(site) != internal::no_index; }
+  bool is_input_vertex(Index site) const { return Base::input_point(site) != no_index; }
   /// The vertex of the input that the site is.
-  /// \pre `is_input_site(site)`
-  Site_descriptor descriptor(Index site) const
+  /// \pre `is_input_vertex(site)`
+  Input_descriptor descriptor(Index site) const
   {
-    CGAL_precondition(is_input_site(site));
+    CGAL_precondition(is_input_vertex(site));
     return m_descriptors[Base::input_point(site)];
   }
   /// The vertices of the input for which the site stands: one, none for an inserted site.
-  CGAL::Iterator_range<const Site_descriptor*> descriptors(Index site) const
+  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index site) const
   {
-    const Site_descriptor* first = is_input_site(site) ? &m_descriptors[Base::input_point(site)] : nullptr;
+    const Input_descriptor* first = is_input_vertex(site) ? &m_descriptors[Base::input_point(site)] : nullptr;
     return {first, first == nullptr ? first : first + 1};
   }
-  /// The number of sites for which `is_input_site()` holds.
-  std::size_t number_of_input_sites() const { return m_descriptors.size(); }
+  /// The number of sites for which `is_input_vertex()` holds.
+  std::size_t number_of_input_vertices() const { return m_descriptors.size(); }
   /// The number of vertices without a face: they are no sites.
   std::size_t number_of_isolated_vertices() const { return m_number_of_isolated_vertices; }
   /// @}
@@ -126,7 +126,7 @@ private:
     Base::set_surface(std::move(compiled));
   }
 
-  std::vector<Site_descriptor> m_descriptors; // of the points of the input
+  std::vector<Input_descriptor> m_descriptors; // of the points of the input
   std::size_t m_number_of_isolated_vertices = 0;
   double m_seconds_to_compile = 0;
 };

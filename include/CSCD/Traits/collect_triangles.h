@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads a polygon mesh of any type into points and index triples, and refuses what cannot be skeletonized.
+// Reads the triangles of a mesh of any type into flat arrays, and refuses what is no manifold.
 
 #ifndef CSCD_TRAITS_COLLECT_TRIANGLES_H
 #define CSCD_TRAITS_COLLECT_TRIANGLES_H
 
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/Traits/check_manifold.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
+#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/double.h>
 #include <CGAL/float.h>
@@ -25,6 +26,17 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// The point map that `np` gives, else that of the mesh; a mesh whose map is given need not have one of its own.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
+    return get(CGAL::vertex_point, mesh);
+  } else {
+    return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  }
+}
 
 /// With more faces than this the halfedges of the refined surface could no longer be indexed.
 inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
@@ -128,7 +140,7 @@ collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
     throw Input_error(
         "the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
   }
-  triangles.first_bridging_face = triangles.faces.size();
+  triangles.first_hole_filling_face = triangles.faces.size();
 
   const std::vector<Index> input_number = compact_numbers(triangles.faces, result.descriptors.size());
   result.number_of_isolated_vertices = result.descriptors.size() - input_number.size();

@@ -7,9 +7,8 @@
 #define CSCD_TREE_GAP_BRIDGING_H
 
 #include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Root_distances.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -121,8 +120,8 @@ private:
   /// Two pieces stand on the ground if their lowest points differ by at most this part of the lesser height.
   static constexpr double ground_tolerance = 0.15;
   /// Pieces of fewer points, or of a lesser part of the points of the largest object, that nothing joins are debris.
-  static constexpr double least_object = 20;
-  static constexpr double least_object_part = 0.005;
+  static constexpr double min_object = 20;
+  static constexpr double min_object_part = 0.005;
 
   /// What is known of a piece, and adds up.
   struct Moments
@@ -235,7 +234,7 @@ private:
     }
     std::stable_sort(roots.begin(), roots.end(),
                      [this](Index a, Index b) { return m_moments[a].number > m_moments[b].number; });
-    const double least = std::max(least_object, least_object_part * m_moments[roots.front()].number);
+    const double least = std::max(min_object, min_object_part * m_moments[roots.front()].number);
     std::vector<Index> object_of_root(m_points.size(), no_index);
     for (Index root : roots) {
       if (root == roots.front() || m_moments[root].number >= least) {

@@ -8,7 +8,7 @@
 
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Centers and radii of limbs.
+// Fits circles to the sections of limbs.
 
 #ifndef CSCD_TREE_SECTION_FITTING_H
 #define CSCD_TREE_SECTION_FITTING_H
 
-#include <CSCD/Tree/Circle_outcome.h>
 #include <CSCD/Tree/Limb.h>
-#include <CSCD/Tree/Section.h>
-#include <CSCD/Tree/Slice.h>
-#include <CSCD/Tree/fit_circle.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Vector_3.h>
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -22,6 +22,147 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A circle and how well points determine it.
+struct Circle_fit
+{
+  Eigen::Vector2d center = Eigen::Vector2d::Zero();
+  double radius = 0;
+  double deviation = 0;   ///< of the points near it from it, root mean square
+  double inlier_part = 0; ///< of the points near it among all
+  double coverage = 0;    ///< all of the circle but its longest arc without points: an angle
+};
+
+/// The algebraic fit of Taubin to weighted points, by the method of Chernov, Circular and Linear Regression
+/// (2010), 5.9. \return nothing if the points are at one place or on a line
+inline std::optional<Circle_fit> fit_circle_algebraically(const std::vector<Eigen::Vector2d>& points,
+                                                          const std::vector<double>& weights)
+{
+  double sum = 0;
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    sum += weights[i];
+    mean += weights[i] * points[i];
+  }
+  mean /= sum;
+  double mean_square = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    mean_square += weights[i] * (points[i] - mean).squaredNorm() / sum;
+  }
+  if (!(mean_square > 0)) {
+    return std::nullopt;
+  }
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d p = points[i] - mean;
+    const Eigen::Vector3d row((p.squaredNorm() - mean_square) / (2 * std::sqrt(mean_square)), p.x(), p.y());
+    moments += weights[i] / sum * row * row.transpose();
+  }
+  const Eigen::Vector3d solution = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
+  const double quadratic = solution[0] / (2 * std::sqrt(mean_square));
+  constexpr double straight = 1e-6; // relative to the scatter: the circle would be a line
+  if (std::abs(solution[0]) < straight) {
+    return std::nullopt;
+  }
+  Circle_fit result;
+  const Eigen::Vector2d offset = -solution.tail<2>() / (2 * quadratic);
+  result.center = mean + offset;
+  result.radius = std::sqrt(offset.squaredNorm() + mean_square);
+  return result;
+}
+
+/// Measures how well `points` determine `circle`: those count that deviate by at most `tolerance`.
+inline void measure_fit(const std::vector<Eigen::Vector2d>& points, double tolerance, Circle_fit& circle)
+{
+  std::vector<double> angles;
+  double sum = 0;
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d d = p - circle.center;
+    const double deviation = d.norm() - circle.radius;
+    if (std::abs(deviation) <= tolerance) {
+      angles.push_back(std::atan2(d.y(), d.x()));
+      sum += deviation * deviation;
+    }
+  }
+  if (angles.empty()) {
+    return;
+  }
+  constexpr double full = boost::math::double_constants::two_pi;
+  std::sort(angles.begin(), angles.end());
+  double longest_gap = angles.front() + full - angles.back();
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    longest_gap = std::max(longest_gap, angles[i] - angles[i - 1]);
+  }
+  circle.coverage = full - longest_gap;
+  circle.deviation = std::sqrt(sum / double(angles.size()));
+  circle.inlier_part = double(angles.size()) / double(points.size());
+}
+
+/// The standard deviation of the distances of `points` from `circle`, by their median, which outliers hardly move.
+inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle)
+{
+  constexpr double deviation_of_median = 1.4826; // a normal distribution's standard deviation, relative to its median
+  constexpr double min_deviation = 1e-6;       // relative to the radius: exact points have none
+  std::vector<double> deviations(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    deviations[i] = std::abs((points[i] - circle.center).norm() - circle.radius);
+  }
+  const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
+  std::nth_element(deviations.begin(), middle, deviations.end());
+  return std::max(deviation_of_median * *middle, min_deviation * circle.radius);
+}
+
+/// The step of a Gauss-Newton iteration for `circle`, two coordinates and the radius, in which points that deviate by
+/// more count less and those beyond `cutoff` do not (Tukey's biweight).
+inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle,
+                                         double cutoff)
+{
+  constexpr double damping = 1e-3; // a short arc hardly tells the radius from the center
+  Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector2d& p : points) {
+    const Eigen::Vector2d d = p - circle.center;
+    const double distance = d.norm();
+    const double relative = (distance - circle.radius) / cutoff;
+    if (std::abs(relative) >= 1 || distance == 0) {
+      continue;
+    }
+    const double weight = (1 - relative * relative) * (1 - relative * relative);
+    const Eigen::Vector3d row(d.x() / distance, d.y() / distance, 1);
+    normal_matrix += weight * row * row.transpose();
+    right_side += weight * (distance - circle.radius) * row;
+  }
+  normal_matrix.diagonal() *= 1 + damping;
+  return normal_matrix.ldlt().solve(right_side);
+}
+
+/// Fits a circle to `points`: algebraically first, then by least squares of the distances from it, in which points far
+/// from it, compared with the median, count less and less. O(n log n).
+/// \return nothing if the points are at one place or on a line
+inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& points)
+{
+  constexpr int rounds = 12;
+  constexpr double cutoff = 4; // in standard deviations: weights vanish
+  std::optional<Circle_fit> circle = fit_circle_algebraically(points, std::vector<double>(points.size(), 1.));
+  if (!circle) {
+    return std::nullopt;
+  }
+  double deviation = 0;
+  for (int round = 0; round < rounds; ++round) {
+    deviation = robust_deviation(points, *circle);
+    const Eigen::Vector3d step = gauss_newton_step(points, *circle, cutoff * deviation);
+    if (!step.allFinite()) {
+      break;
+    }
+    circle->center += step.head<2>();
+    circle->radius += step[2];
+    if (circle->radius <= 0) {
+      return std::nullopt;
+    }
+  }
+  measure_fit(points, cutoff / 2 * deviation, *circle);
+  return circle;
+}
 
 /// Fits circles to the slices of limbs, across them.
 class Section_fitting
@@ -71,7 +212,7 @@ public:
       if (section.is_rough) {
         const double scatter = scatter_radius(slice);
         section.radius =
-            std::max(std::sqrt(least_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
+            std::max(std::sqrt(min_part_of_scatter) * scatter, std::min(scatter, factor * std::sqrt(carried[slice])));
       }
     }
     smooth_radii(limb);
@@ -80,18 +221,18 @@ public:
 private:
   /// A circle is fitted to at least so many points, if there are ...
   static constexpr std::size_t wanted_points = 30;
-  static constexpr std::size_t least_points = 8;
+  static constexpr std::size_t min_points = 8;
   /// ... of at most so many slices to either side.
-  static constexpr std::size_t most_slices = 2;
+  static constexpr std::size_t max_slices = 2;
   /// The arc that points must cover, in radians ...
-  static constexpr double least_coverage = 1.4;
+  static constexpr double min_coverage = 1.4;
   /// ... their deviation, relative to the radius, and their part of all.
-  static constexpr double largest_deviation = 0.25;
-  static constexpr double least_inlier_part = 0.6;
+  static constexpr double max_deviation = 0.25;
+  static constexpr double min_inlier_part = 0.6;
   /// The deviation relative to that of trunks: of leaves it is larger.
   static constexpr double noise_limit = 3;
   /// The radius relative to the scatter of the points.
-  static constexpr double largest_radius = 3.5;
+  static constexpr double max_radius = 3.5;
   /// Directions across which circles are fitted are those of the centroids first, then those of the centers.
   static constexpr int rounds = 2;
   /// The slices to either side that tell the direction.
@@ -101,12 +242,12 @@ private:
   /// How far from the joint there is bark of the parent, relative to its radius.
   static constexpr double crotch = 2;
   /// The radius of a limb relative to that of its parent.
-  static constexpr double largest_of_parent = 1.1;
+  static constexpr double max_of_parent = 1.1;
   /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
-  static constexpr double least_part_of_scatter = 0.1;
-  static constexpr double least_confidence = 0.02;
+  static constexpr double min_part_of_scatter = 0.1;
+  static constexpr double min_confidence = 0.02;
   /// The scatter of fewer points does not tell a radius.
-  static constexpr std::size_t least_scatter_points = 4;
+  static constexpr std::size_t min_scatter_points = 4;
 
   void find_directions(const Limb& limb)
   {
@@ -136,7 +277,7 @@ private:
       }
     };
     project_slice(i);
-    for (std::size_t reach = 1; reach <= most_slices && result.size() < wanted_points; ++reach) {
+    for (std::size_t reach = 1; reach <= max_slices && result.size() < wanted_points; ++reach) {
       if (i >= reach) {
         project_slice(i - reach);
       }
@@ -163,15 +304,15 @@ private:
   /// Whether a circle tells the section.
   Circle_outcome judge(const Circle_fit& circle, double scatter, const Limb& limb) const
   {
-    if (circle.radius > largest_radius * scatter ||
-        (limb.joint != no_index && circle.radius > largest_of_parent * m_sections[limb.joint].radius)) {
+    if (circle.radius > max_radius * scatter ||
+        (limb.joint != no_index && circle.radius > max_of_parent * m_sections[limb.joint].radius)) {
       return Circle_outcome::too_wide;
     }
-    if (circle.deviation > largest_deviation * circle.radius || circle.inlier_part < least_inlier_part ||
+    if (circle.deviation > max_deviation * circle.radius || circle.inlier_part < min_inlier_part ||
         (m_noise > 0 && circle.deviation > noise_limit * m_noise)) {
       return Circle_outcome::scattered;
     }
-    return circle.coverage < least_coverage ? Circle_outcome::short_arc : Circle_outcome::fitted;
+    return circle.coverage < min_coverage ? Circle_outcome::short_arc : Circle_outcome::fitted;
   }
 
   void fit_section(const Limb& limb, std::size_t i)
@@ -181,7 +322,7 @@ private:
     const Vector_3 v = section.direction.cross(u);
     const std::vector<Eigen::Vector2d> points = project(limb, i, u, v);
     section.outcome = Circle_outcome::few_points;
-    const std::optional<Circle_fit> circle = points.size() < least_points ? std::nullopt : fit_circle(points);
+    const std::optional<Circle_fit> circle = points.size() < min_points ? std::nullopt : fit_circle(points);
     if (!circle) {
       return;
     }
@@ -194,10 +335,10 @@ private:
     }
     section.center = m_slices[limb.slices[i]].centroid + circle->center.x() * u + circle->center.y() * v;
     section.radius = circle->radius;
-    const double accuracy = 1 - circle->deviation / circle->radius / largest_deviation;
+    const double accuracy = 1 - circle->deviation / circle->radius / max_deviation;
     const double coverage = circle->coverage / boost::math::double_constants::two_pi;
     const double number = std::min(1., double(points.size()) / wanted_points);
-    section.confidence = std::max(least_confidence, accuracy * coverage * number * circle->inlier_part);
+    section.confidence = std::max(min_confidence, accuracy * coverage * number * circle->inlier_part);
   }
 
   /// Centers of circles are averaged with those around; where there is no circle, the center is as far from the
@@ -243,7 +384,7 @@ private:
     }
     section.is_rough = sum == 0;
     section.radius = section.is_rough ? scatter_radius(limb.slices[std::size_t(i)]) : radius / sum;
-    section.confidence = least_confidence;
+    section.confidence = min_confidence;
   }
 
   /// How far the centers of circles around a slice without one are from the centroids.
@@ -251,7 +392,7 @@ private:
   {
     const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     Vector_3 offset = Vector_3::Zero();
-    double sum = least_confidence;
+    double sum = min_confidence;
     for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
       const Section& other = m_sections[limb.slices[std::size_t(j)]];
       if (other.is_circle()) {
@@ -272,7 +413,7 @@ private:
       sum += (m_points[point] - section.center).cross(section.direction).squaredNorm();
     }
     sum /= double(m_slices[slice].points.size());
-    return std::sqrt(std::max(sum - 2 * m_noise * m_noise, least_part_of_scatter * sum));
+    return std::sqrt(std::max(sum - 2 * m_noise * m_noise, min_part_of_scatter * sum));
   }
 
   /// The weighted least squares fit of radii that do not increase from base to tip.
@@ -290,7 +431,7 @@ private:
     const std::size_t base = number_in_crotch(limb);
     for (std::size_t i = base; i < limb.slices.size(); ++i) {
       const Section& section = m_sections[limb.slices[i]];
-      if (!pools.empty() && section.is_rough && m_slices[limb.slices[i]].points.size() < least_scatter_points) {
+      if (!pools.empty() && section.is_rough && m_slices[limb.slices[i]].points.size() < min_scatter_points) {
         ++pools.back().size; // nothing is known of it
         continue;
       }

@@ -6,10 +6,9 @@
 #ifndef CSCD_TREE_SLICE_GROWTH_H
 #define CSCD_TREE_SLICE_GROWTH_H
 
+#include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Root_distances.h>
-#include <CSCD/Tree/Slice.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +63,7 @@ public:
 private:
   /// The width of a band, relative to the spacing of the points: wide enough for what is around a limb to hang
   /// together.
-  static constexpr double least_width = 3;
+  static constexpr double min_width = 3;
   /// And relative to the radius.
   static constexpr double width_in_radii = 1;
   /// How far back points still connect those of a band, relative to its width.
@@ -222,7 +221,7 @@ private:
   /// The width of the bands beyond a slice.
   static float width_beyond(const Slice& slice)
   {
-    return float(std::max(least_width * slice.spacing, width_in_radii * slice.radius));
+    return float(std::max(min_width * slice.spacing, width_in_radii * slice.radius));
   }
 
   const std::vector<Vector_3>& m_points;

@@ -6,12 +6,9 @@
 #ifndef CSCD_TREE_TREE_NODES_H
 #define CSCD_TREE_TREE_NODES_H
 
-#include <CSCD/Tree/Circle_outcome.h>
 #include <CSCD/Tree/Limb.h>
-#include <CSCD/Tree/Section.h>
-#include <CSCD/Tree/Slice.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <array>
@@ -55,7 +52,7 @@ public:
 
 private:
   /// The least distance of an end from the next center, relative to the spacing of the points.
-  static constexpr double least_end = 0.1;
+  static constexpr double min_end = 0.1;
   /// How far along its parent a joint is moved, relative to the radius of the parent.
   static constexpr double farthest_move = 3;
   /// The nodes from which the line of a branch is told.
@@ -105,7 +102,7 @@ private:
     for (Index point : m_slices[slice].points) {
       farthest = std::max(farthest, sense * (m_points[point] - section.center).dot(section.direction));
     }
-    if (farthest > least_end * m_slices[slice].spacing) {
+    if (farthest > min_end * m_slices[slice].spacing) {
       add_node(section.center + sense * farthest * section.direction, section.radius, branch);
     }
   }

@@ -6,20 +6,17 @@
 #ifndef CSCD_TREE_TREE_SKELETONIZATION_H
 #define CSCD_TREE_TREE_SKELETONIZATION_H
 
-#include <CSCD/Point_cloud/assign_to_nearest.h>
+#include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Limb.h>
-#include <CSCD/Tree/Limb_base_absorption.h>
 #include <CSCD/Tree/Limb_finder.h>
 #include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Root_distances.h>
 #include <CSCD/Tree/Root_search.h>
 #include <CSCD/Tree/Section_fitting.h>
-#include <CSCD/Tree/Slice.h>
 #include <CSCD/Tree/Slice_growth.h>
 #include <CSCD/Tree/Tree_nodes.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <array>

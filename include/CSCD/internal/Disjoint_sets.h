@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_DISJOINT_SETS_H
 #define CSCD_INTERNAL_DISJOINT_SETS_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>

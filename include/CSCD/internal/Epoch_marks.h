@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_EPOCH_MARKS_H
 #define CSCD_INTERNAL_EPOCH_MARKS_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,11 +6,17 @@
 #ifndef CSCD_INTERNAL_FOR_EACH_INDEX_H
 #define CSCD_INTERNAL_FOR_EACH_INDEX_H
 
-#include <CSCD/internal/Loop_order.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#ifdef CSCD_THREAD_SANITIZER
+#include <atomic>
+#endif
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -18,11 +24,46 @@
 #include <tbb/task_arena.h>
 #endif
 
-#include <algorithm>
-#include <type_traits>
-#include <utility>
-
 namespace CSCD::internal {
+
+/// What comes before a parallel loop comes before each of its calls, and each call before what follows the loop. TBB
+/// keeps this order by means of its library, which is not compiled with the thread sanitizer: all that a loop hands to
+/// its calls and gets back from them would look like a race. With the macro `CSCD_THREAD_SANITIZER` these objects keep
+/// the order once more, where the sanitizer sees it; without it they do nothing.
+/// The calls of a loop stay without order among themselves, so that races between them are found.
+struct Tsan_ordering
+{
+#ifdef CSCD_THREAD_SANITIZER
+  /// Lives in the calling thread from before the loop until after it, also when the loop throws.
+  struct Loop
+  {
+    Loop() { number_of_begins.fetch_add(1, std::memory_order_release); }
+    ~Loop() { number_of_ends.load(std::memory_order_acquire); }
+    Loop(const Loop&) = delete;
+    Loop& operator=(const Loop&) = delete;
+  };
+  /// Lives as long as one call of the loop; to be made before the call reads anything from outside.
+  struct Call
+  {
+    Call() { number_of_begins.load(std::memory_order_acquire); }
+    ~Call() { number_of_ends.fetch_add(1, std::memory_order_release); }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+  };
+
+private:
+  // Not members of a loop: a call would have to read where that is before it has an order.
+  static inline std::atomic<unsigned> number_of_begins{0};
+  static inline std::atomic<unsigned> number_of_ends{0};
+#else
+  struct Loop
+  {
+  };
+  struct Call
+  {
+  };
+#endif
+};
 
 /// Runs a function on indices, each time with a working object that belongs to the running thread.
 /// Sequential, and the model for every tag where TBB is not linked.
@@ -63,7 +104,7 @@ public:
   ///        `tbb::global_control`; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(bounded(number_of_threads, most_threads())), m_arena(int(m_number_of_threads)),
+      : m_number_of_threads(bounded(number_of_threads, max_threads())), m_arena(int(m_number_of_threads)),
         m_workers(std::move(make_worker))
   {
   }
@@ -71,12 +112,12 @@ public:
   template <class Function>
   void operator()(Index size, const Function& function)
   {
-    [[maybe_unused]] const Loop_order::Loop loop;
+    [[maybe_unused]] const Tsan_ordering::Loop loop;
     m_arena.execute([&] {
       tbb::parallel_for(
           Index(0), size,
           [&](Index i) {
-            [[maybe_unused]] const Loop_order::Call call;
+            [[maybe_unused]] const Tsan_ordering::Call call;
             function(i, m_workers.local());
           },
           tbb::simple_partitioner());
@@ -86,7 +127,7 @@ public:
   unsigned number_of_threads() const { return m_number_of_threads; }
 
 private:
-  static unsigned most_threads()
+  static unsigned max_threads()
   {
     return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
   }

@@ -6,7 +6,7 @@
 #ifndef CSCD_INTERNAL_SOLVE_CYCLIC_TRIDIAGONAL_H
 #define CSCD_INTERNAL_SOLVE_CYCLIC_TRIDIAGONAL_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the viewer page draws, as flat arrays.
+// The data of the page, in the forms that a page can hold.
 
 #ifndef CSCD_IO_INTERNAL_HTML_PAGE_DATA_H
 #define CSCD_IO_INTERNAL_HTML_PAGE_DATA_H
 
-#include <CSCD/IO/Html_page_cloud.h>
-#include <CSCD/IO/internal/skeleton_node_access.h>
+#include <CSCD/IO/internal/skeleton_access.h>
 #include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
 
@@ -17,6 +16,10 @@
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
+#include <boost/endian/conversion.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
@@ -27,13 +30,81 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <map>
+#include <string>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
+namespace CSCD {
+
+/// The points of a point set, and where the surface was mended.
+template <class Point>
+struct Html_page_cloud
+{
+  std::size_t number_of_points =
+      0; ///< the first vertices of the mesh are the points; 0 for a mesh that is no such surface
+  std::vector<Point> cut_handles; ///< where handles were cut
+  std::vector<Point> joined_gaps; ///< where fragments were joined
+};
+
+} // namespace CSCD
+
 namespace CSCD::internal {
+
+/// The bytes of `numbers`, least significant first: what the typed arrays of a browser hold.
+template <class Number>
+std::string little_endian_bytes(const std::vector<Number>& numbers)
+{
+  using Bits = std::conditional_t<sizeof(Number) == sizeof(std::uint32_t), std::uint32_t, std::uint64_t>;
+  static_assert(sizeof(Number) == sizeof(Bits), "only numbers of four or eight bytes");
+  std::string bytes(numbers.size() * sizeof(Number), '\0');
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Bits bits;
+    std::memcpy(&bits, &numbers[i], sizeof bits);
+    boost::endian::native_to_little_inplace(bits);
+    std::memcpy(&bytes[i * sizeof bits], &bits, sizeof bits);
+  }
+  return bytes;
+}
+
+/// `bytes` in base 64, padded with `=` to a multiple of four characters.
+inline std::string encode_base64(std::string bytes)
+{
+  namespace iterators = boost::archive::iterators;
+  constexpr int bits_of_character = 6;
+  constexpr int bits_of_byte = 8;
+  using Encoded =
+      iterators::base64_from_binary<iterators::transform_width<const char*, bits_of_character, bits_of_byte>>;
+  const std::size_t padding = (3 - bytes.size() % 3) % 3;
+  bytes.append(padding, '\0'); // the iterators read groups of three bytes to their end
+  std::string text(Encoded(bytes.data()), Encoded(bytes.data() + bytes.size()));
+  text.replace(text.size() - padding, padding, padding, '=');
+  return text;
+}
+
+/// `text` such that a page shows it literally.
+inline std::string escape_html(std::string text)
+{
+  boost::algorithm::replace_all(text, "&", "&amp;");
+  boost::algorithm::replace_all(text, "<", "&lt;");
+  boost::algorithm::replace_all(text, ">", "&gt;");
+  boost::algorithm::replace_all(text, "\"", "&quot;");
+  boost::algorithm::replace_all(text, "'", "&#39;");
+  return text;
+}
+
+/// `source` such that it can stand in a script element: it neither ends the element nor begins a comment in it.
+/// In the strings, regular expressions and comments of JavaScript, where alone these can occur, the meaning stays.
+inline std::string escape_script(std::string source)
+{
+  boost::algorithm::ireplace_all(source, "</script", "<\\/script");
+  boost::algorithm::replace_all(source, "<!--", "<\\!--");
+  return source;
+}
 
 /// Stands for "none" where the page expects the number of a node or of a branch.
 inline constexpr std::uint32_t html_page_none = std::numeric_limits<std::uint32_t>::max();

@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_INTERNAL_POLYGON_SOUP_H
 #define CSCD_IO_INTERNAL_POLYGON_SOUP_H
 
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <cstddef>
 #include <vector>

@@ -6,10 +6,10 @@
 #ifndef CSCD_IO_INTERNAL_SKELETON_COLLECTOR_H
 #define CSCD_IO_INTERNAL_SKELETON_COLLECTOR_H
 
-#include <CSCD/IO/internal/Text_scanner.h>
+#include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <boost/unordered_set.hpp>
 

@@ -6,9 +6,9 @@
 #ifndef CSCD_IO_INTERNAL_TRIANGLE_MESH_BUILDER_H
 #define CSCD_IO_INTERNAL_TRIANGLE_MESH_BUILDER_H
 
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>

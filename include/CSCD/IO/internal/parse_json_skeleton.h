@@ -8,7 +8,7 @@
 
 #include <CSCD/IO/internal/Skeleton_collector.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <nlohmann/json.hpp>
 

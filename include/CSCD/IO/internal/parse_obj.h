@@ -7,9 +7,9 @@
 #define CSCD_IO_INTERNAL_PARSE_OBJ_H
 
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Text_scanner.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>

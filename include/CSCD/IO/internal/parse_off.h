@@ -7,8 +7,8 @@
 #define CSCD_IO_INTERNAL_PARSE_OFF_H
 
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Text_scanner.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>

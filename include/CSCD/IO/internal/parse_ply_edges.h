@@ -6,13 +6,11 @@
 #ifndef CSCD_IO_INTERNAL_PARSE_PLY_EDGES_H
 #define CSCD_IO_INTERNAL_PARSE_PLY_EDGES_H
 
-#include <CSCD/IO/internal/Byte_scanner.h>
-#include <CSCD/IO/internal/Ply_header.h>
+#include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/Skeleton_collector.h>
-#include <CSCD/IO/internal/Text_scanner.h>
 #include <CSCD/IO/internal/parse_ply.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/endian/conversion.hpp>
 

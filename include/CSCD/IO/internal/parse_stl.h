@@ -6,12 +6,11 @@
 #ifndef CSCD_IO_INTERNAL_PARSE_STL_H
 #define CSCD_IO_INTERNAL_PARSE_STL_H
 
-#include <CSCD/IO/internal/Byte_scanner.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Text_scanner.h>
-#include <CSCD/IO/internal/merge_equal_points.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/repair_triangle_soup.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Vector_3.h>
 
 #include <boost/endian/conversion.hpp>
 

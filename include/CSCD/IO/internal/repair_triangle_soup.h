@@ -1,29 +1,80 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mending triangles that do not form an oriented manifold.
+// Makes a manifold of a triangle soup.
 
 #ifndef CSCD_IO_INTERNAL_REPAIR_TRIANGLE_SOUP_H
 #define CSCD_IO_INTERNAL_REPAIR_TRIANGLE_SOUP_H
 
 #include <CSCD/IO/Mesh_repair_report.h>
-#include <CSCD/IO/internal/merge_equal_points.h>
-#include <CSCD/IO/internal/pair_manifold.h>
-#include <CSCD/Traits/Halfedge_pairing.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <boost/functional/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Hashes a point by its coordinates; equal points have equal hashes.
+struct Point_hash
+{
+  std::size_t operator()(const Vector_3& point) const
+  {
+    std::size_t seed = 0;
+    for (double coordinate : point) {
+      boost::hash_combine(seed, coordinate + 0.0); // turns -0 into 0, which is equal
+    }
+    return seed;
+  }
+};
+
+/// Merges points of exactly equal coordinates into the first of them; the others keep their order. Linear.
+/// \param[out] new_index for each old point, its new index
+/// \return the number of points that vanished
+/// \pre the points are finite
+inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector<Index>& new_index)
+{
+  std::unordered_map<Vector_3, Index, Point_hash> index_of;
+  index_of.reserve(points.size());
+  new_index.resize(points.size());
+  Index size = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [place, is_new] = index_of.emplace(points[i], size);
+    new_index[i] = place->second;
+    if (is_new) {
+      points[size++] = points[i];
+    }
+  }
+  const std::size_t number_of_merged_points = points.size() - size;
+  points.resize(size);
+  return number_of_merged_points;
+}
+
+/// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
+inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles)
+{
+  const auto is_degenerate = [](const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
+    return std::nullopt;
+  }
+  try {
+    return check_manifold(triangles, [](Index vertex) { return vertex; });
+  } catch (const Input_error&) {
+    return std::nullopt;
+  }
+}
 
 /// Triangles as CGAL's functions for soups want them.
 struct Cgal_soup
@@ -54,7 +105,7 @@ struct Cgal_soup
     for (const Polygon& t : polygons) {
       result.faces.push_back({static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])});
     }
-    result.first_bridging_face = result.faces.size();
+    result.first_hole_filling_face = result.faces.size();
     return result;
   }
 

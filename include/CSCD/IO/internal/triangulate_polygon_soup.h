@@ -7,8 +7,8 @@
 #define CSCD_IO_INTERNAL_TRIANGULATE_POLYGON_SOUP_H
 
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/Traits/Indexed_triangles.h>
-#include <CSCD/internal/Vector_3.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
@@ -146,7 +146,7 @@ inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& soup)
     triangulator.triangulate(polygon);
   }
   result.points = std::move(soup.points);
-  result.first_bridging_face = result.faces.size();
+  result.first_hole_filling_face = result.faces.size();
   return result;
 }
 

@@ -1,0 +1,245 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The fields whose level sets reconstruct a body from its skeleton.
+
+#ifndef CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
+#define CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
+
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The signed distance from the union of round cones, the convex hulls of the balls around the two ends of each edge:
+/// negative inside, exact outside, and inside no greater in magnitude than the distance from the surface.
+/// Unlike a convolution it neither shortens tips nor swells junctions. A node without edges is a ball.
+class Round_cone_field
+{
+public:
+  /// \pre `skeleton` has nodes, and radii, which are positive or zero
+  explicit Round_cone_field(const Indexed_skeleton& skeleton)
+  {
+    CGAL_precondition(skeleton.has_radii());
+    std::vector<char> has_edge(skeleton.number_of_nodes(), 0);
+    for (const std::array<Index, 2>& edge : skeleton.edges) {
+      add_cone(skeleton.points[edge[0]], skeleton.points[edge[1]], skeleton.radii[edge[0]], skeleton.radii[edge[1]]);
+      has_edge[edge[0]] = has_edge[edge[1]] = 1;
+    }
+    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+      if (!has_edge[v]) {
+        add_cone(skeleton.points[v], skeleton.points[v], skeleton.radii[v], skeleton.radii[v]);
+      }
+    }
+  }
+
+  /// The signed distance of `point`; linear in the number of edges.
+  double operator()(const Vector_3& point) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Cone& cone : m_cones) {
+      least = std::min(least, signed_distance(cone, point));
+    }
+    return least;
+  }
+
+private:
+  /// A ball is a cone of length zero.
+  struct Cone
+  {
+    Vector_3 source, direction;
+    double length, source_radius, target_radius;
+    double sine, cosine; // of the angle between the axis and the straight lines of the surface
+  };
+
+  void add_cone(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
+  {
+    const double length = (target - source).norm();
+    const double sine = length > 0 ? (source_radius - target_radius) / length : 1;
+    if (std::abs(sine) < 1) {
+      m_cones.push_back(
+          {source, (target - source) / length, length, source_radius, target_radius, sine, std::sqrt(1 - sine * sine)});
+    } else { // one ball holds the other
+      const bool is_source = source_radius >= target_radius;
+      const double radius = std::max(source_radius, target_radius);
+      m_cones.push_back({is_source ? source : target, Vector_3::Zero(), 0, radius, radius, 0, 1});
+    }
+  }
+
+  static double signed_distance(const Cone& cone, const Vector_3& point)
+  {
+    const Vector_3 to_point = point - cone.source;
+    const double x = to_point.dot(cone.direction);
+    const double y2 = std::max(to_point.squaredNorm() - x * x, 0.);
+    const double y = std::sqrt(y2);
+    // Coordinate along the straight line of the surface below the point, 0 where it leaves the first ball.
+    const double along = x * cone.cosine - y * cone.sine;
+    if (along <= 0) {
+      return std::sqrt(x * x + y2) - cone.source_radius;
+    }
+    if (along >= cone.length * cone.cosine) {
+      return std::sqrt((x - cone.length) * (x - cone.length) + y2) - cone.target_radius;
+    }
+    return x * cone.sine + y * cone.cosine - cone.source_radius;
+  }
+
+  std::vector<Cone> m_cones;
+};
+
+/// The convolution of a skeleton with the inverse quartic kernel.
+///
+/// The surface is where F = 1 for F(p) = 2/pi times the integral of r(x)^3 / |p - x|^4 over all edges, with the radius
+/// r varying linearly along each edge. An endless straight line of constant radius r thereby gives the cylinder of
+/// radius r exactly, whatever r is, and the surface depends on the union of the edges only, not on how many nodes
+/// divide them. The kernel is the limit of the Cauchy kernel for great widths; those that decay more slowly let distant
+/// limbs swell each other. A node without edges is a ball of its radius. See A. Sherstyuk, Kernel functions in
+/// convolution surfaces (The Visual Computer, 1999).
+class Convolution_field
+{
+public:
+  /// \pre `skeleton` has radii, which are positive or zero
+  explicit Convolution_field(const Indexed_skeleton& skeleton)
+  {
+    CGAL_precondition(skeleton.has_radii());
+    Disjoint_sets places(skeleton.number_of_nodes()); // of nodes that edges of length zero join
+    for (const std::array<Index, 2>& edge : skeleton.edges) {
+      const double length = skeleton.length(edge);
+      if (length > 0) {
+        const Vector_3& source = skeleton.points[edge[0]];
+        m_edges.push_back({source, (skeleton.points[edge[1]] - source) / length, length, skeleton.radii[edge[0]],
+                           skeleton.radii[edge[1]]});
+      } else {
+        places.join(edge[0], edge[1]);
+      }
+    }
+    add_balls(skeleton, places);
+  }
+
+  /// F at `point`; linear in the number of edges.
+  double convolution(const Vector_3& point) const
+  {
+    double sum = 0;
+    for (const Edge& edge : m_edges) {
+      sum += integral(edge, point);
+    }
+    sum *= boost::math::double_constants::two_div_pi;
+    for (const Ball& ball : m_balls) {
+      const double ratio = ball.radius * ball.radius / std::max((point - ball.center).squaredNorm(), min_square);
+      sum += ratio * ratio;
+    }
+    return sum;
+  }
+
+  /// A function that is negative inside the surface and grows evenly across it: F^(-1/3) - 1, which for an endless line
+  /// is the distance from it over its radius, less 1.
+  double operator()(const Vector_3& point) const
+  {
+    constexpr double min_convolution = 1e-30; // far from everything; keeps the result finite
+    return 1 / std::cbrt(std::max(convolution(point), min_convolution)) - 1;
+  }
+
+private:
+  struct Edge
+  {
+    Vector_3 source, direction;
+    double length, source_radius, target_radius;
+  };
+  struct Ball
+  {
+    Vector_3 center;
+    double radius;
+  };
+
+  /// Adds a ball for each place without an edge of any length, of the greatest radius of its nodes.
+  void add_balls(const Indexed_skeleton& skeleton, Disjoint_sets& places)
+  {
+    std::vector<char> has_length(skeleton.number_of_nodes(), 0);
+    for (const std::array<Index, 2>& edge : skeleton.edges) {
+      if (skeleton.length(edge) > 0) {
+        has_length[places.find(edge[0])] = has_length[places.find(edge[1])] = 1;
+      }
+    }
+    std::vector<double> radius(skeleton.number_of_nodes(), 0.);
+    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+      radius[places.find(v)] = std::max(radius[places.find(v)], skeleton.radii[v]);
+    }
+    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+      if (places.find(v) == v && has_length[v] == 0) {
+        m_balls.push_back({skeleton.points[v], radius[v]});
+      }
+    }
+  }
+
+  /// Squared distances below this, in squared units of the skeleton's coordinates, count as this: the kernel has a
+  /// pole.
+  static constexpr double min_square = 1e-14;
+
+  /// The integral of r(x)^3 / |point - x|^4 along `edge`.
+  static double integral(const Edge& edge, const Vector_3& point)
+  {
+    const Vector_3 to_point = point - edge.source;
+    const double foot = to_point.dot(edge.direction);
+    const double x0 = -foot;
+    const double x1 = edge.length - foot;
+    const double square = std::max(to_point.squaredNorm() - foot * foot, 0.); // of the distance from the line
+    const double gap = std::max({0., x0, -x1});                               // from the foot to the edge
+    constexpr double far = 3;                                                 // in lengths of the edge
+    return square + gap * gap > far * far * edge.length * edge.length ? integral_from_afar(edge, x0, square)
+                                                                      : exact_integral(edge, x0, x1, square);
+  }
+
+  /// By Gauss's formula of three points, whose relative error is below 1e-4 where it is used.
+  static double integral_from_afar(const Edge& edge, double x0, double square)
+  {
+    constexpr double offset = 0.38729833462074169; // of the outer points from the middle, in lengths: sqrt(3/20)
+    const double slope = (edge.target_radius - edge.source_radius) / edge.length;
+    const auto integrand = [&](double t) {
+      const double x = x0 + t * edge.length;
+      const double radius = edge.source_radius + slope * t * edge.length;
+      const double q = x * x + square;
+      return radius * radius * radius / (q * q);
+    };
+    return edge.length / 18 * (5 * integrand(0.5 - offset) + 8 * integrand(0.5) + 5 * integrand(0.5 + offset));
+  }
+
+  /// In closed form. Let x run along the line, 0 at the foot of the point, let h be its distance from the line,
+  /// q = x^2 + h^2 and r = a + b x. Then the primitive functions of x^k / q^2 are, for k = 0 to 3, (x/q + atan(x/h)/h)
+  /// / (2 h^2), -1 / (2 q), (atan(x/h)/h - x/q) / 2 and (ln q + h^2/q) / 2.
+  static double exact_integral(const Edge& edge, double x0, double x1, double square)
+  {
+    // Closer to the line than this, in the greater distance to an end, F is great and needs no digits.
+    constexpr double relative_least_square = 1e-6;
+    const double h2 = std::max({square, relative_least_square * std::max(x0 * x0, x1 * x1), min_square});
+    const double h = std::sqrt(h2);
+    const double q0 = x0 * x0 + h2;
+    const double q1 = x1 * x1 + h2;
+    const double b = (edge.target_radius - edge.source_radius) / edge.length;
+    const double a = edge.source_radius - b * x0;
+    const double angle = std::atan2(h * edge.length, h2 + x0 * x1) / h; // atan(x1/h) - atan(x0/h), divided by h
+    const double ratio = x1 / q1 - x0 / q0;
+    const double reciprocal = 1 / q1 - 1 / q0;
+    double sum = a * a * a * (ratio + angle) / h2 - 3 * a * a * b * reciprocal + 3 * a * b * b * (angle - ratio);
+    if (b != 0) {
+      sum += b * b * b * (std::log(q1 / q0) + h2 * reciprocal);
+    }
+    return std::max(sum / 2, 0.);
+  }
+
+  std::vector<Edge> m_edges;
+  std::vector<Ball> m_balls;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_MEASURE_RECONSTRUCTION_FIELDS_H

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The skeleton while it is being built.
+
+#ifndef CSCD_SKELETON_SKELETON_BUILDER_H
+#define CSCD_SKELETON_SKELETON_BUILDER_H
+
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Nodes and edges that can be inserted, merged and removed, in the normalized frame of the traits object.
+/// Parallel edges and loops may occur on the way.
+class Skeleton_builder
+{
+public:
+  struct Node
+  {
+    Vector_3 position = Vector_3::Zero();
+    /// Radius of the body around the node.
+    double radius = 0;
+    /// Positions of the packed separators that the node stands for.
+    std::vector<Index> separators;
+    /// The pieces of the cut surface that the node stands for.
+    std::vector<Index> pieces;
+    /// Adjacent nodes; a node that is adjacent by two edges stands twice.
+    std::vector<Index> neighbors;
+    bool is_removed = false;
+  };
+
+  Index add_node(const Vector_3& position, double radius)
+  {
+    m_nodes.emplace_back();
+    m_nodes.back().position = position;
+    m_nodes.back().radius = radius;
+    return Index(m_nodes.size() - 1);
+  }
+
+  void add_edge(Index a, Index b)
+  {
+    m_nodes[a].neighbors.push_back(b);
+    m_nodes[b].neighbors.push_back(a);
+  }
+
+  /// Removes one edge between `a` and `b`.
+  void remove_edge(Index a, Index b)
+  {
+    erase_one(m_nodes[a].neighbors, b);
+    erase_one(m_nodes[b].neighbors, a);
+  }
+
+  /// Replaces one edge between `a` and `b` by a path over the new node at `position`. \return the new node
+  Index split_edge(Index a, Index b, const Vector_3& position, double radius)
+  {
+    const Index node = add_node(position, radius);
+    replace_one(m_nodes[a].neighbors, b, node);
+    replace_one(m_nodes[b].neighbors, a, node);
+    m_nodes[node].neighbors = {a, b};
+    return node;
+  }
+
+  /// Removes `node`, of degree 2, and joins its neighbors.
+  void bypass(Index node)
+  {
+    const Index a = m_nodes[node].neighbors[0];
+    const Index b = m_nodes[node].neighbors[1];
+    replace_one(m_nodes[a].neighbors, node, b);
+    replace_one(m_nodes[b].neighbors, node, a);
+    remove(node, a);
+  }
+
+  /// Joins `node` to `into`: edges between the two disappear, all others move.
+  /// \pre `node` has no loop
+  void contract(Index node, Index into)
+  {
+    CGAL_precondition(std::count(m_nodes[node].neighbors.begin(), m_nodes[node].neighbors.end(), node) == 0);
+    std::vector<Index> moved;
+    for (Index neighbor : m_nodes[node].neighbors) {
+      if (neighbor != into) {
+        moved.push_back(neighbor);
+      }
+    }
+    std::vector<Index>& kept = m_nodes[into].neighbors;
+    kept.erase(std::remove(kept.begin(), kept.end(), node), kept.end());
+    for (Index neighbor : moved) {
+      replace_one(m_nodes[neighbor].neighbors, node, into);
+      kept.push_back(neighbor);
+    }
+    remove(node, into);
+  }
+
+  Index size() const { return Index(m_nodes.size()); }
+  Node& operator[](Index node) { return m_nodes[node]; }
+  const Node& operator[](Index node) const { return m_nodes[node]; }
+  std::size_t degree(Index node) const { return m_nodes[node].neighbors.size(); }
+
+  /// Whether `node` is inside a branch.
+  bool is_regular(Index node) const { return degree(node) == 2; }
+  bool is_junction(Index node) const { return degree(node) >= 3; }
+
+  double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
+
+  /// Drops the removed nodes; the others are renumbered in order.
+  void compact()
+  {
+    std::vector<Index> number(m_nodes.size(), no_index);
+    Index count = 0;
+    for (Index node = 0; node < m_nodes.size(); ++node) {
+      if (!m_nodes[node].is_removed) {
+        number[node] = count++;
+      }
+    }
+    m_nodes.erase(std::remove_if(m_nodes.begin(), m_nodes.end(), [](const Node& node) { return node.is_removed; }),
+                  m_nodes.end());
+    for (Node& node : m_nodes) {
+      for (Index& neighbor : node.neighbors) {
+        neighbor = number[neighbor];
+      }
+    }
+  }
+
+  /// Calls `function(a, b)` for each edge, with `a` <= `b`, in a fixed order. A loop of one node counts once.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    for (Index a = 0; a < m_nodes.size(); ++a) {
+      std::size_t loop_ends = 0;
+      for (Index b : m_nodes[a].neighbors) {
+        if (a < b || (a == b && ++loop_ends % 2 == 1)) {
+          function(a, b);
+        }
+      }
+    }
+  }
+
+private:
+  /// Marks `node`, which none of its neighbors knows any more, as removed; what it stood for goes to `heir`.
+  void remove(Index node, Index heir)
+  {
+    append(m_nodes[heir].separators, m_nodes[node].separators);
+    append(m_nodes[heir].pieces, m_nodes[node].pieces);
+    m_nodes[node] = Node();
+    m_nodes[node].is_removed = true;
+  }
+
+  static void append(std::vector<Index>& to, const std::vector<Index>& from)
+  {
+    to.insert(to.end(), from.begin(), from.end());
+  }
+  static void replace_one(std::vector<Index>& list, Index old_value, Index new_value)
+  {
+    *std::find(list.begin(), list.end(), old_value) = new_value;
+  }
+  static void erase_one(std::vector<Index>& list, Index value)
+  {
+    list.erase(std::find(list.begin(), list.end(), value));
+  }
+
+  std::vector<Node> m_nodes;
+};
+
+} // namespace CSCD
+
+namespace CSCD {
+
+/// Nodes and edges in the normalized frame of the traits object, and what of the surface belongs to each node.
+struct Embedded_skeleton
+{
+  /// Nodes and edges; none is removed.
+  Skeleton_builder graph;
+  /// For each site, the node to which it belongs.
+  std::vector<Index> node_of_vertex;
+  /// For each node, the radius of the body around it.
+  std::vector<double> radius;
+};
+
+} // namespace CSCD
+
+namespace CSCD {
+
+/// Divides loops and all but one of parallel edges by further nodes, so that every cycle has at least three nodes.
+/// A divided edge is bent aside, since its two ends may lie in one place or be joined by a straight edge already.
+inline void make_simple(Skeleton_builder& builder)
+{
+  std::vector<std::pair<Index, Index>> edges;
+  builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
+  std::set<std::pair<Index, Index>> seen;
+  for (const auto& [a, b] : edges) {
+    const double radius = (builder[a].radius + builder[b].radius) / 2;
+    const Vector_3 along = builder[b].position - builder[a].position;
+    if (a == b) {
+      const Index first = builder.split_edge(a, a, builder[a].position + radius * Vector_3::UnitX() / 2, radius);
+      builder.split_edge(first, a, builder[a].position + radius * Vector_3::UnitY() / 2, radius);
+    } else if (!seen.insert({a, b}).second) {
+      const Vector_3 aside = along.norm() > 0 ? Vector_3(along.unitOrthogonal()) : Vector_3(Vector_3::UnitX());
+      builder.split_edge(a, b, builder[a].position + along / 2 + radius / 2 * aside, radius);
+    }
+  }
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SKELETON_SKELETON_BUILDER_H

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which node each site belongs to, and how thick the body is around each node.
+
+#ifndef CSCD_SKELETON_VERTEX_ASSIGNMENT_H
+#define CSCD_SKELETON_VERTEX_ASSIGNMENT_H
+
+#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Assigns each site to the nearest node that can be reached by going downhill, in distance, from a node of its own
+/// piece of the surface; so sites on a limb stay with that limb, however near another one comes.
+/// \tparam Traits a model of `SkeletonizationTraits`
+template <class Traits>
+class Vertex_assignment
+{
+public:
+  /// Assigns all sites; linear in their number for skeletons of bounded degree.
+  Vertex_assignment(const Traits& traits, const Cut_graph& cut_graph, const Skeleton_builder& builder)
+      : m_traits(traits), m_builder(builder), m_node(traits.number_of_sites())
+  {
+    collect_starts(cut_graph);
+    for (Index site = 0; site < m_node.size(); ++site) {
+      m_node[site] = descend(traits.point(site), nearest_start(traits.point(site), cut_graph.piece_of_vertex(site)));
+    }
+    measure_radii();
+  }
+
+  /// The node to which `site` belongs.
+  Index node(Index site) const { return m_node[site]; }
+  /// Mean distance of the surface around `node` from the curve, by area.
+  double radius(Index node) const { return m_radius[node]; }
+
+  /// Hands both over to `skeleton`, and is empty afterwards.
+  void move_to(Embedded_skeleton& skeleton) &&
+  {
+    skeleton.node_of_vertex = std::move(m_node);
+    skeleton.radius = std::move(m_radius);
+  }
+
+private:
+  /// For each piece, the nodes of its separators and its own.
+  void collect_starts(const Cut_graph& cut_graph)
+  {
+    m_starts.resize(cut_graph.pieces().size());
+    std::vector<Index> node_of_separator;
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      for (Index separator : m_builder[node].separators) {
+        node_of_separator.resize(std::max<std::size_t>(node_of_separator.size(), separator + 1), no_index);
+        node_of_separator[separator] = node;
+      }
+      for (Index piece : m_builder[node].pieces) {
+        m_starts[piece].push_back(node);
+      }
+    }
+    for (Index piece = 0; piece < m_starts.size(); ++piece) {
+      for (Index separator : cut_graph.pieces()[piece].separators) {
+        m_starts[piece].push_back(node_of_separator[separator]);
+      }
+    }
+  }
+
+  double squared_distance(const Vector_3& point, Index node) const
+  {
+    return (point - m_builder[node].position).squaredNorm();
+  }
+
+  Index nearest_start(const Vector_3& point, Index piece) const
+  {
+    return *std::min_element(m_starts[piece].begin(), m_starts[piece].end(),
+                             [&](Index a, Index b) { return squared_distance(point, a) < squared_distance(point, b); });
+  }
+
+  Index descend(const Vector_3& point, Index node) const
+  {
+    double least = squared_distance(point, node);
+    for (bool is_descending = true; is_descending;) {
+      is_descending = false;
+      for (Index neighbor : m_builder[node].neighbors) {
+        const double distance = squared_distance(point, neighbor);
+        if (distance < least) {
+          least = distance;
+          node = neighbor;
+          is_descending = true;
+          break;
+        }
+      }
+    }
+    return node;
+  }
+
+  /// The squared distance of `point` from the edges at `node`, or from `node` where it has none.
+  double squared_distance_from_curve(const Vector_3& point, Index node) const
+  {
+    double least = squared_distance(point, node);
+    const Vector_3& origin = m_builder[node].position;
+    for (Index neighbor : m_builder[node].neighbors) {
+      const Vector_3 edge = m_builder[neighbor].position - origin;
+      const double along = std::clamp(edge.dot(point - origin) / edge.squaredNorm(), 0., 1.);
+      if (along > 0) {
+        least = std::min(least, (point - origin - along * edge).squaredNorm());
+      }
+    }
+    return least;
+  }
+
+  void measure_radii()
+  {
+    std::vector<double> weight(m_builder.size(), 0);
+    m_radius.assign(m_builder.size(), 0);
+    for (Index site = 0; site < m_node.size(); ++site) {
+      const double vertex_weight = m_traits.weight(site);
+      m_radius[m_node[site]] +=
+          vertex_weight * std::sqrt(squared_distance_from_curve(m_traits.point(site), m_node[site]));
+      weight[m_node[site]] += vertex_weight;
+    }
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      m_radius[node] = weight[node] > 0 ? m_radius[node] / weight[node] : m_builder[node].radius;
+    }
+  }
+
+  const Traits& m_traits;
+  const Skeleton_builder& m_builder;
+  std::vector<Index> m_node;
+  std::vector<double> m_radius;
+  std::vector<std::vector<Index>> m_starts;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_VERTEX_ASSIGNMENT_H

@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The next coarser level of a surface: a maximal independent set of its vertices, all others collapsed into them.
+
+#ifndef CSCD_SURFACE_COARSENING_H
+#define CSCD_SURFACE_COARSENING_H
+
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of
+/// them. The coarse vertices are a subset of the fine ones, the coarse surface is a closed oriented manifold of the
+/// same topology, and the result depends on the numbering of the fine surface alone. Linear.
+class Coarsening
+{
+public:
+  explicit Coarsening(const Triangulated_surface& fine) : m_fine(fine)
+  {
+    copy_rings();
+    freeze_bridges();
+    choose_kept_vertices();
+    collapse_others();
+    number_coarse_vertices();
+  }
+
+  /// The coarse surface as points and faces.
+  Indexed_triangles triangles() const
+  {
+    Indexed_triangles result;
+    result.points.reserve(m_fine_vertex.size());
+    for (Index vertex : m_fine_vertex) {
+      result.points.push_back(m_fine.point(vertex));
+    }
+    result.faces.reserve(2 * m_fine_vertex.size());
+    std::vector<std::array<Index, 3>> bridging;
+    for (Index vertex : m_fine_vertex) {
+      append_faces_of(vertex, result.faces, bridging);
+    }
+    result.first_hole_filling_face = result.faces.size();
+    result.faces.insert(result.faces.end(), bridging.begin(), bridging.end());
+    return result;
+  }
+
+  /// For each coarse vertex, the fine vertex that it is.
+  const std::vector<Index>& fine_vertex() const { return m_fine_vertex; }
+  /// For each fine vertex, the coarse vertex that it is or was collapsed into.
+  const std::vector<Index>& coarse_vertex() const { return m_coarse_vertex; }
+
+private:
+  enum class Status : std::uint8_t
+  {
+    open,    ///< undecided, or could not be collapsed: stays
+    kept,    ///< in the independent set
+    removed, ///< collapsed into a kept vertex
+    frozen   ///< stays, and so do its faces
+  };
+
+  /// Room for the ring of a vertex; vertices of higher degree are frozen. A bound keeps all rings in one flat array.
+  static constexpr Index max_degree = 20;
+  /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
+  static constexpr Index max_degree_after = 16;
+  /// Squared cosine of the largest turn of a face's normal in a collapse, about 78 degrees.
+  static constexpr double min_squared_cosine = 0.04;
+  /// Weight of the turn of the normals against the squared length in the cost of a collapse.
+  static constexpr double turn_weight = 3;
+
+  Index* ring(Index vertex) { return m_ring.data() + std::size_t(vertex) * max_degree; }
+  const Index* ring(Index vertex) const { return m_ring.data() + std::size_t(vertex) * max_degree; }
+
+  void copy_rings()
+  {
+    const Index n = m_fine.number_of_vertices();
+    m_ring.resize(std::size_t(n) * max_degree);
+    m_degree.assign(n, 0);
+    m_status.assign(n, Status::open);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      if (m_fine.degree(vertex) > max_degree) {
+        freeze_star(vertex);
+        continue;
+      }
+      Index* at = ring(vertex);
+      for (Index halfedge : m_fine.outgoing(vertex)) {
+        *at++ = m_fine.target(halfedge);
+      }
+      m_degree[vertex] = std::uint8_t(m_fine.degree(vertex));
+    }
+  }
+
+  void freeze_star(Index vertex)
+  {
+    m_status[vertex] = Status::frozen;
+    for (Index halfedge : m_fine.outgoing(vertex)) {
+      m_status[m_fine.target(halfedge)] = Status::frozen;
+    }
+  }
+
+  /// Faces without weight stay as they are, so that they remain known on every level.
+  void freeze_bridges()
+  {
+    for (Index h = 3 * m_fine.first_hole_filling_face(); h < m_fine.number_of_halfedges(); ++h) {
+      m_status[m_fine.origin(h)] = Status::frozen;
+    }
+  }
+
+  void choose_kept_vertices()
+  {
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] != Status::open) {
+        continue;
+      }
+      const Index* begin = ring(vertex);
+      const bool is_free =
+          std::none_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::kept; });
+      if (is_free) {
+        m_status[vertex] = Status::kept;
+      }
+    }
+  }
+
+  void collapse_others()
+  {
+    m_parent.resize(m_status.size());
+    std::iota(m_parent.begin(), m_parent.end(), Index(0));
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] != Status::open || m_degree[vertex] < 3) {
+        continue;
+      }
+      const Index* begin = ring(vertex);
+      if (std::any_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::frozen; })) {
+        continue;
+      }
+      const Index side = best_collapse(vertex);
+      if (side != no_index) {
+        collapse(vertex, side);
+      }
+    }
+  }
+
+  /// The position in the ring of `vertex` of the kept neighbor that it is best collapsed into, or `no_index`.
+  Index best_collapse(Index vertex) const
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    std::array<Vector_3, max_degree> incident_edge;
+    std::array<Vector_3, max_degree> face_vector;
+    for (Index i = 0; i < degree; ++i) {
+      incident_edge[i] = m_fine.point(neighbors[i]) - m_fine.point(vertex);
+    }
+    for (Index i = 0; i < degree; ++i) {
+      face_vector[i] = incident_edge[i].cross(incident_edge[(i + 1) % degree]);
+    }
+    Index best = no_index;
+    double best_cost = std::numeric_limits<double>::max();
+    for (Index i = 0; i < degree; ++i) {
+      if (m_status[neighbors[i]] != Status::kept || incident_edge[i].squaredNorm() >= best_cost) {
+        continue;
+      }
+      const double cosine = least_turn_squared_cosine(incident_edge, face_vector, degree, i);
+      const double cost = incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine));
+      if (cosine >= min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
+        best = i;
+        best_cost = cost;
+      }
+    }
+    return best;
+  }
+
+  /// The squared cosine of the largest turn of a normal when the center moves along incident edge `side`; -1 if one turns by
+  /// 90 degrees or more.
+  static double least_turn_squared_cosine(const std::array<Vector_3, max_degree>& incident_edge,
+                                     const std::array<Vector_3, max_degree>& face_vector, Index degree, Index side)
+  {
+    double least = 1;
+    for (Index j = 1; j + 1 < degree; ++j) {
+      const Index a = (side + j) % degree;
+      const Index b = (side + j + 1) % degree;
+      const Vector_3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[b] - incident_edge[side]);
+      const double product = moved.dot(face_vector[a]);
+      const double norms = moved.squaredNorm() * face_vector[a].squaredNorm();
+      if (product <= 0 || norms <= 0) {
+        return -1;
+      }
+      least = std::min(least, product * product / norms);
+      if (least < min_squared_cosine) {
+        return -1;
+      }
+    }
+    return least;
+  }
+
+  /// Whether collapsing `vertex` into its ring neighbor at `side` keeps a manifold: the link condition, and no vertex
+  /// left with fewer than three neighbors.
+  bool is_collapsible(Index vertex, Index side) const
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    if (m_degree[into] + degree - 4 > max_degree_after) {
+      return false;
+    }
+    if (m_degree[neighbors[(side + 1) % degree]] <= 3 || m_degree[neighbors[(side + degree - 1) % degree]] <= 3) {
+      return false;
+    }
+    const Index* others = ring(into);
+    Index common = 0;
+    for (Index i = 0; i < m_degree[into]; ++i) {
+      common += Index(std::count(neighbors, neighbors + degree, others[i]));
+    }
+    return common == 2;
+  }
+
+  void collapse(Index vertex, Index side)
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    splice_ring(vertex, side);
+    for (Index j = 2; j + 1 < degree; ++j) {
+      const Index other = neighbors[(side + j) % degree];
+      std::replace(ring(other), ring(other) + m_degree[other], vertex, into);
+    }
+    for (Index j : {Index(1), degree - 1}) {
+      const Index other = neighbors[(side + j) % degree];
+      // No ring holds a vertex twice.
+      Index* const end = std::remove(ring(other), ring(other) + m_degree[other], vertex);
+      m_degree[other] = std::uint8_t(end - ring(other));
+    }
+    m_status[vertex] = Status::removed;
+    m_parent[vertex] = into;
+  }
+
+  /// In the ring of the target of the collapse, puts the far side of the ring of `vertex` in its place.
+  void splice_ring(Index vertex, Index side)
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    const Index* old_ring = ring(into);
+    std::array<Index, 2 * std::size_t(max_degree)> spliced;
+    Index size = 0;
+    for (Index i = 0; i < m_degree[into]; ++i) {
+      if (old_ring[i] != vertex) {
+        spliced[size++] = old_ring[i];
+        continue;
+      }
+      for (Index j = 2; j + 1 < degree; ++j) {
+        spliced[size++] = neighbors[(side + j) % degree];
+      }
+    }
+    std::copy(spliced.begin(), spliced.begin() + size, ring(into));
+    m_degree[into] = std::uint8_t(size);
+  }
+
+  void number_coarse_vertices()
+  {
+    m_coarse_vertex.assign(m_status.size(), no_index);
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] != Status::removed) {
+        m_coarse_vertex[vertex] = Index(m_fine_vertex.size());
+        m_fine_vertex.push_back(vertex);
+      }
+    }
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] == Status::removed) {
+        m_coarse_vertex[vertex] = m_coarse_vertex[m_parent[vertex]];
+      }
+    }
+  }
+
+  /// Appends the faces of which `vertex` is the least corner.
+  void append_faces_of(Index vertex, std::vector<std::array<Index, 3>>& faces,
+                       std::vector<std::array<Index, 3>>& bridging) const
+  {
+    const auto append = [&](Index a, Index b, std::vector<std::array<Index, 3>>& to) {
+      if (vertex < a && vertex < b) {
+        to.push_back({m_coarse_vertex[vertex], m_coarse_vertex[a], m_coarse_vertex[b]});
+      }
+    };
+    if (m_status[vertex] == Status::frozen) {
+      // Nothing around a frozen vertex has changed.
+      for (Index h : m_fine.outgoing(vertex)) {
+        append(m_fine.target(h), m_fine.opposite_vertex(h),
+               m_fine.is_hole_filling(Triangulated_surface::face(h)) ? bridging : faces);
+      }
+      return;
+    }
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    for (Index i = 0; i < degree; ++i) {
+      append(neighbors[i], neighbors[(i + 1) % degree], faces);
+    }
+  }
+
+  const Triangulated_surface& m_fine;
+  std::vector<Index> m_ring;
+  std::vector<std::uint8_t> m_degree;
+  std::vector<Status> m_status;
+  std::vector<Index> m_parent;
+  std::vector<Index> m_fine_vertex;
+  std::vector<Index> m_coarse_vertex;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SURFACE_COARSENING_H

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangles as indices of points, and their order.
+
+#ifndef CSCD_SURFACE_INDEXED_TRIANGLES_H
+#define CSCD_SURFACE_INDEXED_TRIANGLES_H
+
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise: so the way around a face needs no memory.
+/// Triangulations are derived from this.
+struct Triangle_halfedges
+{
+  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  static Index face(Index halfedge) { return halfedge / 3; }
+};
+
+/// Points and triangles, counterclockwise seen from outside.
+struct Indexed_triangles
+{
+  std::vector<Vector_3> points;
+  std::vector<std::array<Index, 3>> faces;
+  /// The faces from this one on only bridge borders: they close the surface but carry no area.
+  std::size_t first_hole_filling_face = 0;
+};
+
+/// Sorts faces lexicographically, hole-filling faces after all others; linear where degrees are bounded.
+/// \pre the smallest corner of every face comes first
+inline void sort_faces(Indexed_triangles& triangles)
+{
+  // One bucket for each smallest corner, those of the hole-filling faces after the others.
+  const std::size_t n = triangles.points.size();
+  const auto bucket = [&triangles, n](std::size_t f) {
+    return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
+  };
+  std::vector<Index> begin(2 * n + 1, 0);
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+    ++begin[bucket(f) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Index> fill(begin.begin(), begin.end() - 1);
+  std::vector<std::array<Index, 3>> sorted(triangles.faces.size());
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+    sorted[fill[bucket(f)]++] = triangles.faces[f];
+  }
+  for (std::size_t b = 0; b < 2 * n; ++b) {
+    if (begin[b + 1] - begin[b] > 1) {
+      std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
+    }
+  }
+  triangles.faces = std::move(sorted);
+}
+
+/// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
+/// corner on. Linear where degrees are bounded.
+/// \pre `order` is a permutation
+inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
+{
+  std::vector<Index> number(order.size());
+  std::vector<Vector_3> points(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    number[order[i]] = Index(i);
+    points[i] = triangles.points[order[i]];
+  }
+  triangles.points = std::move(points);
+  for (std::array<Index, 3>& face : triangles.faces) {
+    for (Index& corner : face) {
+      corner = number[corner];
+    }
+    if (face[1] < face[0] && face[1] < face[2]) {
+      face = {face[1], face[2], face[0]};
+    } else if (face[2] < face[0]) {
+      face = {face[2], face[0], face[1]};
+    }
+  }
+  sort_faces(triangles);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_INDEXED_TRIANGLES_H

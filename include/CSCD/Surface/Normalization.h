@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The map between the coordinates of the input and those of the surface.
+
+#ifndef CSCD_SURFACE_NORMALIZATION_H
+#define CSCD_SURFACE_NORMALIZATION_H
+
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Normalized coordinates: the point `x` of the input is `(x - origin) / unit`.
+struct Normalization
+{
+  Vector_3 origin = Vector_3::Zero(); ///< in the coordinates of the input
+  double unit = 1;                    ///< in the unit of the input, positive
+
+  Vector_3 to_input(const Vector_3& point) const { return origin + unit * point; }
+  Vector_3 from_input(const Vector_3& point) const { return (point - origin) / unit; }
+
+  /// The normalization that first applies this one and then `second`.
+  Normalization then(const Normalization& second) const { return {to_input(second.origin), unit * second.unit}; }
+};
+
+/// The point of any type, constructible from three coordinates, that `point` is in the input.
+template <class Point>
+Point to_input_point(const Normalization& normalization, const Vector_3& point)
+{
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  const Vector_3 result = normalization.to_input(point);
+  return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
+}
+
+/// Least area of a surface, relative to the square of its extent: below it lies what rounding leaves of collinear
+/// points.
+inline constexpr double min_relative_area = 1e-12;
+
+/// Moves the area-weighted centroid of `triangles` to the origin and scales the area, hole-filling faces not counted, to 1.
+/// Linear.
+/// \pre the extent of the points is about 1
+/// \throw Input_error if the area vanishes
+inline Normalization normalize_area(Indexed_triangles& triangles)
+{
+  double area = 0;
+  Vector_3 moment = Vector_3::Zero();
+  for (std::size_t f = 0; f < triangles.first_hole_filling_face; ++f) {
+    const std::array<Index, 3>& face = triangles.faces[f];
+    const Vector_3& a = triangles.points[face[0]];
+    const Vector_3& b = triangles.points[face[1]];
+    const Vector_3& c = triangles.points[face[2]];
+    const double face_area = (b - a).cross(c - a).norm() / 2;
+    area += face_area;
+    moment += face_area / 3 * (a + b + c);
+  }
+  if (!(area > min_relative_area)) {
+    throw Input_error("all faces have zero area: the vertices are collinear; check how the input was written");
+  }
+  Normalization result{moment / area, std::sqrt(area)};
+  for (Vector_3& point : triangles.points) {
+    point = result.from_input(point);
+  }
+  return result;
+}
+
+/// Extents outside these bounds lose digits when they are halved or divided by; in the unit of the input.
+inline constexpr double min_extent = 1e-290;
+inline constexpr double max_extent = 1e290;
+
+/// Moves the centre of the bounding box of `points` to the origin and scales its longest side to 2.
+/// The result depends on the set of points alone, not on their order. Linear.
+/// \pre `points` is not empty and all coordinates are finite
+/// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
+inline Normalization normalize_extent(std::vector<Vector_3>& points)
+{
+  Vector_3 least = points.front();
+  Vector_3 greatest = points.front();
+  for (const Vector_3& point : points) {
+    least = least.cwiseMin(point);
+    greatest = greatest.cwiseMax(point);
+  }
+  // Halving before subtracting: the difference itself may overflow.
+  const double half_extent = (greatest / 2 - least / 2).maxCoeff();
+  if (greatest == least) {
+    throw Input_error("all vertices are at the same point: the surface has no extent; check how the input was written");
+  }
+  if (half_extent < min_extent || half_extent > max_extent) {
+    throw Input_error("the extent of the surface is outside [1e-290, 1e290]: scale the coordinates");
+  }
+  Normalization result{least / 2 + greatest / 2, half_extent};
+  for (Vector_3& point : points) {
+    point = result.from_input(point);
+  }
+  return result;
+}
+
+/// Moves the centre of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
+/// \pre `points` is not empty and all coordinates are finite
+/// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
+inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
+{
+  const Normalization to_cube = normalize_extent(points);
+  Vector_3 greatest = points.front();
+  for (const Vector_3& point : points) {
+    greatest = greatest.cwiseMax(point);
+  }
+  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centred already
+  for (Vector_3& point : points) {
+    point = to_diagonal.from_input(point);
+  }
+  return to_cube.then(to_diagonal);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_NORMALIZATION_H

@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is asked of the body that a closed surface bounds: whether it holds a point, and where its surface is met.
+
+#ifndef CSCD_SURFACE_SOLID_QUERIES_H
+#define CSCD_SURFACE_SOLID_QUERIES_H
+
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A point of a surface.
+struct Surface_point
+{
+  Vector_3 point = Vector_3::Zero();
+  Index face = no_index;
+};
+
+/// Where a ray first meets a surface.
+struct Surface_hit
+{
+  Index face = no_index;
+  Vector_3 point = Vector_3::Zero();
+  double distance = 0; ///< from the origin of the ray
+};
+
+/// A bounding volume hierarchy over the faces of a closed surface. Hole-filling faces count: they close the body.
+/// All queries are const and may be asked by several threads at once; each is O(log n) for well-shaped surfaces.
+class Solid_queries
+{
+public:
+  /// Builds the hierarchy in O(n log n).
+  /// \param surface is referred to and must outlive this object; its faces should be numbered so that near numbers are
+  ///        near in space, as those of `Triangle_mesh_traits` are
+  explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
+  {
+    const Index number_of_blocks = (surface.number_of_faces() + block_size - 1) / block_size;
+    std::vector<Index> blocks(number_of_blocks);
+    std::vector<Box> boxes(number_of_blocks);
+    Box whole;
+    for (Index block = 0; block < number_of_blocks; ++block) {
+      blocks[block] = block;
+      for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
+        boxes[block].extend(surface.point(surface.origin(h)));
+      }
+      whole.extend(boxes[block]);
+    }
+    m_offset = relative_offset * whole.diagonal().norm();
+    m_tree.init(blocks.begin(), blocks.end(), boxes.begin(), boxes.end());
+  }
+  explicit Solid_queries(Triangulated_surface&&) = delete;
+
+  /// Whether the body holds `point`: by the parity of the crossings along one ray, which is exact on a closed surface,
+  /// so that further rays could not tell more. Where the surface cuts itself, a part inside both sheets is outside.
+  bool is_inside(const Vector_3& point) const
+  {
+    // Any direction will do; faces of designed parts like to lie across or along the axes.
+    Parity_counter counter{*this, Ray(point, Vector_3(0.8523, 0.4127, 0.3211)), false};
+    Eigen::BVIntersect(m_tree, counter);
+    return counter.is_odd;
+  }
+
+  /// The point of the surface that is nearest to `point`.
+  /// \param near a face that may be near, such as that of the answer for a neighbour of `point`: it saves time
+  Surface_point closest_point(const Vector_3& point, Index near = no_index) const
+  {
+    Distance_minimizer minimizer{*this, point, {}, {}};
+    if (near != no_index) {
+      minimizer.try_face(near);
+    }
+    Eigen::BVMinimize(m_tree, minimizer);
+    return minimizer.nearest;
+  }
+
+  /// The first point in which the ray from `origin` along `direction`, not necessarily of unit length, meets the
+  /// surface.
+  /// \pre `direction` is not zero
+  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
+  {
+    Hit_minimizer minimizer{*this, Ray(origin, direction.normalized()), {}};
+    Eigen::BVMinimize(m_tree, minimizer);
+    if (minimizer.hit.face == no_index) {
+      return std::nullopt;
+    }
+    return minimizer.hit;
+  }
+
+  /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
+  /// `point` through there leaves the body again. None where the body is too thin to tell, or the surface cuts itself.
+  /// \pre `point` is not inside the body
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const
+  {
+    const Surface_point nearest = closest_point(point);
+    // On an edge or at a vertex no face stands for the surface; but very near to it, the line is lost to rounding.
+    const Vector_3 through = nearest.point - point;
+    const Vector_3 inward =
+        (through.norm() > m_offset ? through : Vector_3(-m_surface.face_vector(nearest.face))).normalized();
+    const std::optional<Surface_hit> hit = first_hit(nearest.point + m_offset * inward, inward);
+    if (!hit) {
+      return std::nullopt;
+    }
+    const Vector_3 middle = (nearest.point + hit->point) / 2;
+    return is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
+  }
+
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface to `distances`, in
+  /// ascending order.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    distances.clear();
+    const double length = (to - from).norm();
+    if (!(length > 0)) {
+      return;
+    }
+    Crossing_collector collector{*this, Ray(from, (to - from) / length), length, distances};
+    Eigen::BVIntersect(m_tree, collector);
+    std::sort(distances.begin(), distances.end());
+  }
+
+  /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
+  /// (C. Ericson, Real-Time Collision Detection, 5.1.5). A side without length is left to the other sides.
+  Vector_3 closest_point_of_face(Index face, const Vector_3& point) const
+  {
+    const std::array<Index, 3> corner = corners(face);
+    const Vector_3& a = m_surface.point(corner[0]);
+    const Vector_3& b = m_surface.point(corner[1]);
+    const Vector_3& c = m_surface.point(corner[2]);
+    const Vector_3 ab = b - a;
+    const Vector_3 ac = c - a;
+    const double ab_at_a = ab.dot(point - a), ac_at_a = ac.dot(point - a);
+    const double ab_at_b = ab.dot(point - b), ac_at_b = ac.dot(point - b);
+    const double ab_at_c = ab.dot(point - c), ac_at_c = ac.dot(point - c);
+    if (ab_at_a <= 0 && ac_at_a <= 0) {
+      return a;
+    }
+    if (ab_at_b >= 0 && ac_at_b <= ab_at_b) {
+      return b;
+    }
+    if (ac_at_c >= 0 && ab_at_c <= ac_at_c) {
+      return c;
+    }
+    const double at_c = ab_at_a * ac_at_b - ab_at_b * ac_at_a; // barycentric coordinates, not normalized
+    const double at_b = ab_at_c * ac_at_a - ab_at_a * ac_at_c;
+    const double at_a = ab_at_b * ac_at_c - ab_at_c * ac_at_b;
+    if (at_c <= 0 && ab_at_a >= 0 && ab_at_b <= 0 && ab_at_a > ab_at_b) {
+      return a + ab_at_a / (ab_at_a - ab_at_b) * ab;
+    }
+    if (at_b <= 0 && ac_at_a >= 0 && ac_at_c <= 0 && ac_at_a > ac_at_c) {
+      return a + ac_at_a / (ac_at_a - ac_at_c) * ac;
+    }
+    const double from_b = ac_at_b - ab_at_b;
+    const double from_c = ab_at_c - ac_at_c;
+    if (at_a <= 0 && from_b >= 0 && from_c >= 0 && from_b + from_c > 0) {
+      return b + from_b / (from_b + from_c) * (c - b);
+    }
+    const double sum = at_a + at_b + at_c;
+    return sum > 0 ? Vector_3(a + at_b / sum * ab + at_c / sum * ac) : a;
+  }
+
+private:
+  using Box = Eigen::AlignedBox3d;
+  using Tree = Eigen::KdBVH<double, 3, Index>;
+
+  /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and asking is no slower.
+  static constexpr Index block_size = 4;
+  /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
+  static constexpr double relative_offset = 1e-7;
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Index begin_of(Index block) const { return block * block_size; }
+  Index end_of(Index block) const { return std::min((block + 1) * block_size, m_surface.number_of_faces()); }
+
+  struct Ray
+  {
+    Ray(const Vector_3& ray_origin, const Vector_3& ray_direction) : origin(ray_origin), direction(ray_direction)
+    {
+      for (int i = 0; i < 3; ++i) {
+        inverse[i] = direction[i] != 0 ? 1 / direction[i] : 0;
+      }
+      ray_direction.cwiseAbs().maxCoeff(&main_axis);
+      first_axis = (main_axis + 1) % 3;
+      second_axis = (main_axis + 2) % 3;
+    }
+
+    /// Coordinates of `point` in which the ray is the positive third axis: the third one is the distance along the ray
+    /// of the plane through `point` that is perpendicular to the main axis, the others are sheared along the ray.
+    Vector_3 to_ray_coordinates(const Vector_3& point) const
+    {
+      const double height = (point[main_axis] - origin[main_axis]) * inverse[main_axis];
+      return {point[first_axis] - origin[first_axis] - height * direction[first_axis],
+              point[second_axis] - origin[second_axis] - height * direction[second_axis], height};
+    }
+
+    /// The distance at which the ray enters `box`, `infinity` if it does not.
+    double entry(const Box& box) const
+    {
+      double from = 0;
+      double to = infinity;
+      for (int i = 0; i < 3; ++i) {
+        if (direction[i] == 0) {
+          if (origin[i] < box.min()[i] || origin[i] > box.max()[i]) {
+            return infinity;
+          }
+          continue;
+        }
+        const double a = (box.min()[i] - origin[i]) * inverse[i];
+        const double b = (box.max()[i] - origin[i]) * inverse[i];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
+      }
+      // Rounding must not lose a face that lies in the side of its box.
+      return from <= to * (1 + 4 * std::numeric_limits<double>::epsilon()) ? from : infinity;
+    }
+
+    Vector_3 origin, direction;
+    Vector_3 inverse; // of the coordinates of the direction, 0 for 0
+    int main_axis = 0, first_axis = 1, second_axis = 2;
+  };
+
+  struct Parity_counter
+  {
+    const Solid_queries& queries;
+    Ray ray;
+    bool is_odd = false;
+
+    bool intersectVolume(const Box& box) const { return ray.entry(box) < infinity; }
+    bool intersectObject(Index block)
+    {
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        is_odd ^= queries.hit_distance(face, ray) < infinity;
+      }
+      return false;
+    }
+  };
+
+  struct Crossing_collector
+  {
+    const Solid_queries& queries;
+    Ray ray;
+    double length;
+    std::vector<double>& distances;
+
+    bool intersectVolume(const Box& box) const { return ray.entry(box) <= length; }
+    bool intersectObject(Index block)
+    {
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        const double distance = queries.hit_distance(face, ray);
+        if (distance <= length) {
+          distances.push_back(distance);
+        }
+      }
+      return false;
+    }
+  };
+
+  struct Hit_minimizer
+  {
+    using Scalar = double; // as Eigen names it
+
+    const Solid_queries& queries;
+    Ray ray;
+    Surface_hit hit;
+
+    double minimumOnVolume(const Box& box) const { return ray.entry(box); }
+    double minimumOnObject(Index block)
+    {
+      double least = infinity;
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        const double distance = queries.hit_distance(face, ray);
+        least = std::min(least, distance);
+        if (distance < infinity && (hit.face == no_index || distance < hit.distance)) {
+          hit = {face, ray.origin + distance * ray.direction, distance};
+        }
+      }
+      return least;
+    }
+  };
+
+  struct Distance_minimizer
+  {
+    using Scalar = double; // as Eigen names it
+
+    const Solid_queries& queries;
+    Vector_3 point;
+    Surface_point nearest;
+    std::optional<double> squared_distance;
+
+    /// \return the squared distance of `face`
+    double try_face(Index face)
+    {
+      const Vector_3 candidate = queries.closest_point_of_face(face, point);
+      const double distance = (candidate - point).squaredNorm();
+      if (!squared_distance || distance < *squared_distance) {
+        squared_distance = distance;
+        nearest = {candidate, face};
+      }
+      return distance;
+    }
+    /// Boxes that hold nothing nearer than what is known are not entered.
+    double minimumOnVolume(const Box& box) const
+    {
+      const double distance = box.squaredExteriorDistance(point);
+      return squared_distance && distance >= *squared_distance ? infinity : distance;
+    }
+    double minimumOnObject(Index block)
+    {
+      double least = infinity;
+      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
+        least = std::min(least, try_face(face));
+      }
+      return least;
+    }
+  };
+
+  std::array<Index, 3> corners(Index face) const
+  {
+    return {m_surface.origin(3 * face), m_surface.origin(3 * face + 1), m_surface.origin(3 * face + 2)};
+  }
+
+  /// Whether a ray through the origin has the directed line from `a` to `b` on its left, looking along the ray; points
+  /// are in ray coordinates. Decided as if the ray were moved by (e, e^2) for an infinitely small e: never a tie.
+  static bool is_left(const Vector_3& a, const Vector_3& b, double product)
+  {
+    return product != 0 ? product > 0 : a.y() != b.y() ? a.y() > b.y() : b.x() > a.x();
+  }
+
+  /// The distance from the origin of the ray at which it meets `face`, `infinity` if it does not.
+  /// Both faces of an edge evaluate the same expression for it, and ties are decided as for a ray that meets no edge or
+  /// vertex: so the parity of crossings is right on every closed surface.
+  double hit_distance(Index face, const Ray& ray) const
+  {
+    const std::array<Index, 3> corner = corners(face);
+    std::array<Vector_3, 3> at;
+    for (std::size_t i = 0; i < 3; ++i) {
+      at[i] = ray.to_ray_coordinates(m_surface.point(corner[i]));
+    }
+    std::array<double, 3> weight{}; // barycentric coordinates, not normalized
+    std::array<bool, 3> left{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      const std::size_t k = (i + 2) % 3;
+      const bool is_ascending = corner[j] < corner[k];
+      const Vector_3& a = at[is_ascending ? j : k];
+      const Vector_3& b = at[is_ascending ? k : j];
+      const double product = a.x() * b.y() - a.y() * b.x();
+      left[i] = is_left(a, b, product) == is_ascending;
+      weight[i] = std::abs(product);
+    }
+    if (left[0] != left[1] || left[1] != left[2]) {
+      return infinity;
+    }
+    if (!(weight[0] + weight[1] + weight[2] > 0)) {
+      weight = {1, 1, 1}; // seen from its edge
+    }
+    const double distance =
+        (weight[0] * at[0].z() + weight[1] * at[1].z() + weight[2] * at[2].z()) / (weight[0] + weight[1] + weight[2]);
+    return distance > 0 ? distance : infinity;
+  }
+
+  const Triangulated_surface& m_surface;
+  double m_offset = 0;
+  Tree m_tree;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SURFACE_SOLID_QUERIES_H

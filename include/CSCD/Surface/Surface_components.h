@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The connected components of a closed surface, and their orientation.
+
+#ifndef CSCD_SURFACE_SURFACE_COMPONENTS_H
+#define CSCD_SURFACE_SURFACE_COMPONENTS_H
+
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The components of faces that are connected through edges, numbered in the order of their first faces.
+struct Surface_components
+{
+  /// Numbers and measures the components of `triangles`; linear.
+  /// \pre `triangles` is closed, and `pairing` is that of its faces
+  Surface_components(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+      : component(triangles.faces.size(), no_index)
+  {
+    std::vector<Index> stack;
+    for (Index seed = 0; seed < component.size(); ++seed) {
+      if (component[seed] == no_index) {
+        flood(seed, pairing, stack);
+        measures.emplace_back();
+      }
+    }
+    measure(triangles);
+  }
+
+  struct Measure
+  {
+    double area = 0;                      ///< without hole-filling faces
+    double volume = 0;                    ///< signed: negative where the faces look inwards
+    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centres where there is no area
+  };
+
+  Index number() const { return Index(measures.size()); }
+
+  std::vector<Index> component;  ///< of every face
+  std::vector<Measure> measures; ///< of every component
+
+private:
+  void flood(Index seed, const Halfedge_pairing& pairing, std::vector<Index>& stack)
+  {
+    component[seed] = number();
+    stack.push_back(seed);
+    while (!stack.empty()) {
+      const Index face = stack.back();
+      stack.pop_back();
+      for (Index halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge) {
+        const Index neighbor = pairing.twin(halfedge) / 3;
+        if (component[neighbor] == no_index) {
+          component[neighbor] = number();
+          stack.push_back(neighbor);
+        }
+      }
+    }
+  }
+
+  void measure(const Indexed_triangles& triangles)
+  {
+    std::vector<Vector_3> center_sum(number(), Vector_3::Zero());
+    std::vector<double> number_of_faces(number(), 0.);
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      const std::array<Index, 3>& face = triangles.faces[f];
+      const Vector_3& a = triangles.points[face[0]];
+      const Vector_3& b = triangles.points[face[1]];
+      const Vector_3& c = triangles.points[face[2]];
+      const Vector_3 vector = (b - a).cross(c - a);
+      const double area = f < triangles.first_hole_filling_face ? vector.norm() / 2 : 0.;
+      const Vector_3 center = (a + b + c) / 3;
+      Measure& result = measures[component[f]];
+      result.area += area;
+      result.volume += a.dot(vector) / 6;
+      result.centroid += area * center;
+      center_sum[component[f]] += center;
+      number_of_faces[component[f]] += 1;
+    }
+    for (Index i = 0; i < number(); ++i) {
+      Measure& result = measures[i];
+      result.centroid =
+          result.area > 0 ? Vector_3(result.centroid / result.area) : Vector_3(center_sum[i] / number_of_faces[i]);
+    }
+  }
+};
+
+/// Volumes below this, relative to the area to the power 3/2, have no reliable sign: a ball has about 0.1.
+inline constexpr double min_signed_volume = 1e-9;
+
+/// Reverses the faces of all components that enclose a negative volume: each component is then a body of its own.
+/// Linear.
+/// \return the number of components that were reversed
+/// \pre `pairing` and `components` are those of `triangles`, and are kept so
+inline std::size_t orient_outwards(Indexed_triangles& triangles, Halfedge_pairing& pairing,
+                                   Surface_components& components)
+{
+  std::size_t number_of_reversed = 0;
+  std::vector<char> is_reversed(components.number(), 0);
+  for (Index c = 0; c < components.number(); ++c) {
+    Surface_components::Measure& measure = components.measures[c];
+    if (measure.volume < -min_signed_volume * measure.area * std::sqrt(measure.area)) {
+      measure.volume = -measure.volume;
+      is_reversed[c] = 1;
+      ++number_of_reversed;
+    }
+  }
+  if (number_of_reversed > 0) {
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      if (is_reversed[components.component[f]]) {
+        std::swap(triangles.faces[f][1], triangles.faces[f][2]);
+      }
+    }
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  return number_of_reversed;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SURFACE_SURFACE_COMPONENTS_H

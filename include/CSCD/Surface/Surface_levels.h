@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A surface at several levels of detail.
+
+#ifndef CSCD_SURFACE_SURFACE_LEVELS_H
+#define CSCD_SURFACE_SURFACE_LEVELS_H
+
+#include <CSCD/Surface/Coarsening.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Vector_3.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// One level of detail.
+struct Surface_level
+{
+  explicit Surface_level(Triangulated_surface&& level_surface) : surface(std::move(level_surface)), corners(surface) {}
+
+  /// The vertex of the finest level that `vertex` of this level is.
+  Index to_finest(Index vertex) const { return finest_vertex.empty() ? vertex : finest_vertex[vertex]; }
+  /// The vertex of this level that stands for `vertex` of the finest level.
+  Index from_finest(Index vertex) const { return level_vertex.empty() ? vertex : level_vertex[vertex]; }
+
+  Triangulated_surface surface;
+  Vertex_fan_table corners;
+  std::vector<Index> finest_vertex; ///< empty on the finest level
+  std::vector<Index> level_vertex;  ///< empty on the finest level
+};
+
+/// The levels of detail of a surface: level 0 is the surface itself, each further one has about 2/7 of its vertices.
+/// A front runs on the level on which the limb that it explores is a few tens of edges around; so its cost does not
+/// depend on the number of vertices (supplement K.2 has the idea).
+class Surface_levels
+{
+public:
+  /// Coarsens `finest` until a level has at most `coarsest_size` vertices. Linear.
+  explicit Surface_levels(Triangulated_surface&& finest)
+  {
+    m_levels.emplace_back(std::move(finest));
+    while (m_levels.back().surface.number_of_vertices() > coarsest_size && add_level()) {
+    }
+  }
+
+  Index size() const { return Index(m_levels.size()); }
+  const Surface_level& operator[](Index level) const { return m_levels[level]; }
+  const Surface_level& finest() const { return m_levels.front(); }
+  const Surface_level& coarsest() const { return m_levels.back(); }
+  /// The index of the coarsest level.
+  Index top() const { return size() - 1; }
+
+  /// The index of the finest level that has at most `limit` vertices, or of the coarsest.
+  Index finest_with_at_most(Index limit) const
+  {
+    Index level = 0;
+    while (level < top() && m_levels[level].surface.number_of_vertices() > limit) {
+      ++level;
+    }
+    return level;
+  }
+
+private:
+  /// Vertices at which coarsening ends: below, a limb is too few edges around for its front.
+  static constexpr Index coarsest_size = 6000;
+  /// A pass that keeps a larger part of the vertices than this is not worth a level.
+  static constexpr double min_reduction = 0.8;
+
+  bool add_level()
+  {
+    const Surface_level& fine = m_levels.back();
+    const internal::Coarsening coarsening(fine.surface);
+    const std::size_t size = coarsening.fine_vertex().size();
+    if (double(size) > min_reduction * fine.surface.number_of_vertices()) {
+      return false;
+    }
+    Triangulated_surface coarse(coarsening.triangles());
+    if (coarse.defect()) {
+      return false;
+    }
+    Surface_level level(std::move(coarse));
+    level.finest_vertex.reserve(size);
+    for (Index vertex : coarsening.fine_vertex()) {
+      level.finest_vertex.push_back(fine.to_finest(vertex));
+    }
+    const Index n = m_levels.front().surface.number_of_vertices();
+    level.level_vertex.reserve(n);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      level.level_vertex.push_back(coarsening.coarse_vertex()[fine.from_finest(vertex)]);
+    }
+    m_levels.push_back(std::move(level));
+    return true;
+  }
+
+  std::vector<Surface_level> m_levels;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_SURFACE_LEVELS_H

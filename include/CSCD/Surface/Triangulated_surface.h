@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangulations in flat arrays, and curves on them.
+
+#ifndef CSCD_SURFACE_TRIANGULATED_SURFACE_H
+#define CSCD_SURFACE_TRIANGULATED_SURFACE_H
+
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/assertions.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// A point where a curve crosses an edge of the surface.
+/// The curve passes with the origin of the halfedge on its right and the target on its left, and goes on into the face
+/// of the halfedge's twin.
+struct Edge_crossing
+{
+  Index halfedge;
+  /// In (0, 1): from the origin of `halfedge` to its target.
+  double position;
+};
+
+/// The vertices of a simple closed curve along edges, in order; the last one and the first are neighbors.
+using Vertex_loop = std::vector<Index>;
+
+template <class Triangulation, class = void>
+struct Has_hole_filling_faces : std::false_type
+{
+};
+
+template <class Triangulation>
+struct Has_hole_filling_faces<Triangulation,
+                          std::void_t<decltype(std::declval<const Triangulation&>().is_hole_filling(Index(0)))>>
+    : std::true_type
+{
+};
+
+/// Whether `face` only bridges a border, and is no part of the surface; no face of a triangulation without a member
+/// `is_hole_filling(f)` does.
+template <class Triangulation>
+bool is_hole_filling_face([[maybe_unused]] const Triangulation& triangulation, [[maybe_unused]] Index face)
+{
+  if constexpr (Has_hole_filling_faces<Triangulation>::value) {
+    return triangulation.is_hole_filling(face);
+  } else {
+    return false;
+  }
+}
+
+/// An oriented 2-manifold of triangles with halfedges, with or without borders, immutable, in the coordinates of the
+/// input. A halfedge has no twin where the surface ends.
+class Open_triangulation : public Triangle_halfedges
+{
+public:
+  /// Takes over checked triangles; linear.
+  /// \pre `pairing` is that of the faces of `triangles` and has no conflict, and the faces of each vertex form one fan
+  Open_triangulation(Indexed_triangles&& triangles, Halfedge_pairing&& pairing) : m_points(std::move(triangles.points))
+  {
+    CGAL_precondition(pairing.conflict() == no_index);
+    CGAL_precondition(pairing.number_of_halfedges() == 3 * triangles.faces.size());
+    m_twin = std::move(pairing).twins();
+    m_origin.reserve(3 * triangles.faces.size());
+    for (const auto& face : triangles.faces) {
+      m_origin.insert(m_origin.end(), face.begin(), face.end());
+    }
+  }
+
+  Index number_of_vertices() const { return Index(m_points.size()); }
+  Index number_of_halfedges() const { return Index(m_origin.size()); }
+  Index number_of_faces() const { return Index(m_origin.size() / 3); }
+
+  Index origin(Index halfedge) const { return m_origin[halfedge]; }
+  Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
+  /// The oppositely directed halfedge of the same edge, `no_index` on a border.
+  Index twin(Index halfedge) const { return m_twin[halfedge]; }
+
+  const std::vector<Vector_3>& points() const { return m_points; }
+  const Vector_3& point(Index vertex) const { return m_points[vertex]; }
+  double length(Index halfedge) const { return (point(target(halfedge)) - point(origin(halfedge))).norm(); }
+
+private:
+  std::vector<Vector_3> m_points;
+  std::vector<Index> m_origin;
+  std::vector<Index> m_twin;
+};
+
+/// A closed, oriented 2-manifold of triangles with halfedges, immutable.
+/// The outgoing halfedges of a vertex are stored in counterclockwise order.
+class Triangulated_surface : public Triangle_halfedges
+{
+public:
+  /// An edge that does not have exactly two, oppositely oriented faces, or a vertex whose faces are not one fan.
+  struct Defect
+  {
+    Index vertex = no_index; ///< the vertex, or the origin of the edge; `no_index` where there is no defect
+    Index target = no_index; ///< the target of the edge, `no_index` for a vertex
+    explicit operator bool() const { return vertex != no_index; }
+  };
+
+  Triangulated_surface() = default;
+
+  /// Compiles `triangles`; linear.
+  /// Where they are no closed oriented manifold, `defect()` names the first violation and nothing else may be called.
+  explicit Triangulated_surface(Indexed_triangles&& triangles)
+      : m_points(std::move(triangles.points)), m_first_hole_filling_face(Index(triangles.first_hole_filling_face))
+  {
+    m_origin.reserve(3 * triangles.faces.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      m_origin.insert(m_origin.end(), face.begin(), face.end());
+    }
+    pair_halfedges(triangles.faces);
+    std::vector<std::array<Index, 3>>().swap(triangles.faces);
+    if (!m_defect) {
+      order_rings();
+    }
+    if (!m_defect) {
+      measure_faces();
+    }
+  }
+
+  /// \name Combinatorics
+  /// @{
+  const Defect& defect() const { return m_defect; }
+
+  Index number_of_vertices() const { return Index(m_points.size()); }
+  Index number_of_halfedges() const { return Index(m_origin.size()); }
+  Index number_of_faces() const { return Index(m_origin.size() / 3); }
+
+  Index origin(Index halfedge) const { return m_origin[halfedge]; }
+  Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
+  /// The corner of the halfedge's face that the halfedge does not touch.
+  Index opposite_vertex(Index halfedge) const { return m_origin[previous(halfedge)]; }
+  Index twin(Index halfedge) const { return m_twin[halfedge]; }
+  /// The halfedge that stands for the edge: the smaller one of the two.
+  Index edge(Index halfedge) const { return std::min(halfedge, m_twin[halfedge]); }
+
+  /// The next outgoing halfedge of the same origin, counterclockwise.
+  Index next_around_origin(Index halfedge) const { return m_twin[previous(halfedge)]; }
+  /// The next outgoing halfedge of the same origin, clockwise.
+  Index previous_around_origin(Index halfedge) const { return next(m_twin[halfedge]); }
+
+  /// The sides of `face`, one after the other.
+  static std::array<Index, 3> face_halfedges(Index face) { return {3 * face, 3 * face + 1, 3 * face + 2}; }
+
+  /// The outgoing halfedges of `vertex`, counterclockwise.
+  CGAL::Iterator_range<const Index*> outgoing(Index vertex) const
+  {
+    return {m_ring.data() + m_ring_begin[vertex], m_ring.data() + m_ring_begin[vertex + 1]};
+  }
+  Index degree(Index vertex) const { return m_ring_begin[vertex + 1] - m_ring_begin[vertex]; }
+
+  /// The halfedge from `source` to `target`, or `no_index`; linear in the degree of `source`.
+  Index find_halfedge(Index source, Index target) const
+  {
+    for (Index halfedge : outgoing(source)) {
+      if (this->target(halfedge) == target) {
+        return halfedge;
+      }
+    }
+    return no_index;
+  }
+  /// @}
+
+  /// \name Geometry
+  /// @{
+  const std::vector<Vector_3>& points() const { return m_points; }
+  const Vector_3& point(Index vertex) const { return m_points[vertex]; }
+  double length(Index halfedge) const { return (point(target(halfedge)) - point(origin(halfedge))).norm(); }
+
+  /// Area of the face; 0 for faces that bridge a border.
+  float face_area(Index face) const { return m_face_area[face]; }
+  /// A third of the area of the incident faces.
+  float vertex_area(Index vertex) const { return m_vertex_area[vertex]; }
+  /// Area-weighted mean of the normals of the incident faces, of unit length.
+  Vector_3 vertex_normal(Index vertex) const { return m_vertex_normal[vertex].cast<double>(); }
+  /// Twice the area times the normal of the face, bridging or not.
+  Vector_3 face_vector(Index face) const
+  {
+    const Vector_3& a = point(origin(3 * face));
+    return (point(origin(3 * face + 1)) - a).cross(point(origin(3 * face + 2)) - a);
+  }
+  bool is_hole_filling(Index face) const { return face >= m_first_hole_filling_face; }
+  Index first_hole_filling_face() const { return m_first_hole_filling_face; }
+  double total_area() const { return m_total_area; }
+  /// @}
+
+private:
+  /// Pairs the halfedges of `faces`, and finds the first that has no partner.
+  void pair_halfedges(const std::vector<std::array<Index, 3>>& faces)
+  {
+    Halfedge_pairing pairing(faces, m_points.size());
+    Index lone = pairing.conflict();
+    m_twin = std::move(pairing).twins();
+    if (lone == no_index) {
+      const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
+      lone = border == m_twin.end() ? no_index : Index(border - m_twin.begin());
+    }
+    if (lone != no_index) {
+      m_defect = {m_origin[lone], target(lone)};
+    }
+  }
+
+  void order_rings()
+  {
+    const std::size_t n = m_points.size();
+    m_ring_begin.assign(n + 1, 0);
+    std::vector<Index> first(n, no_index);
+    for (Index h = 0; h < number_of_halfedges(); ++h) {
+      ++m_ring_begin[m_origin[h] + 1];
+      if (first[m_origin[h]] == no_index) {
+        first[m_origin[h]] = h;
+      }
+    }
+    std::partial_sum(m_ring_begin.begin(), m_ring_begin.end(), m_ring_begin.begin());
+    m_ring.resize(m_origin.size());
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      Index at = m_ring_begin[vertex];
+      const Index end = m_ring_begin[vertex + 1];
+      Index halfedge = first[vertex];
+      while (at != end) {
+        m_ring[at++] = halfedge;
+        halfedge = next_around_origin(halfedge);
+        if (halfedge == first[vertex]) {
+          break;
+        }
+      }
+      if (at != end) {
+        m_defect = {vertex, no_index};
+        return;
+      }
+    }
+  }
+
+  void measure_faces()
+  {
+    m_face_area.resize(number_of_faces());
+    m_vertex_area.assign(m_points.size(), 0.f);
+    m_vertex_normal.assign(m_points.size(), Eigen::Vector3f::Zero());
+    m_total_area = 0;
+    for (Index f = 0; f < number_of_faces(); ++f) {
+      const Vector_3 vector = face_vector(f);
+      const double area = is_hole_filling(f) ? 0. : vector.norm() / 2;
+      m_face_area[f] = float(area);
+      m_total_area += area;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        m_vertex_area[m_origin[h]] += float(area / 3);
+        m_vertex_normal[m_origin[h]] += vector.cast<float>();
+      }
+    }
+    for (Eigen::Vector3f& normal : m_vertex_normal) {
+      const float norm = normal.norm();
+      if (norm > 0) {
+        normal /= norm;
+      }
+    }
+  }
+
+  std::vector<Vector_3> m_points;
+  std::vector<Index> m_origin;
+  std::vector<Index> m_twin;
+  std::vector<Index> m_ring_begin;
+  std::vector<Index> m_ring;
+  std::vector<float> m_face_area;
+  std::vector<float> m_vertex_area;
+  std::vector<Eigen::Vector3f> m_vertex_normal;
+  Index m_first_hole_filling_face = 0;
+  double m_total_area = 0;
+  Defect m_defect;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_TRIANGULATED_SURFACE_H

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Renumbers a surface so that the numbers depend on its shape alone, and neighbours have near numbers.
+
+#ifndef CSCD_SURFACE_CANONICAL_ORDER_H
+#define CSCD_SURFACE_CANONICAL_ORDER_H
+
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// An order of the vertices of a surface, component by component.
+struct Canonical_order
+{
+  std::vector<Index> vertices;        ///< the old number of every new vertex
+  std::vector<Index> component_begin; ///< the first new vertex of every component, and their number at the end
+};
+
+/// Finds the canonical order: breadth-first over the rings, in counterclockwise order, which the root and its first
+/// halfedge determine. Root is the vertex farthest from the centroid of its component, and its first halfedge leads to
+/// the farthest neighbour; components come in order of decreasing area.
+class Canonical_ordering
+{
+public:
+  Canonical_ordering(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
+                     const Surface_components& components)
+      : m_triangles(triangles), m_pairing(pairing), m_components(components)
+  {
+    find_roots();
+  }
+
+  Canonical_order order() const
+  {
+    std::vector<Index> sorted(m_components.number());
+    std::iota(sorted.begin(), sorted.end(), Index(0));
+    std::sort(sorted.begin(), sorted.end(), [this](Index c, Index d) { return key(c) < key(d); });
+    Canonical_order result;
+    result.vertices.reserve(m_triangles.points.size());
+    std::vector<char> is_numbered(m_triangles.points.size(), 0);
+    std::vector<Index> entry;
+    for (Index component : sorted) {
+      result.component_begin.push_back(Index(result.vertices.size()));
+      append_component(m_first[component], is_numbered, entry, result.vertices);
+    }
+    result.component_begin.push_back(Index(result.vertices.size()));
+    return result;
+  }
+
+private:
+  /// Distances that differ by less, relatively, are equal: they differ by rounding only, which depends on the order.
+  static constexpr double distance_tolerance = 1e-9;
+
+  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
+  Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
+  const Vector_3& origin_point(Index h) const { return m_triangles.points[origin(h)]; }
+  double squared_distance(Index vertex, Index component) const
+  {
+    return (m_triangles.points[vertex] - m_components.measures[component].centroid).squaredNorm();
+  }
+
+  static bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
+  {
+    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+  }
+
+  /// The sums are rounded to single precision, so that the order of their terms does not matter.
+  std::tuple<float, float, double, double, double> key(Index component) const
+  {
+    const Vector_3& root = origin_point(m_first[component]);
+    return {-float(m_components.measures[component].area), -float(m_greatest[component]), root.x(), root.y(), root.z()};
+  }
+
+  /// Among equally far vertices the lexicographically smallest is the root; likewise for its neighbours.
+  void find_roots()
+  {
+    const std::size_t n = m_triangles.points.size();
+    std::vector<Index> outgoing(n); // some halfedge of every vertex
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      outgoing[origin(h)] = h;
+    }
+    std::vector<double> distance(n);
+    m_greatest.assign(m_components.number(), 0.);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index component = m_components.component[outgoing[vertex] / 3];
+      distance[vertex] = squared_distance(vertex, component);
+      m_greatest[component] = std::max(m_greatest[component], distance[vertex]);
+    }
+    m_first.assign(m_components.number(), no_index);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index component = m_components.component[outgoing[vertex] / 3];
+      Index& first = m_first[component];
+      if (distance[vertex] >= (1 - distance_tolerance) * m_greatest[component] &&
+          (first == no_index || is_lexicographically_less(m_triangles.points[vertex], origin_point(first)))) {
+        first = outgoing[vertex];
+      }
+    }
+    for (Index component = 0; component < m_components.number(); ++component) {
+      m_first[component] = first_halfedge(m_first[component], component);
+    }
+  }
+
+  /// The halfedge around the origin of `start` that leads farthest from the centroid.
+  Index first_halfedge(Index start, Index component) const
+  {
+    double greatest = 0;
+    Index halfedge = start;
+    do {
+      greatest = std::max(greatest, squared_distance(target(halfedge), component));
+      halfedge = next_around_origin(halfedge);
+    } while (halfedge != start);
+    Index result = no_index;
+    do {
+      if (squared_distance(target(halfedge), component) >= (1 - distance_tolerance) * greatest &&
+          (result == no_index ||
+           is_lexicographically_less(m_triangles.points[target(halfedge)], m_triangles.points[target(result)]))) {
+        result = halfedge;
+      }
+      halfedge = next_around_origin(halfedge);
+    } while (halfedge != start);
+    return result;
+  }
+
+  Index next_around_origin(Index h) const { return m_pairing.twin(Halfedge_pairing::previous(h)); }
+
+  void append_component(Index first, std::vector<char>& is_numbered, std::vector<Index>& entry,
+                        std::vector<Index>& vertices) const
+  {
+    vertices.push_back(origin(first));
+    is_numbered[origin(first)] = 1;
+    entry.assign(1, first);
+    for (std::size_t i = 0; i < entry.size(); ++i) {
+      Index halfedge = entry[i];
+      do {
+        const Index neighbor = target(halfedge);
+        const Index twin = m_pairing.twin(halfedge);
+        if (!is_numbered[neighbor]) {
+          is_numbered[neighbor] = 1;
+          vertices.push_back(neighbor);
+          entry.push_back(twin);
+        }
+        halfedge = next_around_origin(halfedge);
+      } while (halfedge != entry[i]);
+    }
+  }
+
+  const Indexed_triangles& m_triangles;
+  const Halfedge_pairing& m_pairing;
+  const Surface_components& m_components;
+  std::vector<double> m_greatest; // squared distance from the centroid, of every component
+  std::vector<Index> m_first;     // the halfedge with which every component begins
+};
+
+/// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose
+/// of the surface. O(n + c log c) for c components.
+/// \pre `triangles` is closed, without isolated vertices; `pairing` and `components` are those of its faces
+inline Canonical_order canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
+                                       const Surface_components& components)
+{
+  return Canonical_ordering(triangles, pairing, components).order();
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SURFACE_CANONICAL_ORDER_H

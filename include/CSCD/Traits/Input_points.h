@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a range of points is made of, and what identifies its points.
+
+#ifndef CSCD_TRAITS_INPUT_POINTS_H
+#define CSCD_TRAITS_INPUT_POINTS_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/Iterator_range.h>
+#include <CGAL/property_map.h>
+
+#include <cstddef>
+#include <iterator>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The elements over which a range iterates.
+template <class Range>
+using Range_value =
+    typename std::iterator_traits<std::decay_t<decltype(std::begin(std::declval<const Range&>()))>>::value_type;
+
+/// Whether the elements of a range are its own indices, as those of `CGAL::Point_set_3`.
+template <class Range, class = void>
+struct Is_range_of_indices : std::false_type
+{
+};
+
+template <class Range>
+struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
+    : std::is_same<typename Range::Index, Range_value<Range>>
+{
+};
+
+/// What identifies a point of a range: its index in a `CGAL::Point_set_3`, else its number in the order of iteration.
+template <class PointRange>
+using Point_descriptor =
+    std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
+
+/// The map from the elements of a range to points where none is given: that of a `CGAL::Point_set_3`, or the identity.
+template <class PointRange>
+auto default_point_map(const PointRange& points)
+{
+  if constexpr (Is_range_of_indices<PointRange>::value) {
+    return points.point_map();
+  } else {
+    return CGAL::Identity_property_map<const Range_value<PointRange>>();
+  }
+}
+
+/// The point map that `np` gives, else that of the range.
+template <class PointRange, class NamedParameters>
+auto point_map(const PointRange& points, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
+    return default_point_map(points);
+  } else {
+    return parameters::get_parameter(np, CGAL::internal_np::point_map);
+  }
+}
+
+/// Calls `function(map...)` with the normal map that `np` gives, else with that of the range, if it has one, else
+/// without arguments. \return what the function returns, in all cases of the same type
+template <class PointRange, class NamedParameters, class Function>
+auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]] const NamedParameters& np,
+                     const Function& function)
+{
+  if constexpr (!parameters::is_default_parameter<NamedParameters, CGAL::internal_np::normal_t>::value) {
+    return function(parameters::get_parameter(np, CGAL::internal_np::normal_map));
+  } else if constexpr (Is_range_of_indices<PointRange>::value) {
+    return points.has_normal_map() ? function(points.normal_map()) : function();
+  } else {
+    return function();
+  }
+}
+
+/// For every site, the points of the input for which it stands, by what identifies them there.
+template <class PointRange>
+class Input_points
+{
+public:
+  using Descriptor = Point_descriptor<PointRange>;
+
+  /// None.
+  Input_points() = default;
+
+  /// \param points the range of which `cloud` was made \param vertex_of_point of every point of the cloud
+  Input_points(const PointRange& points, const Point_cloud& cloud, const std::vector<Index>& vertex_of_point,
+                  std::size_t number_of_sites)
+      : m_begin(number_of_sites + 1, 0), m_descriptors(cloud.input_point.size())
+  {
+    for (const Index point : cloud.input_point) {
+      ++m_begin[vertex_of_point[point] + 1];
+    }
+    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
+    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
+    std::size_t number = 0;
+    for ([[maybe_unused]] const auto& element : points) {
+      Descriptor& descriptor = m_descriptors[fill[vertex_of_point[cloud.input_point[number]]]++];
+      if constexpr (Is_range_of_indices<PointRange>::value) {
+        descriptor = element;
+      } else {
+        descriptor = number;
+      }
+      ++number;
+    }
+  }
+
+  CGAL::Iterator_range<const Descriptor*> operator[](Index site) const
+  {
+    return {m_descriptors.data() + m_begin[site], m_descriptors.data() + m_begin[site + 1]};
+  }
+  /// The number of points of all sites together.
+  std::size_t number_of_points() const { return m_descriptors.size(); }
+
+private:
+  std::vector<Index> m_begin; // of every site
+  std::vector<Descriptor> m_descriptors;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TRAITS_INPUT_POINTS_H

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dijkstra's algorithm from one source or from several, with working memory that is reused.
+
+#ifndef CSCD_INTERNAL_DIJKSTRA_SEARCH_H
+#define CSCD_INTERNAL_DIJKSTRA_SEARCH_H
+
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/Indexed_heap.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The least distances at which vertices have been reached, and those from which one has yet to go on. What is next to
+/// a vertex, and how far, is known to the caller: so it can stop at any distance and at any border, and keep what else
+/// belongs to the shortest paths. Boost's algorithm initializes every vertex of its graph; this one is emptied in
+/// constant time, so that local work costs nothing of the size of the surface.
+class Dijkstra_search
+{
+public:
+  explicit Dijkstra_search(std::size_t number_of_vertices = 0)
+      : m_heap(number_of_vertices), m_reached(number_of_vertices), m_distance(number_of_vertices)
+  {
+  }
+
+  /// Forgets all distances, in constant time.
+  void clear()
+  {
+    m_heap.clear();
+    m_reached.clear();
+  }
+
+  /// Takes note that `vertex` can be reached at `distance`, not less than that of the vertex that was passed last.
+  /// \return whether no way as short was known
+  bool reach(Index vertex, float distance)
+  {
+    if (m_reached.mark(vertex)) {
+      m_distance[vertex] = distance;
+      m_heap.push(vertex, distance);
+      return true;
+    }
+    if (distance < m_distance[vertex]) {
+      m_distance[vertex] = distance;
+      m_heap.decrease(vertex, distance);
+      return true;
+    }
+    return false;
+  }
+
+  /// Calls `pass(vertex, distance)` for all vertices that have been reached, those that it reaches included, in order
+  /// of their distance, which is then final. O(n log n) for n calls.
+  template <class Function>
+  void spread(const Function& pass)
+  {
+    while (!m_heap.empty()) {
+      const Indexed_heap::Entry entry = m_heap.pop();
+      pass(entry.vertex, entry.key);
+    }
+  }
+
+  bool is_reached(Index vertex) const { return m_reached.is_marked(vertex); }
+  /// The least distance at which `vertex` was reached.
+  /// \pre `is_reached(vertex)`
+  float distance(Index vertex) const { return m_distance[vertex]; }
+
+private:
+  Indexed_heap m_heap;
+  Epoch_marks m_reached;
+  std::vector<float> m_distance;
+};
+
+/// A front that starts from labeled vertices; each vertex gets the label of the one from which it is reached first, so
+/// that what has a label is connected with a start of that label.
+class Multi_source_dijkstra_search
+{
+public:
+  explicit Multi_source_dijkstra_search(std::size_t number_of_vertices)
+      : m_front(number_of_vertices), m_label(number_of_vertices, no_index)
+  {
+  }
+
+  /// Lets the front start, or go on, from `vertex` with `label` at `distance`, not less than where it is by now.
+  void reach(Index vertex, float distance, Index label)
+  {
+    if (m_front.reach(vertex, distance)) {
+      m_label[vertex] = label;
+    }
+  }
+
+  /// Goes on until no vertex is left that can be reached; `for_each_neighbor(vertex, visit)` calls
+  /// `visit(neighbor, length)` for the edges of a vertex. O(n log n).
+  template <class ForEachNeighbor>
+  void spread(const ForEachNeighbor& for_each_neighbor)
+  {
+    m_front.spread([&](Index vertex, float distance) {
+      for_each_neighbor(vertex,
+                        [&](Index neighbor, float length) { reach(neighbor, distance + length, m_label[vertex]); });
+    });
+  }
+
+  /// The label of `vertex`; `no_index` if it has not been reached.
+  Index label(Index vertex) const { return m_label[vertex]; }
+  /// The distance from the nearest start; infinite if there is none.
+  float distance(Index vertex) const
+  {
+    return m_front.is_reached(vertex) ? m_front.distance(vertex) : std::numeric_limits<float>::infinity();
+  }
+
+private:
+  Dijkstra_search m_front;
+  std::vector<Index> m_label;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_INTERNAL_DIJKSTRA_SEARCH_H
