@@ -9,11 +9,11 @@ target_compile_options(
   cscd_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror)
 
 # cscd_add_program(<name> <source>... [LIBRARIES <library>...] [FOLDER <folder under bin>])
-# adds an executable that uses CSCD::CSCD and goes to the folder bin of the build.
+# adds an executable that uses CSCD::compiled and goes to the folder bin of the build.
 function(cscd_add_program name)
   cmake_parse_arguments(PARSE_ARGV 1 program "" "FOLDER" "LIBRARIES")
   add_executable(${name} ${program_UNPARSED_ARGUMENTS})
-  target_link_libraries(${name} PRIVATE CSCD::CSCD cscd_warnings ${program_LIBRARIES})
+  target_link_libraries(${name} PRIVATE CSCD::compiled cscd_warnings ${program_LIBRARIES})
   set_target_properties(
     ${name} PROPERTIES CXX_EXTENSIONS OFF RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin/${program_FOLDER}")
 endfunction()

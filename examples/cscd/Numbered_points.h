@@ -8,10 +8,10 @@
 
 #include "types.h"
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/property_map.h>
 
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <utility>
@@ -54,16 +54,18 @@ public:
     for (const Point& point : m_points) {
       mesh.add_vertex(point);
     }
-    std::vector<Mesh::Vertex_index> vertex_of_site;
-    for (typename Traits::Index site = 0; site < traits.number_of_sites(); ++site) {
-      const auto numbers = traits.descriptors(site);
-      vertex_of_site.push_back(numbers.begin() == numbers.end()
-                                   ? mesh.add_vertex(traits.to_input_point(traits.point(site)))
-                                   : Mesh::Vertex_index(static_cast<Mesh::size_type>(*numbers.begin())));
+    const auto& triangulation = traits.surface().triangulation();
+    std::vector<Mesh::Vertex_index> mesh_vertex;
+    for (CSCD::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
+      const auto numbers = traits.descriptors(vertex);
+      mesh_vertex.push_back(numbers.begin() == numbers.end()
+                                ? mesh.add_vertex(traits.to_input_point(triangulation.point(vertex)))
+                                : Mesh::Vertex_index(static_cast<Mesh::size_type>(*numbers.begin())));
     }
-    for (typename Traits::Index triangle = 0; triangle < traits.number_of_triangles(); ++triangle) {
-      const std::array<typename Traits::Index, 3> sites = traits.triangle(triangle);
-      mesh.add_face(vertex_of_site[sites[0]], vertex_of_site[sites[1]], vertex_of_site[sites[2]]);
+    for (CSCD::Index face = 0; face < triangulation.number_of_faces(); ++face) {
+      const auto [a, b, c] = triangulation.face_halfedges(face);
+      mesh.add_face(mesh_vertex[triangulation.origin(a)], mesh_vertex[triangulation.origin(b)],
+                    mesh_vertex[triangulation.origin(c)]);
     }
     return mesh;
   }

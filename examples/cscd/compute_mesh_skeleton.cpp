@@ -23,8 +23,8 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method
-          ? run_skeletonization(traits, published_policies<Traits>(options), options, visitor, skeleton)
-          : run_skeletonization(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
+          ? run_skeletonization(traits, published_policies(options), options, visitor, skeleton)
+          : run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
   return result;
 }

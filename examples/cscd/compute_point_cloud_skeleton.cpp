@@ -9,7 +9,7 @@
 #include "convert_skeleton.h"
 #include "published_policies.h"
 #include "run_skeletonization.h"
-#include <CSCD/Traits/Reconstructed_surface_traits.h>
+#include <CSCD/Traits/Point_set_traits.h>
 
 namespace cscd {
 
@@ -21,7 +21,7 @@ Skeletonization_result compute_point_cloud_skeleton(Input& input, const Skeleton
   const auto traits = points.make_traits<Traits>();
   Numbered_points::Skeleton skeleton;
   Skeletonization_result result =
-      run_skeletonization(traits, published_policies<Traits>(options), options, visitor, skeleton);
+      run_skeletonization(traits, published_policies(options), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   input.mesh = points.make_mesh(traits);

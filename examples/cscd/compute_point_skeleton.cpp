@@ -27,7 +27,7 @@ Skeletonization_result compute_surface_skeleton(const Traits& traits, const Skel
 {
   Numbered_points::Skeleton skeleton;
   Skeletonization_result result =
-      run_skeletonization(traits, CSCD::Local_policies<Traits>(), options, visitor, skeleton);
+      run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   return result;

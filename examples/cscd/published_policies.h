@@ -8,21 +8,20 @@
 
 #include "Skeletonize_options.h"
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_search_settings.h>
 
 namespace cscd {
 
-/// The policies for the surface `Traits`.
-template <class Traits>
-CSCD::Published_policies<Traits> published_policies(const Skeletonize_options& options)
+inline CSCD::Published_policies published_policies(const Skeletonize_options& options)
 {
-  using Policies = CSCD::Published_policies<Traits>;
-  return Policies(options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
-                                                    : CSCD::Target_rule::nearest_in_space,
-                  options.shortening.empty()                     ? Policies::default_shortening_rule
-                  : options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
-                                                                 : CSCD::Shortening_rule::edge_flips);
+  CSCD::Field_search_settings settings;
+  settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
+                                                           : CSCD::Target_rule::nearest_in_space;
+  if (!options.shortening.empty()) {
+    settings.shortening_rule = options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
+                                                                            : CSCD::Shortening_rule::edge_flips;
+  }
+  return CSCD::Published_policies(settings);
 }
 
 } // namespace cscd

@@ -27,9 +27,7 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Policies&
     skeletonization.set_maximum_number_of_sources(options.maximum_number_of_sources);
   }
   Skeletonization_result result;
-  result.report = options.number_of_threads == 1
-                      ? skeletonization(skeleton)
-                      : skeletonization.template operator()<CGAL::Parallel_if_available_tag>(skeleton);
+  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(skeleton);
   for (auto separator : skeletonization.packed_separators()) {
     result.separators.push_back(skeletonization.polyline(skeletonization.separators()[separator]));
   }

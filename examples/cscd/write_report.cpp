@@ -36,7 +36,7 @@ std::string dump(const Json& json)
 
 Json input_part(const CSCD::Skeletonization_report& r)
 {
-  return {{"number_of_sites", r.number_of_sites},
+  return {{"number_of_sites", r.number_of_input_vertices},
           {"number_of_isolated_vertices", r.number_of_isolated_vertices},
           {"number_of_surface_components", r.number_of_surface_components},
           {"number_of_bridged_borders", r.number_of_bridged_borders},
@@ -238,7 +238,7 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   }
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
-  out << options.input << ": " << report.number_of_sites << (result.is_of_points ? " points, " : " vertices, ")
+  out << options.input << ": " << report.number_of_input_vertices << (result.is_of_points ? " points, " : " vertices, ")
       << report.number_of_surface_components
       << (report.number_of_surface_components == 1 ? " component" : " components");
   if (report.genus) {

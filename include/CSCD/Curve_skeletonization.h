@@ -41,10 +41,10 @@ namespace CSCD {
 /// skeletonization.convert_to_skeleton(skeleton);
 /// \endcode
 ///
-/// \tparam Traits a model of `SkeletonizationTraits` and of `SolidSkeletonizationTraits`
-/// \tparam Policies a model of `SkeletonizationPolicies` for `Traits`: the algorithms of the stages
+/// \tparam Traits a model of `SkeletonizationTraits`
+/// \tparam Policies a model of `SkeletonizationPolicies` for the surface of `Traits`: the algorithms of the stages
 /// \tparam Visitor a model of `SkeletonizationVisitor`, or a reference to one
-template <class Traits, class Policies = Local_policies<Traits>, class Visitor = Default_skeletonization_visitor>
+template <class Traits, class Policies = Local_policies, class Visitor = Default_skeletonization_visitor>
 class Curve_skeletonization
 {
 public:
@@ -53,7 +53,7 @@ public:
 
   /// The points of the input.
   using Point = typename Traits::Point;
-  /// What identifies a site of the input: a vertex of a mesh, or the index of a point.
+  /// What identifies a vertex of the input mesh or a point of the input.
   using Input_descriptor = typename Traits::Input_descriptor;
   /// The skeleton type that holds everything the pipeline computes.
   using Skeleton = Skeleton_graph<Point, Input_descriptor>;
@@ -64,26 +64,14 @@ public:
       : m_traits(traits), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
   {
     check_skeletonization_traits<Traits>();
-    check_solid_skeletonization_traits<Traits>();
-    check_skeletonization_policies<Policies, Traits>();
+    check_skeletonization_policies<Policies, typename Traits::Surface>();
     check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
-    m_report.number_of_sites = traits.number_of_input_vertices();
-    m_report.number_of_isolated_vertices = traits.number_of_isolated_vertices();
-    m_report.number_of_surface_components = traits.number_of_components();
-    m_report.number_of_bridged_borders = traits.number_of_bridged_borders();
-    m_report.number_of_inserted_vertices = traits.number_of_inserted_vertices();
-    m_report.number_of_degenerate_faces = traits.number_of_degenerate_faces();
-    if constexpr (is_multiresolution_skeletonization_traits_v<Traits>) {
-      m_report.number_of_levels = traits.levels().size();
-    }
-    m_report.genus = traits.genus();
-    m_report.seconds[static_cast<std::size_t>(Skeletonization_stage::compile_surface)] = traits.seconds_to_compile();
-    m_report.warnings = traits.warnings();
-    if constexpr (internal::is_valid_v<internal::expressions::reconstruction_report, Traits>) {
-      m_report.reconstruction = traits.reconstruction_report();
-    }
+    traits.describe_input(m_report);
+    m_number_of_input_warnings = m_report.warnings.size();
   }
-  explicit Curve_skeletonization(Traits&&) = delete;
+  /// The object would refer to traits that are gone.
+  template <class... Arguments>
+  explicit Curve_skeletonization(const Traits&& traits, Arguments&&...) = delete;
 
   /// \name Parameters
   /// Each setter returns the object, so that calls chain.
@@ -106,11 +94,11 @@ public:
     return *this;
   }
   /// The number of threads for `CGAL::Parallel_tag`.
-  unsigned number_of_threads() const { return m_settings.number_of_threads; }
+  unsigned number_of_threads() const { return m_number_of_threads; }
   /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
-    m_settings.number_of_threads = number;
+    m_number_of_threads = number;
     return *this;
   }
   /// @}
@@ -135,8 +123,10 @@ public:
     m_report.number_of_plane_sections = 0;
     m_report.number_of_straightened_loops = 0;
     run_stage(Skeletonization_stage::find_separators, [this] {
-      m_separators = m_policies.template find_separators<ConcurrencyTag>(
-          m_traits, m_settings, m_report, [this](double fraction) { progress(fraction); });
+      constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+      m_settings.number_of_threads = is_parallel ? m_number_of_threads : 1;
+      m_separators = m_policies.find_separators(m_traits.surface(), m_settings, m_report,
+                                                [this](double fraction) { progress(fraction); });
       m_report.number_of_separators = m_separators.size();
     });
     return m_report.number_of_separators;
@@ -149,7 +139,7 @@ public:
   {
     run_stage(Skeletonization_stage::pack_separators, [this] {
       m_separators.resize(m_report.number_of_separators);
-      m_packing.emplace(m_policies.pack_separators(m_traits, m_separators, m_report));
+      m_packing.emplace(m_policies.pack_separators(m_traits.surface(), m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
     });
     return m_report.number_of_packed_separators;
@@ -167,14 +157,14 @@ public:
     OutputSkeleton result;
     run_stage(Skeletonization_stage::build_skeleton, [&] {
       result = make_graph<OutputSkeleton>(
-          m_policies.build_skeleton(m_traits, std::as_const(m_separators), std::as_const(*m_packing), m_report));
+          m_policies.build_skeleton(m_traits.surface(), std::as_const(m_separators), std::as_const(*m_packing), m_report));
     });
     skeleton = std::move(result);
   }
 
-  /// All stages.
+  /// Runs all stages.
   template <class ConcurrencyTag = CGAL::Sequential_tag, class OutputSkeleton>
-  const Skeletonization_report& operator()(OutputSkeleton& skeleton)
+  const Skeletonization_report& run(OutputSkeleton& skeleton)
   {
     find_separators<ConcurrencyTag>();
     pack_separators();
@@ -201,7 +191,7 @@ public:
   std::vector<Point> polyline(const Separator& separator) const
   {
     std::vector<Vector_3> points;
-    internal::curve_points(m_traits.surface(), separator, points);
+    internal::curve_points(m_traits.surface().triangulation(), separator, points);
     std::vector<Point> result;
     result.reserve(points.size());
     for (const Vector_3& point : points) {
@@ -228,7 +218,7 @@ private:
 
   void warn_of_skeleton()
   {
-    m_report.warnings = m_traits.warnings();
+    m_report.warnings.resize(m_number_of_input_warnings);
     if (m_report.genus && m_report.betti_number != *m_report.genus) {
       m_report.warnings.push_back("the skeleton has " + std::to_string(m_report.betti_number) +
                                   " independent cycles, the surface " + std::to_string(*m_report.genus) + " handles");
@@ -263,9 +253,9 @@ private:
         bundle.radius = m_traits.to_input_length(skeleton.radius[node]);
       }
     }
-    for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      for (const auto& descriptor : m_traits.descriptors(site)) {
-        result[vertex[skeleton.node_of_vertex[site]]].vertices.push_back(descriptor);
+    for (Index v = 0; v < skeleton.node_of_vertex.size(); ++v) {
+      for (const auto& descriptor : m_traits.descriptors(v)) {
+        result[vertex[skeleton.node_of_vertex[v]]].vertices.push_back(descriptor);
       }
     }
     builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
@@ -301,6 +291,8 @@ private:
   Policies m_policies;
   Visitor m_visitor;
   Search_settings m_settings;
+  unsigned m_number_of_threads = 0;
+  std::size_t m_number_of_input_warnings = 0;
   std::vector<Separator> m_separators;
   std::optional<typename Policies::Packing> m_packing;
   Skeletonization_report m_report;

@@ -6,75 +6,80 @@
 #ifndef CSCD_LOCAL_POLICIES_H
 #define CSCD_LOCAL_POLICIES_H
 
-#include <CSCD/Selection/Covering_search.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Selection/Separator_cost.h>
-#include <CSCD/Selection/Separator_packing.h>
-#include <CSCD/Selection/cut_handles.h>
-#include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/concepts.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
 
+#include <functional>
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
 
+namespace internal {
+class Separator_packing;
+}
+
 /// The local policies: a separator is sought on the surface around its source alone, sources cover the surface, and
-/// the surface is cut along the packed separators. The default model of `SkeletonizationPolicies`.
-/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-/// \tparam SeparatorCost a model of `SeparatorCost`
-/// \tparam SeparatorFinder a model of `SeparatorFinder` that can be made of a `Traits` object
-template <class Traits, class SeparatorCost = Length_and_planarity_cost,
-          class SeparatorFinder = Local_separator_finder<Traits>>
+/// the surface is cut along the packed separators. The default model of `SkeletonizationPolicies`, for
+/// `Triangulated_solid`.
 class Local_policies
 {
 public:
-  /// The packed separators, and the surface cut along them.
-  using Packing = internal::Separator_packing;
+  /// Makes the finder of one thread; see the concept `SeparatorFinder`.
+  using Make_finder = std::function<Separator_finder(const Triangulated_solid&)>;
 
-  /// Prepares with the default weight of separators.
-  Local_policies() : Local_policies(SeparatorCost()) {}
-  /// \param weight of two separators that overlap, the one of lesser weight is packed
-  explicit Local_policies(SeparatorCost weight) : m_weight(std::move(weight))
+  /// The packed separators, and the surface cut along them.
+  class Packing
   {
-    check_triangulated_solid_skeletonization_traits<Traits>();
-    check_separator_cost<SeparatorCost>();
-    check_separator_finder<SeparatorFinder, Traits>();
+  public:
+    explicit Packing(std::unique_ptr<const internal::Separator_packing> packing);
+    Packing(Packing&& other) noexcept;
+    Packing& operator=(Packing&& other) noexcept;
+    ~Packing();
+
+    /// The packed separators, as positions in the list of all separators, by increasing cost.
+    const std::vector<Index>& packed() const;
+
+  private:
+    friend class Local_policies;
+    std::unique_ptr<const internal::Separator_packing> m_packing;
+  };
+
+  /// \param cost of two separators that overlap, the one of lower cost is packed
+  /// \param make_finder makes the finders of separators; without it, they are `Local_separator_finder`
+  explicit Local_policies(Separator_cost cost = Length_and_planarity_cost(), Make_finder make_finder = nullptr)
+      : m_cost(std::move(cost)), m_make_finder(std::move(make_finder))
+  {
   }
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
-  template <class ConcurrencyTag, class Progress>
-  std::vector<Separator> find_separators(const Traits& traits, const Search_settings& settings,
-                                         Skeletonization_report& report, const Progress& progress) const
-  {
-    internal::Covering_search<ConcurrencyTag, Traits, SeparatorFinder> search(traits, settings);
-    return search(m_weight, report, progress);
-  }
+  std::vector<Separator> find_separators(const Triangulated_solid& solid, const Search_settings& settings,
+                                         Skeletonization_report& report, const Progress& progress) const;
 
   /// Appends separators to `separators` around handles that no source has found.
-  Packing pack_separators(const Traits& traits, std::vector<Separator>& separators,
-                          Skeletonization_report& report) const
-  {
-    Packing packing(traits.levels().finest().surface, separators, internal::separator_costs(separators, m_weight));
-    report.number_of_handle_cuts = internal::cut_handles(traits, separators, packing);
-    return packing;
-  }
+  Packing pack_separators(const Triangulated_solid& solid, std::vector<Separator>& separators,
+                          Skeletonization_report& report) const;
 
   /// Builds the skeleton of the cut graph.
-  Embedded_skeleton build_skeleton(const Traits& traits, const std::vector<Separator>& separators,
-                                   const Packing& packing, Skeletonization_report& report) const
-  {
-    return internal::build_cut_graph_skeleton(traits, separators, packing, report);
-  }
+  Embedded_skeleton build_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
+                                   const Packing& packing, Skeletonization_report& report) const;
 
 private:
-  SeparatorCost m_weight;
+  Separator_cost m_cost;
+  Make_finder m_make_finder;
 };
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Local_policies_impl.h>
+#endif
 
 #endif // CSCD_LOCAL_POLICIES_H

@@ -6,8 +6,12 @@
 #ifndef CSCD_SKELETON_GRAPH_H
 #define CSCD_SKELETON_GRAPH_H
 
+#include <CSCD/internal/detection.h>
+
 #include <boost/graph/adjacency_list.hpp>
 
+#include <cstddef>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -52,6 +56,39 @@ struct Has_radius<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>
 /// Whether the nodes of `Skeleton` carry a `radius`; those of CGAL's own skeleton type do not.
 template <class Skeleton>
 inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
+
+#ifdef DOXYGEN_RUNNING
+/// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
+/// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of what identifies
+/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius`.
+///
+/// \cgalRefines{Boost's `VertexListGraph`, `EdgeListGraph`, `MutableGraph`}
+/// \cgalHasModels{`Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`}
+/// \cgalArchetype{Skeleton_archetype.h}
+/// \cgalConcept
+class CurveSkeletonGraph
+{
+};
+#endif
+
+/// refuses at compile time a type that is no model of `CurveSkeletonGraph`.
+/// \ingroup PkgCSCDConceptChecks
+template <class T>
+constexpr void check_curve_skeleton_graph()
+{
+  static_assert(CSCD_IS_VALID(const T&, vertices(t)), "CSCD: CurveSkeletonGraph requires vertices(g)");
+  static_assert(CSCD_GIVES(std::size_t, const T&, num_vertices(t)),
+                "CSCD: CurveSkeletonGraph requires num_vertices(g)");
+  static_assert(CSCD_IS_VALID(const T&, edges(t)), "CSCD: CurveSkeletonGraph requires edges(g)");
+  static_assert(CSCD_IS_VALID(T&, add_vertex(t)), "CSCD: CurveSkeletonGraph requires add_vertex(g)");
+  static_assert(CSCD_IS_VALID(T&, add_edge(add_vertex(t), add_vertex(t), t)),
+                "CSCD: CurveSkeletonGraph requires add_edge(v, w, g)");
+  static_assert(CSCD_IS_VALID(T&, t[add_vertex(t)].point), "CSCD: CurveSkeletonGraph requires g[v].point");
+  static_assert(CSCD_IS_VALID(T&, std::begin(t[add_vertex(t)].vertices)),
+                "CSCD: CurveSkeletonGraph requires g[v].vertices, a range of input descriptors");
+  static_assert(std::is_default_constructible_v<T> && std::is_move_assignable_v<T>,
+                "CSCD: CurveSkeletonGraph requires a default constructor and a move assignment");
+}
 
 } // namespace CSCD
 

@@ -61,7 +61,7 @@ struct Skeletonization_report
 {
   /// \name Input
   /// @{
-  std::size_t number_of_sites = 0;              ///< input vertices or points that the skeleton partitions
+  std::size_t number_of_input_vertices = 0;     ///< input vertices or points that the skeleton partitions
   std::size_t number_of_isolated_vertices = 0;  ///< input vertices without any face: no part of the surface
   std::size_t number_of_surface_components = 0; ///< connected components of the surface
   std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
@@ -108,6 +108,14 @@ struct Skeletonization_report
   std::array<double, number_of_skeletonization_stages> seconds{};
   /// What the user should know: one sentence each.
   std::vector<std::string> warnings;
+
+  /// Adds the warning "`count` `what`" unless `count` is 0.
+  void add_warning(std::size_t count, const char* what)
+  {
+    if (count > 0) {
+      warnings.push_back(std::to_string(count) + ' ' + what);
+    }
+  }
 };
 
 } // namespace CSCD

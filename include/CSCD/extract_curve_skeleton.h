@@ -25,10 +25,29 @@
 namespace CSCD {
 namespace internal {
 
+/// The policies that `np` gives; by default the local ones, with the cost that `np` gives.
+template <class NamedParameters>
+auto skeletonization_policies(const NamedParameters& np)
+{
+  using parameters::is_default_parameter;
+  constexpr bool has_cost = !is_default_parameter<NamedParameters, internal_np::separator_cost_t>::value;
+  if constexpr (!is_default_parameter<NamedParameters, internal_np::policies_t>::value) {
+    static_assert(!has_cost, "CSCD: separator_cost belongs to the default policies and cannot be given with policies");
+    return parameters::get_parameter(np, internal_np::policies);
+  } else if constexpr (has_cost) {
+    auto cost = parameters::get_parameter(np, internal_np::separator_cost);
+    check_separator_cost<decltype(cost)>();
+    return Local_policies(cost);
+  } else {
+    return Local_policies();
+  }
+}
+
 /// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that meshes and points
 /// have in common.
-template <class ConcurrencyTag, class Traits, class MakeTraits, class Skeleton, class NamedParameters>
-Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skeleton, const NamedParameters& np)
+template <class ConcurrencyTag, class Traits, class MakeTraits, class Policies, class Skeleton, class NamedParameters>
+Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies& policies, Skeleton& skeleton,
+                                   const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -46,17 +65,13 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
   const Traits traits = make_traits();
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
-  auto weight = choose_parameter(get_parameter(np, internal_np::separator_cost), Length_and_planarity_cost());
-  check_separator_cost<decltype(weight)>();
-  using Policies = Local_policies<Traits, decltype(weight)>;
-  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, Policies(std::move(weight)),
-                                                                             visitor);
+  Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, policies, visitor);
   // Any integer type will do for a number.
   skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
       .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))
       .set_maximum_number_of_sources(std::size_t(choose_parameter(
           get_parameter(np, internal_np::maximum_number_of_sources), std::numeric_limits<std::size_t>::max())));
-  return skeletonization.template operator()<ConcurrencyTag>(skeleton);
+  return skeletonization.template run<ConcurrencyTag>(skeleton);
 }
 
 } // namespace internal
@@ -96,8 +111,13 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, Skeleton& skel
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0: as many as TBB allows, one a core unless `tbb::global_control` says otherwise}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{policies}
+///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published}
+///     \cgalParamType{a model of `SkeletonizationPolicies`}
+///     \cgalParamDefault{`Local_policies`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_cost}
-///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
+///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
 ///     \cgalParamType{a model of `SeparatorCost`}
 ///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
@@ -119,11 +139,13 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
                                    CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
-                                   internal_np::number_of_threads_t, internal_np::separator_cost_t>();
+                                   internal_np::number_of_threads_t, internal_np::separator_cost_t,
+                                   internal_np::policies_t>();
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
-  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map); }, skeleton, np);
+  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map); },
+                                                       internal::skeletonization_policies(np), skeleton, np);
 }
 
 } // namespace CSCD

@@ -9,6 +9,8 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Traits/Input_points.h>
+#include <CSCD/Surface/Point_solid.h>
+#include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -59,8 +61,14 @@ namespace CSCD {
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0: one a core}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{policies}
+///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published. Those that
+///       can work on a `Point_solid` get the points as they are, without a surface made of them}
+///     \cgalParamType{a model of `SkeletonizationPolicies`}
+///     \cgalParamDefault{`Local_policies`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_cost}
-///     \cgalParamDescription{of two separators that overlap, the one of lesser weight is packed}
+///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
 ///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
 ///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
@@ -83,14 +91,18 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::separator_cost_t>();
+                                   internal_np::separator_cost_t, internal_np::policies_t>();
   const auto point_map = internal::point_map(points, np);
-  using Traits = Reconstructed_surface_traits<PointRange, std::decay_t<decltype(point_map)>>;
+  const auto policies = internal::skeletonization_policies(np);
+  using Point_map = std::decay_t<decltype(point_map)>;
+  using Traits = std::conditional_t<is_skeletonization_policies_v<std::decay_t<decltype(policies)>, Point_solid>,
+                                    Point_set_traits<PointRange, Point_map>,
+                                    Reconstructed_surface_traits<PointRange, Point_map>>;
   const auto make_traits = [&] {
     return internal::with_normal_map(
         points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });
   };
-  return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, skeleton, np);
+  return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, policies, skeleton, np);
 }
 
 } // namespace CSCD

@@ -29,7 +29,7 @@ namespace {
 
 using CSCD::internal::build_point_complex;
 using CSCD::Index;
-using CSCD::internal::Point_cloud;
+using CSCD::Point_cloud;
 using CSCD::Point_complex;
 using CSCD::Vector_3;
 using CSCD::test::Shape;

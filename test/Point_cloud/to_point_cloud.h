@@ -17,7 +17,7 @@
 
 namespace CSCD::test {
 
-inline CSCD::internal::Point_cloud to_point_cloud(const std::vector<Triple>& triples)
+inline CSCD::Point_cloud to_point_cloud(const std::vector<Triple>& triples)
 {
   using Point = CGAL::Simple_cartesian<double>::Point_3;
   return CSCD::internal::collect_points(to_points<Point>(triples), CGAL::Identity_property_map<const Point>(),

@@ -40,7 +40,7 @@ inline CSCD::Point_complex to_point_complex(const Shape& shape)
 /// The complex of different points, in their own coordinates.
 inline CSCD::Point_complex to_point_complex(const std::vector<Triple>& points)
 {
-  CSCD::internal::Point_cloud cloud;
+  CSCD::Point_cloud cloud;
   for (const Triple& p : points) {
     cloud.input_point.push_back(CSCD::Index(cloud.points.size()));
     cloud.points.emplace_back(p[0], p[1], p[2]);

@@ -21,7 +21,7 @@ namespace {
 using CSCD::Edge_crossing;
 using CSCD::internal::Polygon_trace;
 using CSCD::internal::Solid_queries;
-using CSCD::internal::Surface_point;
+using CSCD::Surface_point;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::test::pi;

@@ -32,7 +32,7 @@ using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::internal::Solid_queries;
-using CSCD::internal::Surface_point;
+using CSCD::Surface_point;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;

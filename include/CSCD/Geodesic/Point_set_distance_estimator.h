@@ -128,7 +128,7 @@ public:
 private:
   using Heat_method = internal::Heat_method;
 
-  Point_set_distance_estimator(const PointRange& points, internal::Point_cloud&& cloud, double time_step_factor)
+  Point_set_distance_estimator(const PointRange& points, Point_cloud&& cloud, double time_step_factor)
       : m_unit(cloud.normalization.unit), m_method(prepare(cloud, time_step_factor)),
         m_vertex(std::move(cloud.input_point))
   {
@@ -143,7 +143,7 @@ private:
   }
 
   template <class NamedParameters>
-  static internal::Point_cloud collect(const PointRange& points, const NamedParameters& np)
+  static Point_cloud collect(const PointRange& points, const NamedParameters& np)
   {
     const auto point_map = internal::point_map(points, np);
     return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
@@ -155,7 +155,7 @@ private:
     });
   }
 
-  static Heat_method prepare(const internal::Point_cloud& cloud, double time_step_factor)
+  static Heat_method prepare(const Point_cloud& cloud, double time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
     const Point_complex complex = internal::build_point_complex(cloud);

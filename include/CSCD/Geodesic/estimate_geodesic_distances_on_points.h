@@ -8,7 +8,7 @@
 
 #include <CSCD/Geodesic/Point_set_distance_estimator.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/concepts.h>
+#include <CSCD/Traits/input_concepts.h>
 
 #include <array>
 #include <type_traits>

@@ -19,7 +19,7 @@
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/concepts.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/assertions.h>

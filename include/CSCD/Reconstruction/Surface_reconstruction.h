@@ -9,6 +9,7 @@
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Reconstruction/Handle_repair.h>
 #include <CSCD/Reconstruction/advance_front.h>
+#include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Cloud_sampling.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
@@ -20,7 +21,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
-#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
@@ -34,16 +34,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// A closed surface through points.
-struct Reconstructed_surface
-{
-  Indexed_triangles triangles; ///< a closed manifold, looking outwards; faces that only close holes are bridging
-  Halfedge_pairing pairing;    ///< of the triangles
-  /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
-  std::vector<Index> point_of_vertex;
-  Reconstruction_report report;
-};
 
 /// Makes a closed surface of a cloud, step by step.
 class Surface_reconstruction
@@ -233,11 +223,23 @@ private:
   std::size_t m_number_of_components = 0;
 };
 
-/// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
-/// \throw Surface_error if there is none
-inline Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
+CSCD_INLINE Reconstructed_surface reconstruct_surface(const Point_cloud& cloud)
 {
   return Surface_reconstruction(cloud)();
+}
+
+CSCD_INLINE std::vector<Index> vertices_of_points(const Triangulated_solid& solid, const Point_cloud& cloud,
+                                                  const std::vector<Index>& point_of_vertex)
+{
+  std::vector<Index> result(cloud.points.size(), no_index);
+  for (Index vertex = 0; vertex < solid.triangulation().number_of_vertices(); ++vertex) {
+    const Index input = solid.input_vertex(vertex);
+    if (input != no_index && point_of_vertex[input] != no_index) {
+      result[point_of_vertex[input]] = vertex;
+    }
+  }
+  assign_to_nearest(cloud.points, result);
+  return result;
 }
 
 } // namespace CSCD::internal

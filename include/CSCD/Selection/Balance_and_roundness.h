@@ -93,19 +93,19 @@ private:
 
 /// The share of the cone from the center of a closed polygon to its points that lies inside the body: nearly 1 for a
 /// curve around a limb, nearly 0 for one around a hole, which bounds no disc in the body (section 3.2.2). Sampled.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
-template <class Traits>
-double span_inside_share(const Traits& traits, const std::vector<Vector_3>& points, const Vector_3& center)
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
+double span_inside_share(const Surface& surface, const std::vector<Vector_3>& points, const Vector_3& center)
 {
   constexpr std::size_t max_directions = 8;
   constexpr double parts[] = {0.25, 0.5, 0.75}; // of the way from the center to the curve
   const std::size_t directions = std::min(points.size(), max_directions);
-  std::size_t inside = traits.is_inside(center) ? 1 : 0;
+  std::size_t inside = surface.is_inside(center) ? 1 : 0;
   std::size_t samples = 1;
   for (std::size_t i = 0; i < directions; ++i) {
     const Vector_3& point = points[i * points.size() / directions];
     for (double part : parts) {
-      inside += traits.is_inside(center + part * (point - center)) ? 1 : 0;
+      inside += surface.is_inside(center + part * (point - center)) ? 1 : 0;
       ++samples;
     }
   }
@@ -118,8 +118,8 @@ double span_inside_share(const Traits& traits, const std::vector<Vector_3>& poin
 /// The published text says that local separators are weighed as Baerentzen and Rotenberg do, by the ratio of the sizes
 /// of their two fronts: 1 on a tube, less at its ends and where a limb branches off. The areas of two bands are that
 /// for a curve. Roundness is the square root of the isoperimetric quotient.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
-template <class Traits>
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
 class Balance_and_roundness
 {
 public:
@@ -130,7 +130,7 @@ public:
     tunnel ///< the curve does not span the body
   };
 
-  explicit Balance_and_roundness(const Traits& traits) : m_traits(traits), m_sides(traits.surface()) {}
+  explicit Balance_and_roundness(const Surface& surface) : m_surface(surface), m_sides(surface.triangulation()) {}
 
   /// Judges `separator` and sets `weight`, in (0, 1] for a good one and 0 for others.
   Verdict operator()(const Separator& separator, double& weight)
@@ -144,8 +144,8 @@ public:
     if (std::min(left.area, right.area) < min_area) {
       return Verdict::bump;
     }
-    curve_points(m_traits.surface(), separator, m_points);
-    if (span_inside_share(m_traits, m_points, separator.center) < min_inside_share) {
+    curve_points(m_surface.triangulation(), separator, m_points);
+    if (span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
       return Verdict::tunnel;
     }
     const double balance = std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area);
@@ -156,14 +156,14 @@ public:
   }
 
 private:
-  using Sides = Separator_sides<std::decay_t<decltype(std::declval<const Traits&>().surface())>>;
+  using Sides = Separator_sides<std::decay_t<decltype(std::declval<const Surface&>().triangulation())>>;
 
   /// Width of the bands, relative to the length of the separator.
   static constexpr double band_width = 1. / 8;
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
   static constexpr double min_inside_share = 0.7;
 
-  const Traits& m_traits;
+  const Surface& m_surface;
   Sides m_sides;
   std::vector<Vector_3> m_points;
 };

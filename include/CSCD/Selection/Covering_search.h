@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -33,21 +34,19 @@ namespace CSCD::internal {
 /// before the batch, and taken over in the order of the sources; a source that a separator before it in the batch
 /// covers is dropped, so that it does not matter whether its separator was computed. The answer is that of a single
 /// thread.
-template <class ConcurrencyTag, class Finder>
 class Separator_search
 {
 public:
   /// \param make_finder makes the finder of one thread
-  template <class MakeFinder>
-  Separator_search(const Surface_levels& levels, unsigned random_seed, unsigned number_of_threads,
-                   MakeFinder make_finder)
-      : m_coverage(levels), m_sources(levels, random_seed), m_for_each(std::move(make_finder), number_of_threads)
+  Separator_search(const Surface_levels& levels, const Search_settings& settings,
+                   std::function<Separator_finder()> make_finder)
+      : m_coverage(levels), m_sources(levels, settings.random_seed),
+        m_for_each(std::move(make_finder), settings.number_of_threads)
   {
   }
 
   /// Seeks separators until the surface is covered or `max_sources` have been tried; appends them to `separators` and
   /// counts in `report`. `progress(fraction)` is called after each batch and may throw.
-  template <class Progress>
   void operator()(std::size_t max_sources, std::vector<Separator>& separators, Skeletonization_report& report,
                   const Progress& progress)
   {
@@ -81,12 +80,12 @@ private:
     for (std::size_t i = 0; i < m_batch.size(); ++i) {
       hints[i] = m_coverage.level_hint(m_batch[i]);
     }
-    const auto search = [&](Index i, Finder& finder) { finder(m_batch[i], hints[i], m_results[i]); };
+    const auto search = [&](Index i, Separator_finder& finder) { finder(m_batch[i], hints[i], m_results[i]); };
     const auto take = [&](Index i) { take_result(m_batch[i], m_results[i], separators, report); };
     const auto size = Index(m_batch.size());
     if (m_for_each.number_of_threads() == 1) {
       // What is dropped need not be computed.
-      m_for_each(size, [&](Index i, Finder& finder) {
+      m_for_each(size, [&](Index i, Separator_finder& finder) {
         if (!m_coverage.is_covered(m_batch[i])) {
           search(i, finder);
           take(i);
@@ -124,7 +123,7 @@ private:
 
   Coverage m_coverage;
   Source_sequence m_sources;
-  For_each_index<ConcurrencyTag, Finder> m_for_each;
+  For_each_index<Separator_finder> m_for_each;
   std::vector<Index> m_batch;
   std::array<Search_result, batch_size> m_results;
 };
@@ -132,28 +131,23 @@ private:
 /// Seeks separators from sources all over the surface until it is covered by them, packs them for trial, and looks
 /// closer at the ends of limbs and where limbs meet. Small limbs that grow from there, as toes from a foot, are easily
 /// missed at first.
-/// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
-/// \tparam Finder a model of `SeparatorFinder` that can be made of a `Traits` object
-template <class ConcurrencyTag, class Traits, class Finder>
 class Covering_search
 {
 public:
-  Covering_search(const Traits& traits, const Search_settings& settings)
-      : m_levels(traits.levels()), m_max_sources(settings.maximum_number_of_sources),
-        m_search(traits.levels(), settings.random_seed, settings.number_of_threads,
-                 [&traits] { return Finder(traits); })
+  Covering_search(const Surface_levels& levels, const Search_settings& settings,
+                  std::function<Separator_finder()> make_finder)
+      : m_levels(levels), m_max_sources(settings.maximum_number_of_sources),
+        m_search(levels, settings, std::move(make_finder))
   {
   }
 
   /// Finds separators and counts in `report`; `progress(fraction)` is called often and may throw.
-  /// \param weight a model of `SeparatorCost`
-  template <class SeparatorCost, class Progress>
-  std::vector<Separator> operator()(const SeparatorCost& weight, Skeletonization_report& report,
+  std::vector<Separator> operator()(const Separator_cost& cost, Skeletonization_report& report,
                                     const Progress& progress)
   {
     std::vector<Separator> separators;
     m_search(m_max_sources, separators, report, [&](double fraction) { progress(first_pass_share * fraction); });
-    explore_ends(separators, separator_costs(separators, weight));
+    explore_ends(separators, separator_costs(separators, cost));
     m_search(m_max_sources, separators, report,
              [&](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
     return separators;
@@ -168,10 +162,10 @@ private:
   static constexpr unsigned exploration_factor = 3;
 
   /// The separators that would be packed so far, less those of bumps.
-  std::vector<Index> pack_for_trial(const std::vector<Separator>& separators, const std::vector<double>& weights) const
+  std::vector<Index> pack_for_trial(const std::vector<Separator>& separators, const std::vector<double>& costs) const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
-    Disjoint_separators disjoint(surface, separators, weights);
+    Disjoint_separators disjoint(surface, separators, costs);
     disjoint.pack([](Index) { return true; });
     Cut_graph cut_graph(surface, disjoint.arrangement());
     cut_graph.cut(disjoint.arrangement());
@@ -187,9 +181,9 @@ private:
   }
 
   /// Lets the search go on where the separators that would be packed so far leave much of the surface.
-  void explore_ends(const std::vector<Separator>& separators, const std::vector<double>& weights)
+  void explore_ends(const std::vector<Separator>& separators, const std::vector<double>& costs)
   {
-    const std::vector<Index> packed = pack_for_trial(separators, weights);
+    const std::vector<Index> packed = pack_for_trial(separators, costs);
     const Surface_regions regions(m_levels, separators, packed, Surface_regions::rough_size);
     m_search.explore(
         [&](Index vertex) {
@@ -203,7 +197,7 @@ private:
 
   const Surface_levels& m_levels;
   std::size_t m_max_sources;
-  Separator_search<ConcurrencyTag, Finder> m_search;
+  Separator_search m_search;
 };
 
 } // namespace CSCD::internal

@@ -66,10 +66,10 @@ class Region_packing
 {
 public:
   /// Weighs, prunes and packs `separators`; counts in `report`.
-  /// \tparam Traits a model of `SolidSkeletonizationTraits`
-  template <class Traits>
-  Region_packing(const Traits& traits, const std::vector<Separator>& separators, Skeletonization_report& report)
-      : m_packed(pack(traits, separators, report)), m_regions(traits.surface(), separators, m_packed)
+  /// \tparam Surface a model of `SkeletonizationSurface`
+  template <class Surface>
+  Region_packing(const Surface& surface, const std::vector<Separator>& separators, Skeletonization_report& report)
+      : m_packed(pack(surface, separators, report)), m_regions(surface.triangulation(), separators, m_packed)
   {
   }
 
@@ -78,12 +78,12 @@ public:
   const Separator_regions& regions() const { return m_regions; }
 
 private:
-  template <class Traits>
-  static std::vector<Index> pack(const Traits& traits, const std::vector<Separator>& separators,
+  template <class Surface>
+  static std::vector<Index> pack(const Surface& surface, const std::vector<Separator>& separators,
                                  Skeletonization_report& report)
   {
-    using Judge = Balance_and_roundness<Traits>;
-    Judge judge(traits);
+    using Judge = Balance_and_roundness<Surface>;
+    Judge judge(surface);
     std::vector<double> weights(separators.size());
     report.number_of_bumps = 0;
     report.number_of_tunnels = 0;
@@ -92,7 +92,7 @@ private:
       report.number_of_bumps += verdict == Judge::Verdict::bump ? 1 : 0;
       report.number_of_tunnels += verdict == Judge::Verdict::tunnel ? 1 : 0;
     }
-    return pack_by_overlap(Separator_overlaps(traits.surface(), separators), weights);
+    return pack_by_overlap(Separator_overlaps(surface.triangulation(), separators), weights);
   }
 
   std::vector<Index> m_packed;

@@ -6,6 +6,7 @@
 #ifndef CSCD_SELECTION_SAMPLED_SEARCH_H
 #define CSCD_SELECTION_SAMPLED_SEARCH_H
 
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Search_settings.h>
@@ -107,22 +108,19 @@ private:
 ///
 /// Sources are drawn in rounds, of which each knows all earlier ones; so the answer does not depend on the number of
 /// threads. A thread takes a group of sources at a time, whose distances are solved for together.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
-template <class ConcurrencyTag, class Traits>
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
 class Sampled_search
 {
 public:
-  Sampled_search(const Traits& traits, const Search_settings& settings, Target_rule target_rule,
-                 Shortening_rule shortening_rule)
-      : m_space(traits.surface(), shortening_rule), m_sampling(areas(traits.surface()), settings.random_seed),
-        m_for_each([this, target_rule] { return std::make_unique<Worker>(m_space, target_rule); },
-                   settings.number_of_threads)
+  Sampled_search(const Surface& surface, const Search_settings& settings, const Field_search_settings& field_settings)
+      : m_space(surface.triangulation(), field_settings), m_sampling(areas(surface.triangulation()), settings.random_seed),
+        m_for_each([this] { return std::make_unique<Worker>(m_space); }, settings.number_of_threads)
   {
   }
 
   /// Seeks a separator from each of `number_of_sources` sources, and counts in `report`; `progress(fraction)` is called
   /// after each round and may throw.
-  template <class Progress>
   std::vector<Separator> operator()(std::size_t number_of_sources, Skeletonization_report& report,
                                     const Progress& progress)
   {
@@ -146,12 +144,12 @@ private:
   /// Sources of a round: enough for a few threads, and few against the number of all.
   static constexpr std::size_t round_size = group_size * max_groups;
 
-  using Surface = std::decay_t<decltype(std::declval<const Traits&>().surface())>;
-  using Space = Field_search_space<Surface>;
+  using Triangulation = std::decay_t<decltype(std::declval<const Surface&>().triangulation())>;
+  using Space = Field_search_space<Triangulation>;
 
   struct Worker
   {
-    Worker(const Space& space, Target_rule target_rule) : finder(space.make_finder(target_rule)) {}
+    explicit Worker(const Space& space) : finder(space.make_finder()) {}
 
     Heat_method::Workspace workspace;
     std::vector<std::vector<Geodesic_source>> source_sets;
@@ -159,7 +157,7 @@ private:
     typename Space::Finder finder;
   };
 
-  static std::vector<double> areas(const Surface& surface)
+  static std::vector<double> areas(const Triangulation& surface)
   {
     std::vector<double> result(surface.number_of_vertices());
     for (Index vertex = 0; vertex < result.size(); ++vertex) {
@@ -218,7 +216,7 @@ private:
 
   Space m_space;
   Distance_sampling m_sampling;
-  For_each_index<ConcurrencyTag, std::unique_ptr<Worker>> m_for_each;
+  For_each_index<std::unique_ptr<Worker>> m_for_each;
   std::vector<Index> m_sources;
   std::array<Field_search_result, round_size> m_results;
   std::array<std::vector<float>, max_groups> m_distance; ///< from the nearest source of a group

@@ -7,6 +7,7 @@
 #define CSCD_SELECTION_SEARCH_SETTINGS_H
 
 #include <cstddef>
+#include <functional>
 #include <limits>
 
 namespace CSCD {
@@ -16,11 +17,14 @@ struct Search_settings
 {
   /// Seed of the order in which sources are tried.
   unsigned random_seed = 0;
-  /// Number of threads for `CGAL::Parallel_tag`; 0 stands for as many as TBB allows.
-  unsigned number_of_threads = 0;
+  /// Number of threads; 0 stands for as many as TBB allows.
+  unsigned number_of_threads = 1;
   /// Bounds the number of sources.
   std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
 };
+
+/// Called with the part of a stage that is done, in [0, 1]; what it throws ends the stage.
+using Progress = std::function<void(double fraction)>;
 
 } // namespace CSCD
 

@@ -8,36 +8,39 @@
 
 #include <CSCD/Separator/Separator.h>
 
+#include <functional>
 #include <vector>
 
 namespace CSCD {
 
 /// Prefers short, planar separators. The default model of `SeparatorCost`: of two separators that overlap, the one of
-/// lesser weight is packed.
+/// lower cost is packed.
 struct Length_and_planarity_cost
 {
   /// Weight of the relative deviation from a plane: one of a quarter of the length counts as twice the length.
   static constexpr double planarity_factor = 4;
 
-  /// The weight of `separator`, a length.
+  /// The cost of `separator`, a length.
   double operator()(const Separator& separator) const
   {
     return separator.length * (1 + planarity_factor * separator.planarity);
   }
 };
 
+/// Any model of `SeparatorCost`.
+using Separator_cost = std::function<double(const Separator&)>;
+
 } // namespace CSCD
 
 namespace CSCD::internal {
 
-/// The weights of `separators`, each by `weight`, a model of `SeparatorCost`.
-template <class SeparatorCost>
-std::vector<double> separator_costs(const std::vector<Separator>& separators, const SeparatorCost& weight)
+/// The costs of `separators`.
+inline std::vector<double> separator_costs(const std::vector<Separator>& separators, const Separator_cost& cost)
 {
   std::vector<double> result;
   result.reserve(separators.size());
   for (const Separator& separator : separators) {
-    result.push_back(weight(separator));
+    result.push_back(cost(separator));
   }
   return result;
 }

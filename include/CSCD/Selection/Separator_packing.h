@@ -21,17 +21,17 @@
 
 namespace CSCD::internal {
 
-/// Greedy weighted set packing of separators (section 3.2.3): the lighter one of two that overlap is kept.
+/// Greedy weighted set packing of separators (section 3.2.3): the cheaper one of two that overlap is kept.
 class Disjoint_separators
 {
 public:
-  /// Prepares to pack `separators`, whose weights are `weights`; both the surface and the separators are referred to.
+  /// Prepares to pack `separators`, whose costs are `costs`; both the surface and the separators are referred to.
   Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                      const std::vector<double>& weights)
+                      const std::vector<double>& costs)
       : m_separators(separators), m_arrangement(surface), m_order(separators.size())
   {
     std::iota(m_order.begin(), m_order.end(), Index(0));
-    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return weights[a] < weights[b]; });
+    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return costs[a] < costs[b]; });
   }
 
   /// Packs anew, of those for which `is_allowed(separator)` holds.
@@ -100,10 +100,10 @@ private:
 class Separator_packing
 {
 public:
-  /// Packs `separators`, whose weights are `weights`: the lighter one of two that overlap is kept.
+  /// Packs `separators`, whose costs are `costs`: the cheaper one of two that overlap is kept.
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                    const std::vector<double>& weights)
-      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, weights)
+                    const std::vector<double>& costs)
+      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
   {
     m_cut_graph.emplace(surface, separators);
     std::vector<std::uint8_t> is_banned(separators.size(), 0);
@@ -125,7 +125,7 @@ public:
     }
   }
 
-  /// The packed separators, as positions in the list of all separators, by increasing weight.
+  /// The packed separators, as positions in the list of all separators, by increasing cost.
   const std::vector<Index>& packed() const { return m_disjoint.packed(); }
   /// The surface cut along them.
   const Cut_graph& cut_graph() const { return *m_cut_graph; }

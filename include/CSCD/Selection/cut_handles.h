@@ -6,6 +6,7 @@
 #ifndef CSCD_SELECTION_CUT_HANDLES_H
 #define CSCD_SELECTION_CUT_HANDLES_H
 
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Handle_loops.h>
 #include <CSCD/Selection/Separator_arrangement.h>
@@ -28,14 +29,13 @@ namespace CSCD::internal {
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
 /// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one that spans the body
-/// rather than a hole, the shorter the better. \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
+/// rather than a hole, the shorter the better.
 class Handle_cutting
 {
 public:
   /// `separators` are those of `packing`; the new ones are appended to them.
-  Handle_cutting(const Traits& traits, std::vector<Separator>& separators, Separator_packing& packing)
-      : m_traits(traits), m_surface(traits.levels().finest().surface), m_separators(separators), m_packing(packing),
+  Handle_cutting(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
+      : m_solid(solid), m_surface(solid.levels().finest().surface), m_separators(separators), m_packing(packing),
         m_straightening(m_surface)
   {
   }
@@ -127,7 +127,7 @@ private:
 
   std::vector<Candidate> find_candidates(Index piece) const
   {
-    Handle_loops handle_loops(m_traits.levels().finest(), m_packing.arrangement());
+    Handle_loops handle_loops(m_solid.levels().finest(), m_packing.arrangement());
     Index root = 0;
     while (root < m_surface.number_of_vertices() && m_packing.cut_graph().piece_of_vertex(root) != piece) {
       ++root;
@@ -158,7 +158,7 @@ private:
     }
     const Polygon_measures measures = measure_polygon(points);
     const auto inside = std::count_if(points.begin(), points.end(), [&](const Vector_3& point) {
-      return m_traits.is_inside((point + measures.center) / 2);
+      return m_solid.is_inside((point + measures.center) / 2);
     });
     return {loop, measures.length, double(inside) >= min_inside_part * double(points.size())};
   }
@@ -187,7 +187,7 @@ private:
     }
   }
 
-  const Traits& m_traits;
+  const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;
   std::vector<Separator>& m_separators;
   Separator_packing& m_packing;
@@ -195,10 +195,9 @@ private:
 };
 
 /// Cuts the handles that `packing` leaves uncut; see `Handle_cutting`. \return their number
-template <class Traits>
-std::size_t cut_handles(const Traits& traits, std::vector<Separator>& separators, Separator_packing& packing)
+inline std::size_t cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
 {
-  return Handle_cutting<Traits>(traits, separators, packing)();
+  return Handle_cutting(solid, separators, packing)();
 }
 
 } // namespace CSCD::internal

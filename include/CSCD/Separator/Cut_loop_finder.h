@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 #define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Separator/Descent.h>
 #include <CSCD/Separator/incoming_directions.h>
@@ -23,17 +24,6 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-namespace CSCD {
-
-/// Which cut point is the target of a source.
-enum class Target_rule
-{
-  nearest_in_space,     ///< least Euclidean distance: around the limb, however wide it is
-  nearest_along_surface ///< least geodesic distance: on a wide body that may be around another limb (supplement, J.1)
-};
-
-} // namespace CSCD
 
 namespace CSCD::internal {
 

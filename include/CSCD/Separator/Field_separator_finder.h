@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 #define CSCD_SEPARATOR_FIELD_SEPARATOR_FINDER_H
 
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
@@ -104,28 +105,29 @@ class Field_search_space<Triangulated_surface>
 public:
   using Finder = Field_separator_finder<Cut_locus_indicators<Triangulated_surface>, Separator_shortening>;
 
-  static constexpr Shortening_rule default_shortening_rule = Shortening_rule::edge_flips;
 
   /// \param surface is referred to and must outlive this object
-  Field_search_space(const Triangulated_surface& surface, Shortening_rule shortening_rule)
-      : m_surface(surface), m_frames(surface), m_heat_method(make_intrinsic_delaunay(surface))
+  Field_search_space(const Triangulated_surface& surface, const Field_search_settings& settings)
+      : m_surface(surface), m_target_rule(settings.target_rule), m_frames(surface),
+        m_heat_method(make_intrinsic_delaunay(surface))
   {
-    if (shortening_rule == Shortening_rule::variational) {
+    if (settings.shortening_rule == Shortening_rule::variational) {
       m_queries.emplace(surface);
     }
   }
-  Field_search_space(Triangulated_surface&&, Shortening_rule) = delete;
+  Field_search_space(Triangulated_surface&&, const Field_search_settings&) = delete;
 
   const Heat_method& heat_method() const { return m_heat_method; }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder(Target_rule target_rule) const
+  Finder make_finder() const
   {
-    return Finder(m_frames, m_surface.points(), target_rule, m_surface, m_queries ? &*m_queries : nullptr);
+    return Finder(m_frames, m_surface.points(), m_target_rule, m_surface, m_queries ? &*m_queries : nullptr);
   }
 
 private:
   const Triangulated_surface& m_surface;
+  Target_rule m_target_rule;
   Tangent_frames<Triangulated_surface> m_frames;
   Heat_method m_heat_method;
   std::optional<Solid_queries> m_queries; ///< for the variational shortening
@@ -139,28 +141,28 @@ class Field_search_space<Point_complex>
 public:
   using Finder = Field_separator_finder<Point_cut_locus_indicators, Point_separator_shortening>;
 
-  static constexpr Shortening_rule default_shortening_rule = Shortening_rule::variational;
 
   /// \param complex is referred to and must outlive this object
-  /// \pre `shortening_rule` is `variational`: points have no edges to be flipped
-  Field_search_space(const Point_complex& complex, [[maybe_unused]] Shortening_rule shortening_rule)
-      : m_complex(complex), m_frames(complex), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
+  /// \pre `settings.shortening_rule` is not `edge_flips`: points have no edges to be flipped
+  Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
+      : m_complex(complex), m_target_rule(settings.target_rule), m_frames(complex), m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
         m_derivatives(m_frames, m_heat_method.operators().elements), m_neighborhoods(complex)
   {
-    CGAL_precondition(shortening_rule == Shortening_rule::variational);
+    CGAL_precondition(settings.shortening_rule != Shortening_rule::edge_flips);
   }
-  Field_search_space(Point_complex&&, Shortening_rule) = delete;
+  Field_search_space(Point_complex&&, const Field_search_settings&) = delete;
 
   const Heat_method& heat_method() const { return m_heat_method; }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder(Target_rule target_rule) const
+  Finder make_finder() const
   {
-    return Finder(m_derivatives, m_complex.points(), target_rule, m_complex, m_neighborhoods);
+    return Finder(m_derivatives, m_complex.points(), m_target_rule, m_complex, m_neighborhoods);
   }
 
 private:
   const Point_complex& m_complex;
+  Target_rule m_target_rule;
   Point_frames m_frames;
   Heat_method m_heat_method;
   Point_derivatives m_derivatives;

@@ -26,39 +26,17 @@
 
 namespace CSCD {
 
-/// How the search for the separator of one source ended.
-enum class Search_outcome
-{
-  found,     ///< a separator was found
-  no_cut,    ///< no acceptable cut point was met
-  bump,      ///< the loop only encircles a bump
-  degenerate ///< the loop is no simple curve of enough edges
-};
-
-/// The result of the search for the separator of one source.
-struct Search_result
-{
-  Search_outcome outcome = Search_outcome::no_cut; ///< how the search ended
-  Separator separator;                             ///< where one was found
-  bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
-  Index level = 0; ///< the level of detail that decided
-  double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
-};
-
 /// The default model of `SeparatorFinder`: polar front, stopped early, on the level of detail that suits the limb;
 /// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
 ///
 /// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
 /// source; the work for a source is a few hundred visited vertices, whatever the size of the surface.
-/// \tparam Traits a model of `MultiresolutionSkeletonizationTraits`
-template <class Traits>
 class Local_separator_finder
 {
-
 public:
-  /// Prepares the working memory; `traits` is referred to and must outlive this object.
-  explicit Local_separator_finder(const Traits& traits)
-      : m_levels(traits.levels()), m_workspaces(m_levels.size()), m_projection(m_levels),
+  /// Prepares the working memory; `levels` is referred to and must outlive this object.
+  explicit Local_separator_finder(const Surface_levels& levels)
+      : m_levels(levels), m_workspaces(m_levels.size()), m_projection(m_levels),
         m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
   {
   }

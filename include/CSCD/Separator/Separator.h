@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CSCD {
@@ -45,6 +46,28 @@ struct Separator
   /// Radius of the circle of the same length.
   double radius() const { return length / (2 * boost::math::double_constants::pi); }
 };
+
+/// How the search for the separator of one source ended.
+enum class Search_outcome
+{
+  found,     ///< a separator was found
+  no_cut,    ///< no acceptable cut point was met
+  bump,      ///< the loop only encircles a bump
+  degenerate ///< the loop is no simple curve of enough edges
+};
+
+/// The result of the search for the separator of one source.
+struct Search_result
+{
+  Search_outcome outcome = Search_outcome::no_cut; ///< how the search ended
+  Separator separator;                             ///< where one was found
+  bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
+  Index level = 0; ///< the level of detail that decided
+  double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
+};
+
+/// Any model of `SeparatorFinder`: seeks the separator of `source`, preferably on the level `level_hint`.
+using Separator_finder = std::function<void(Index source, Index level_hint, Search_result& result)>;
 
 } // namespace CSCD
 

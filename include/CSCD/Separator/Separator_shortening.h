@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_SEPARATOR_SHORTENING_H
 #define CSCD_SEPARATOR_SEPARATOR_SHORTENING_H
 
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Curve_trace.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
@@ -22,17 +23,6 @@
 #include <cstddef>
 #include <optional>
 #include <vector>
-
-namespace CSCD {
-
-/// How the published method shortens the loop of a source.
-enum class Shortening_rule
-{
-  edge_flips, ///< to a geodesic, by flips of intrinsic edges (appendix E)
-  variational ///< by the variational flow, projected to the surface (appendix F)
-};
-
-} // namespace CSCD
 
 namespace CSCD::internal {
 

@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_BRANCH_REFINEMENT_H
 #define CSCD_SKELETON_BRANCH_REFINEMENT_H
 
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
@@ -22,13 +23,11 @@ namespace CSCD::internal {
 
 /// Divides long edges of branches and moves the new nodes to the middle of the section of the body that is
 /// perpendicular to the branch there. A node for which there is no trustworthy section is taken out again.
-/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
 class Branch_refinement
 {
 public:
-  Branch_refinement(const Traits& traits, Skeleton_builder& builder)
-      : m_traits(traits), m_builder(builder), m_section(traits.solid_surface())
+  Branch_refinement(const Triangulated_solid& solid, Skeleton_builder& builder)
+      : m_solid(solid), m_builder(builder), m_section(solid.query_surface())
   {
   }
 
@@ -116,12 +115,12 @@ private:
   /// Takes the section of the body around `point` perpendicular to `axis`.
   bool cut(const Vector_3& point, const Vector_3& axis, double max_length)
   {
-    const auto hit = m_traits.first_hit(point, axis.unitOrthogonal());
+    const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
     return hit && m_section.cut_at_face(hit->face, axis, point, max_length) &&
            is_in_outline(m_section.points(), point, axis);
   }
 
-  const Traits& m_traits;
+  const Triangulated_solid& m_solid;
   Skeleton_builder& m_builder;
   Plane_section m_section;
   std::vector<Index> m_inserted;

@@ -20,17 +20,17 @@
 namespace CSCD::internal {
 
 /// Moves nodes that lie outside of the body to its middle, and bends edges that leave it by further nodes.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
-template <class Traits>
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
 class Inside_repair
 {
 public:
-  Inside_repair(const Traits& traits, Skeleton_builder& builder)
-      : m_traits(traits), m_builder(builder), m_offset(relative_offset * diagonal(traits.surface().points())),
+  Inside_repair(const Surface& surface, Skeleton_builder& builder)
+      : m_surface(surface), m_builder(builder), m_offset(relative_offset * diagonal(surface.triangulation().points())),
         m_is_outside(builder.size(), 0)
   {
     for (Index node = 0; node < builder.size(); ++node) {
-      m_is_outside[node] = !builder[node].is_removed && !traits.is_inside(builder[node].position) ? 1 : 0;
+      m_is_outside[node] = !builder[node].is_removed && !surface.is_inside(builder[node].position) ? 1 : 0;
     }
   }
 
@@ -79,7 +79,7 @@ private:
       if (m_is_outside[node] == 0) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_traits.middle_behind(m_builder[node].position)) {
+      if (const std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position)) {
         m_builder[node].position = *middle;
         m_is_outside[node] = 0;
       }
@@ -91,7 +91,7 @@ private:
   {
     const Vector_3& from = m_builder[a].position;
     const Vector_3& to = m_builder[b].position;
-    m_traits.crossings(from, to, m_crossings);
+    m_surface.crossings(from, to, m_crossings);
     const double length = (to - from).norm();
     m_crossings.push_back(length);
     bool is_outside = m_is_outside[a] != 0;
@@ -115,7 +115,7 @@ private:
       if (!outside) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_traits.middle_behind(*outside)) {
+      if (const std::optional<Vector_3> middle = m_surface.middle_behind(*outside)) {
         const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);
@@ -125,7 +125,7 @@ private:
     return parts;
   }
 
-  const Traits& m_traits;
+  const Surface& m_surface;
   Skeleton_builder& m_builder;
   double m_offset;
   std::vector<char> m_is_outside; ///< for every node

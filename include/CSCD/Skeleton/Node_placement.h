@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_NODE_PLACEMENT_H
 #define CSCD_SKELETON_NODE_PLACEMENT_H
 
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Surface_regions.h>
 #include <CSCD/Separator/Plane_section.h>
@@ -107,15 +108,13 @@ private:
 
 /// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
-/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
 class Node_placement
 {
 public:
-  Node_placement(const Traits& traits, const std::vector<Separator>& separators, const std::vector<Index>& packed,
+  Node_placement(const Triangulated_solid& solid, const std::vector<Separator>& separators, const std::vector<Index>& packed,
                  const Cut_graph& cut_graph)
-      : m_traits(traits), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
-        m_regions(traits.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions)
+      : m_solid(solid), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
+        m_regions(solid.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions)
   {
   }
 
@@ -161,7 +160,7 @@ private:
     for (Index i = 0; i < m_packed.size(); ++i) {
       const Separator& separator = m_separators[m_packed[i]];
       region[i].add(separator.center, separator_weight * separator.length * separator.length);
-      crossing_points(m_traits.levels().finest().surface, separator.crossings, outline);
+      crossing_points(m_solid.levels().finest().surface, separator.crossings, outline);
       const Section_disc disc = section_disc(outline);
       const Vector_3 centroid = region[i].sum / region[i].weight;
       const Index node = builder.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
@@ -228,7 +227,7 @@ private:
     const Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
     const Vector_3 center = sum.weight > 0 ? Vector_3(sum.sum / sum.weight)
                                            : m_regions.level().surface.point(*m_pieces.vertices(piece).begin());
-    const double radius = (m_traits.closest_point(center).point - center).norm();
+    const double radius = (m_solid.closest_point(center).point - center).norm();
     const Index node = builder.add_node(center, radius);
     builder[node].pieces = {piece};
     Vector_3 farthest = center;
@@ -243,7 +242,7 @@ private:
     extend(builder, node, piece, -direction, radius);
   }
 
-  const Traits& m_traits;
+  const Triangulated_solid& m_solid;
   const std::vector<Separator>& m_separators;
   const std::vector<Index>& m_packed;
   const Cut_graph& m_cut_graph;

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which node each site belongs to, and how thick the body is around each node.
+// Which node each vertex belongs to, and how thick the body is around each node.
 
 #ifndef CSCD_SKELETON_VERTEX_ASSIGNMENT_H
 #define CSCD_SKELETON_VERTEX_ASSIGNMENT_H
 
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
@@ -18,26 +19,24 @@
 
 namespace CSCD::internal {
 
-/// Assigns each site to the nearest node that can be reached by going downhill, in distance, from a node of its own
-/// piece of the surface; so sites on a limb stay with that limb, however near another one comes.
-/// \tparam Traits a model of `SkeletonizationTraits`
-template <class Traits>
+/// Assigns each vertex to the nearest node that can be reached by going downhill, in distance, from a node of its own
+/// piece of the surface; so vertices on a limb stay with that limb, however near another one comes.
 class Vertex_assignment
 {
 public:
-  /// Assigns all sites; linear in their number for skeletons of bounded degree.
-  Vertex_assignment(const Traits& traits, const Cut_graph& cut_graph, const Skeleton_builder& builder)
-      : m_traits(traits), m_builder(builder), m_node(traits.number_of_sites())
+  /// Assigns all vertices; linear in their number for skeletons of bounded degree.
+  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder)
+      : m_surface(surface), m_builder(builder), m_node(surface.number_of_vertices())
   {
     collect_starts(cut_graph);
-    for (Index site = 0; site < m_node.size(); ++site) {
-      m_node[site] = descend(traits.point(site), nearest_start(traits.point(site), cut_graph.piece_of_vertex(site)));
+    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
+      m_node[vertex] = descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
     }
     measure_radii();
   }
 
-  /// The node to which `site` belongs.
-  Index node(Index site) const { return m_node[site]; }
+  /// The node to which `vertex` belongs.
+  Index node(Index vertex) const { return m_node[vertex]; }
   /// Mean distance of the surface around `node` from the curve, by area.
   double radius(Index node) const { return m_radius[node]; }
 
@@ -118,18 +117,18 @@ private:
   {
     std::vector<double> weight(m_builder.size(), 0);
     m_radius.assign(m_builder.size(), 0);
-    for (Index site = 0; site < m_node.size(); ++site) {
-      const double vertex_weight = m_traits.weight(site);
-      m_radius[m_node[site]] +=
-          vertex_weight * std::sqrt(squared_distance_from_curve(m_traits.point(site), m_node[site]));
-      weight[m_node[site]] += vertex_weight;
+    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
+      const double vertex_weight = double(m_surface.vertex_area(vertex));
+      m_radius[m_node[vertex]] +=
+          vertex_weight * std::sqrt(squared_distance_from_curve(m_surface.point(vertex), m_node[vertex]));
+      weight[m_node[vertex]] += vertex_weight;
     }
     for (Index node = 0; node < m_builder.size(); ++node) {
       m_radius[node] = weight[node] > 0 ? m_radius[node] / weight[node] : m_builder[node].radius;
     }
   }
 
-  const Traits& m_traits;
+  const Triangulated_surface& m_surface;
   const Skeleton_builder& m_builder;
   std::vector<Index> m_node;
   std::vector<double> m_radius;

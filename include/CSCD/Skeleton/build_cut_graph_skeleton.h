@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 #define CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
@@ -23,26 +24,24 @@ namespace CSCD::internal {
 
 /// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined and
 /// smoothed, and what left the body is brought back; what could not be is counted in `report`.
-/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
-Embedded_skeleton build_cut_graph_skeleton(const Traits& traits, const std::vector<Separator>& separators,
+inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
                                            const Separator_packing& packing, Skeletonization_report& report)
 {
-  Node_placement<Traits> placement(traits, separators, packing.packed(), packing.cut_graph());
+  Node_placement placement(solid, separators, packing.packed(), packing.cut_graph());
   Embedded_skeleton result;
   result.graph = placement();
   make_simple(result.graph);
   merge_junctions(result.graph);
-  center_junctions(traits, result.graph);
+  center_junctions(solid, result.graph);
   drop_overshoots(result.graph);
-  Branch_refinement<Traits>(traits, result.graph)();
+  Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
-  Inside_repair<Traits> repair(traits, result.graph);
+  Inside_repair repair(solid, result.graph);
   repair();
   result.graph.compact();
   report.number_of_nodes_outside = repair.number_of_nodes_outside();
   report.number_of_edges_outside = repair.number_of_edges_outside();
-  Vertex_assignment<Traits>(traits, packing.cut_graph(), result.graph).move_to(result);
+  Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).move_to(result);
   return result;
 }
 

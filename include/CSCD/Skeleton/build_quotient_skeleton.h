@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <iterator>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -187,13 +188,13 @@ private:
 
 /// Builds the skeleton whose nodes are the regions of the packed separators: at their centroids by area (Alg. 2, lines
 /// 13 and 14), joined where regions touch.
-/// \tparam Traits a model of `SolidSkeletonizationTraits`
-template <class Traits>
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
 class Quotient_skeleton_builder
 {
 public:
-  Quotient_skeleton_builder(const Traits& traits, const Separator_regions& regions)
-      : m_traits(traits), m_regions(regions)
+  Quotient_skeleton_builder(const Surface& surface, const Separator_regions& regions)
+      : m_surface(surface), m_triangulation(surface.triangulation()), m_regions(regions)
   {
   }
 
@@ -202,12 +203,12 @@ public:
     Embedded_skeleton result;
     Skeleton_builder& builder = result.graph;
     place_regions(builder);
-    const Quotient_graph graph(m_traits.surface(), [this](Index vertex) { return m_regions[vertex]; });
+    const Quotient_graph graph(m_triangulation, [this](Index vertex) { return m_regions[vertex]; });
     for (const std::vector<Index>& meeting : graph.meetings()) {
       connect(builder, meeting);
     }
     make_simple(builder);
-    Inside_repair<Traits> repair(m_traits, builder);
+    Inside_repair repair(m_surface, builder);
     repair();
     builder.compact();
     report.number_of_nodes_outside = repair.number_of_nodes_outside();
@@ -224,11 +225,11 @@ private:
     std::vector<Vector_3> plain_sum(m_regions.size(), Vector_3::Zero());
     std::vector<double> area(m_regions.size(), 0);
     std::vector<std::size_t> count(m_regions.size(), 0);
-    for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      const Index region = m_regions[site];
-      sum[region] += m_traits.weight(site) * m_traits.point(site);
-      area[region] += m_traits.weight(site);
-      plain_sum[region] += m_traits.point(site);
+    for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
+      const Index region = m_regions[vertex];
+      sum[region] += double(m_triangulation.vertex_area(vertex)) * m_triangulation.point(vertex);
+      area[region] += double(m_triangulation.vertex_area(vertex));
+      plain_sum[region] += m_triangulation.point(vertex);
       ++count[region];
     }
     for (Index region = 0; region < m_regions.size(); ++region) {
@@ -274,21 +275,21 @@ private:
         node_of_region[region] = node;
       }
     }
-    skeleton.node_of_vertex.resize(m_traits.number_of_sites());
-    for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      skeleton.node_of_vertex[site] = node_of_region[m_regions[site]];
+    skeleton.node_of_vertex.resize(m_triangulation.number_of_vertices());
+    for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
+      skeleton.node_of_vertex[vertex] = node_of_region[m_regions[vertex]];
     }
     skeleton.radius = radii([&](Index region) { return node_of_region[region]; }, builder);
   }
 
-  /// For each node, the median by area of the distances of its sites; what the builder has where a node has no sites.
+  /// For each node, the median by area of the distances of its vertices; what the builder has where a node has no vertices.
   template <class NodeOfRegion>
   std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_builder& builder) const
   {
     std::vector<std::vector<std::pair<double, double>>> distances(builder.size());
-    for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-      const Index node = node_of_region(m_regions[site]);
-      distances[node].emplace_back((m_traits.point(site) - builder[node].position).norm(), m_traits.weight(site));
+    for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
+      const Index node = node_of_region(m_regions[vertex]);
+      distances[node].emplace_back((m_triangulation.point(vertex) - builder[node].position).norm(), double(m_triangulation.vertex_area(vertex)));
     }
     std::vector<double> result(builder.size());
     for (Index node = 0; node < builder.size(); ++node) {
@@ -314,7 +315,10 @@ private:
     return values.back().first;
   }
 
-  const Traits& m_traits;
+  using Triangulation = std::decay_t<decltype(std::declval<const Surface&>().triangulation())>;
+
+  const Surface& m_surface;
+  const Triangulation& m_triangulation;
   const Separator_regions& m_regions;
   std::vector<double> m_area;
 };

@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_PLACE_JUNCTIONS_H
 #define CSCD_SKELETON_PLACE_JUNCTIONS_H
 
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
 
@@ -116,19 +117,18 @@ struct Ball
 };
 
 /// Grows an inscribed ball from `start`: steps away from the nearest point of the surface as long as the ball gets
-/// larger, for at most `max_shift` in all. \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
-Ball inscribed_ball(const Traits& traits, const Vector_3& start, double max_shift)
+/// larger, for at most `max_shift` in all.
+inline Ball inscribed_ball(const Triangulated_solid& solid, const Vector_3& start, double max_shift)
 {
   // More steps move a junction by less than a hundredth of its radius.
   constexpr int number_of_steps = 10;
   constexpr double first_step = 0.5;
-  Vector_3 nearest = traits.closest_point(start).point;
+  Vector_3 nearest = solid.closest_point(start).point;
   Ball ball{start, (start - nearest).norm()};
   double step = first_step;
   for (int i = 0; i < number_of_steps && ball.radius > 0; ++i) {
     const Vector_3 candidate = ball.center + step * (ball.center - nearest);
-    const Vector_3 candidate_nearest = traits.closest_point(candidate).point;
+    const Vector_3 candidate_nearest = solid.closest_point(candidate).point;
     const double radius = (candidate - candidate_nearest).norm();
     if (radius <= ball.radius || (candidate - start).norm() > max_shift) {
       step /= 2;
@@ -141,9 +141,7 @@ Ball inscribed_ball(const Traits& traits, const Vector_3& start, double max_shif
 }
 
 /// Moves every junction of `builder` to the center of an inscribed ball nearby, at most by the largest radius around it.
-/// \tparam Traits a model of `TriangulatedSolidSkeletonizationTraits`
-template <class Traits>
-void center_junctions(const Traits& traits, Skeleton_builder& builder)
+inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& builder)
 {
   for (Index node = 0; node < builder.size(); ++node) {
     if (!builder.is_junction(node)) {
@@ -153,11 +151,11 @@ void center_junctions(const Traits& traits, Skeleton_builder& builder)
     for (Index neighbor : builder[node].neighbors) {
       radius = std::max(radius, builder[neighbor].radius);
     }
-    if (!traits.is_inside(builder[node].position)) {
+    if (!solid.is_inside(builder[node].position)) {
       continue;
     }
-    const Ball ball = inscribed_ball(traits, builder[node].position, radius);
-    if (traits.is_inside(ball.center)) {
+    const Ball ball = inscribed_ball(solid, builder[node].position, radius);
+    if (solid.is_inside(ball.center)) {
       builder[node].position = ball.center;
       builder[node].radius = ball.radius;
     }

@@ -16,10 +16,23 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
+inline Vector_3 pseudo_random_vector(Index point)
+{
+  std::minstd_rand random(point + 1);
+  random.discard(2); // the first numbers of neighboring seeds are alike
+  Vector_3 result = Vector_3::Zero();
+  for (double& coordinate : result) {
+    coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
+  }
+  return result;
+}
 
 /// What a quadratic height field, fitted by least squares over the plane of a neighborhood, says of its central point.
 struct Quadric_fit

@@ -35,6 +35,34 @@ struct Indexed_triangles
   std::size_t first_hole_filling_face = 0;
 };
 
+/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
+/// order.
+inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
+{
+  std::vector<Index> new_number(number_of_vertices, no_index);
+  for (const std::array<Index, 3>& face : faces) {
+    for (Index corner : face) {
+      new_number[corner] = 0;
+    }
+  }
+  std::vector<Index> old_number;
+  old_number.reserve(number_of_vertices);
+  for (Index vertex = 0; vertex < number_of_vertices; ++vertex) {
+    if (new_number[vertex] != no_index) {
+      new_number[vertex] = Index(old_number.size());
+      old_number.push_back(vertex);
+    }
+  }
+  if (old_number.size() < number_of_vertices) {
+    for (std::array<Index, 3>& face : faces) {
+      for (Index& corner : face) {
+        corner = new_number[corner];
+      }
+    }
+  }
+  return old_number;
+}
+
 /// Sorts faces lexicographically, hole-filling faces after all others; linear where degrees are bounded.
 /// \pre the smallest corner of every face comes first
 inline void sort_faces(Indexed_triangles& triangles)

@@ -21,21 +21,6 @@
 
 namespace CSCD::internal {
 
-/// A point of a surface.
-struct Surface_point
-{
-  Vector_3 point = Vector_3::Zero();
-  Index face = no_index;
-};
-
-/// Where a ray first meets a surface.
-struct Surface_hit
-{
-  Index face = no_index;
-  Vector_3 point = Vector_3::Zero();
-  double distance = 0; ///< from the origin of the ray
-};
-
 /// A bounding volume hierarchy over the faces of a closed surface. Hole-filling faces count: they close the body.
 /// All queries are const and may be asked by several threads at once; each is O(log n) for well-shaped surfaces.
 class Solid_queries

@@ -100,6 +100,21 @@ private:
   std::vector<Index> m_twin;
 };
 
+/// A point of a surface.
+struct Surface_point
+{
+  Vector_3 point = Vector_3::Zero();
+  Index face = no_index;
+};
+
+/// Where a ray first meets a surface.
+struct Surface_hit
+{
+  Index face = no_index;
+  Vector_3 point = Vector_3::Zero();
+  double distance = 0; ///< from the origin of the ray
+};
+
 /// A closed, oriented 2-manifold of triangles with halfedges, immutable.
 /// The outgoing halfedges of a vertex are stored in counterclockwise order.
 class Triangulated_surface : public Triangle_halfedges

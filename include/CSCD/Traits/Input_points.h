@@ -9,13 +9,20 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
+#include <CGAL/double.h>
+#include <CGAL/float.h>
+#include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -81,7 +88,54 @@ auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]]
   }
 }
 
-/// For every site, the points of the input for which it stands, by what identifies them there.
+/// Stands for a map to normals where there are none.
+struct No_normals
+{
+};
+
+/// The coordinates of a point or vector of any type.
+template <class Triple>
+Vector_3 to_vector_3(const Triple& triple)
+{
+  return {CGAL::to_double(triple.x()), CGAL::to_double(triple.y()), CGAL::to_double(triple.z())};
+}
+
+/// Reads `range` into flat arrays; O(n log n). All points may be at one place.
+/// \param point_map, normal_map readable maps from the elements of `range` to what has coordinates `x()`, `y()`,
+///        `z()`, the second perhaps `No_normals`
+/// \throw Input_error naming the point, by its number in the order of iteration, that has a coordinate that is not
+///        finite; or if there are none or too many
+template <class PointRange, class PointMap, class NormalMap>
+Point_cloud collect_any_points(const PointRange& range, const PointMap& point_map,
+                               [[maybe_unused]] const NormalMap& normal_map)
+{
+  std::vector<Vector_3> points;
+  std::vector<Vector_3> normals;
+  for (const auto& element : range) {
+    points.push_back(to_vector_3(get(point_map, element)));
+    if (!points.back().allFinite()) {
+      throw Input_error("point " + std::to_string(points.size() - 1) +
+                        " has a coordinate that is not finite: correct it or remove the point");
+    }
+    if constexpr (!std::is_same_v<NormalMap, No_normals>) {
+      const Vector_3 normal = to_vector_3(get(normal_map, element));
+      normals.push_back(normal.allFinite() ? Vector_3(normal.stableNormalized()) : Vector_3(Vector_3::Zero()));
+    }
+  }
+  return make_point_cloud(std::move(points), std::move(normals));
+}
+
+/// The same for points that a surface can be made of.
+/// \throw Input_error also if there are too few different points, or all are on a line, or at one place
+template <class PointRange, class PointMap, class NormalMap>
+Point_cloud collect_points(const PointRange& range, const PointMap& point_map, const NormalMap& normal_map)
+{
+  Point_cloud cloud = collect_any_points(range, point_map, normal_map);
+  check_extent(cloud);
+  return cloud;
+}
+
+/// For every vertex of a surface, the points of the input for which it stands, by what identifies them there.
 template <class PointRange>
 class Input_points
 {
@@ -93,8 +147,8 @@ public:
 
   /// \param points the range of which `cloud` was made \param vertex_of_point of every point of the cloud
   Input_points(const PointRange& points, const Point_cloud& cloud, const std::vector<Index>& vertex_of_point,
-                  std::size_t number_of_sites)
-      : m_begin(number_of_sites + 1, 0), m_descriptors(cloud.input_point.size())
+                  std::size_t number_of_vertices)
+      : m_begin(number_of_vertices + 1, 0), m_descriptors(cloud.input_point.size())
   {
     for (const Index point : cloud.input_point) {
       ++m_begin[vertex_of_point[point] + 1];
@@ -113,15 +167,15 @@ public:
     }
   }
 
-  CGAL::Iterator_range<const Descriptor*> operator[](Index site) const
+  CGAL::Iterator_range<const Descriptor*> operator[](Index vertex) const
   {
-    return {m_descriptors.data() + m_begin[site], m_descriptors.data() + m_begin[site + 1]};
+    return {m_descriptors.data() + m_begin[vertex], m_descriptors.data() + m_begin[vertex + 1]};
   }
-  /// The number of points of all sites together.
+  /// The number of points of all vertices together.
   std::size_t number_of_points() const { return m_descriptors.size(); }
 
 private:
-  std::vector<Index> m_begin; // of every site
+  std::vector<Index> m_begin; // of every vertex
   std::vector<Descriptor> m_descriptors;
 };
 

@@ -6,13 +6,14 @@
 #ifndef CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 #define CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 
-#include <CSCD/Reconstruction/Surface_reconstruction.h>
+#include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Surface/compile_surface.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Traits/Triangulated_solid.h>
+#include <CSCD/Traits/describe_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -21,48 +22,48 @@
 
 #include <chrono>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace CSCD {
 
-/// The surface traits of a point set, a model of `SkeletonizationTraits` and of
-/// `TriangulatedSolidSkeletonizationTraits`.
+/// The adapter of a point set to a `Triangulated_solid`; a model of `SkeletonizationTraits` and the default for points.
 ///
-/// A closed surface is made of the points: they are triangulated by an advancing front, fragments joined, holes closed,
-/// and handles removed that are too small for the sampling to prove them. Sites are the vertices of this surface. Every
-/// point of the input belongs to one site: its own, that of an equal point, or the nearest, if it is no vertex.
+/// A closed surface is made of the points: they are triangulated by an advancing front, fragments are joined, holes
+/// closed, and handles removed that are too small for the sampling to prove them. Every point of the input belongs to
+/// one vertex of this surface: its own, that of an equal point, or the nearest, if it is no vertex.
 /// \tparam PointRange a range over elements of any type, or a `CGAL::Point_set_3`
 /// \tparam PointMap a readable map from these elements to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
 template <class PointRange, class PointMap = decltype(internal::default_point_map(std::declval<const PointRange&>()))>
-class Reconstructed_surface_traits : public internal::Compiled_surface_traits<typename boost::property_traits<PointMap>::value_type>
+class Reconstructed_surface_traits
 {
-  using Base = internal::Compiled_surface_traits<typename boost::property_traits<PointMap>::value_type>;
-
 public:
   /// \name Types
   /// @{
 
   /// The points of the input.
-  using Point = typename Base::Point;
-  /// The number of a site.
-  using Index = typename Base::Index;
+  using Point = typename boost::property_traits<PointMap>::value_type;
   /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
   using Input_descriptor = internal::Point_descriptor<PointRange>;
+  /// The surface on which the pipeline runs.
+  using Surface = Triangulated_solid;
   /// @}
 
   /// Makes a surface of `points`, which are not referred to later; O(n log n).
   /// \throw Input_error naming the point and the remedy if a coordinate is not finite, or if no surface can be made of
   ///        the points: fewer than four different ones, all on a line, none of them connected
   Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map)
+      : Reconstructed_surface_traits(points, point_map, internal::No_normals())
   {
-    compile(points, point_map, internal::No_normals());
   }
   /// The same, with the point map of a `CGAL::Point_set_3`; of other ranges the elements are the points.
-  explicit Reconstructed_surface_traits(const PointRange& points) : Reconstructed_surface_traits(points, internal::default_point_map(points)) {}
+  explicit Reconstructed_surface_traits(const PointRange& points)
+      : Reconstructed_surface_traits(points, internal::default_point_map(points))
+  {
+  }
   /// The same for points with normals.
   /// \param points the points
   /// \param point_map maps the elements of `points` to points
@@ -71,23 +72,24 @@ public:
   template <class NormalMap>
   Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
-    compile(points, point_map, normal_map);
+    const auto start = std::chrono::steady_clock::now();
+    const Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
+    internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
+    m_report = std::move(reconstructed.report);
+    m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
+    m_normalization = cloud.normalization.then(m_surface->normalization());
+    m_points = {points, cloud, internal::vertices_of_points(*m_surface, cloud, reconstructed.point_of_vertex),
+                m_surface->triangulation().number_of_vertices()};
+    m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  /// The descriptors of the sites would refer to a range that is gone.
+  /// The descriptors would refer to a range that is gone.
   explicit Reconstructed_surface_traits(PointRange&&) = delete;
   Reconstructed_surface_traits(PointRange&&, const PointMap&) = delete;
 
-  /// \name Sites of the input
-  /// @{
-
-  /// The points of the input for which the site stands; none for an inserted site.
-  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index site) const { return m_points[site]; }
-  /// The number of points of the input.
-  std::size_t number_of_input_vertices() const { return m_points.number_of_points(); }
-  /// None: every point belongs to a site.
-  std::size_t number_of_isolated_vertices() const { return 0; }
-  /// @}
-
+  /// The surface through the points.
+  const Triangulated_solid& surface() const { return *m_surface; }
+  /// What was done to make a surface of the points.
+  const Reconstruction_report& reconstruction_report() const { return m_report; }
   /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
   /// such are scans of trees, which `extract_tree_skeleton()` is for.
   bool is_surface_doubtful() const
@@ -95,74 +97,49 @@ public:
     return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
   }
 
-  /// What is doubtful about the input or was mended, one sentence each.
-  std::vector<std::string> warnings() const
+  /// \name The way back to the input
+  /// @{
+
+  /// The points of the input that belong to `vertex`; none for an inserted vertex.
+  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_points[vertex]; }
+  /// A point of the surface in the coordinates of the input.
+  Point to_input_point(const Vector_3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
+  /// A length on the surface in the unit of the input.
+  double to_input_length(double length) const { return length * m_normalization.unit; }
+  /// Writes what is known of the input to `report`.
+  void describe_input(Skeletonization_report& report) const
   {
-    std::vector<std::string> result;
-    const auto warn = [&result](std::size_t count, const char* what) {
-      if (count > 0) {
-        result.push_back(std::to_string(count) + ' ' + what);
-      }
-    };
+    internal::describe_solid(*m_surface, report);
+    report.number_of_input_vertices = m_points.number_of_points();
+    report.number_of_bridged_borders = m_report.number_of_holes;
+    report.reconstruction = m_report;
+    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
     if (is_surface_doubtful()) {
-      result.emplace_back("the points hardly sample the surface of a body: it has " +
-                          std::to_string(m_report.number_of_border_edges) + " border edges for " +
-                          std::to_string(m_report.number_of_points) +
-                          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
-                          "extract_tree_skeleton() is made for it");
+      report.warnings.emplace_back(
+          "the points hardly sample the surface of a body: it has " + std::to_string(m_report.number_of_border_edges) +
+          " border edges for " + std::to_string(m_report.number_of_points) +
+          " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
+          "extract_tree_skeleton() is made for it");
     }
-    warn(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
-    warn(m_report.number_of_unused_points, "points off the surface: they belong to the nodes of the nearest");
-    warn(m_report.number_of_holes, "holes of the reconstructed surface: closed by faces without weight");
-    warn(m_report.joined_gaps.size(), "gaps between fragments of the reconstructed surface: bridged");
-    warn(m_report.cut_handles.size(), "handles too small for the spacing of the points: cut");
-    return result;
+    report.add_warning(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
+    report.add_warning(m_report.number_of_unused_points,
+                       "points off the surface: they belong to the nodes of the nearest");
+    report.add_warning(m_report.number_of_holes, "holes of the reconstructed surface: closed by faces without weight");
+    report.add_warning(m_report.joined_gaps.size(), "gaps between fragments of the reconstructed surface: bridged");
+    report.add_warning(m_report.cut_handles.size(), "handles too small for the spacing of the points: cut");
   }
-
-  /// What was done to make a surface of the points.
-  const Reconstruction_report& reconstruction_report() const { return m_report; }
-
-  /// The wall-clock seconds that the constructor took.
-  double seconds_to_compile() const { return m_seconds_to_compile; }
+  /// @}
 
 private:
   /// Border edges for each point from which on the surface is doubtful: 70 clouds of surfaces had at most 0.07, three
   /// scans of trees 0.20 and more.
   static constexpr double doubtful_border_edges = 0.12;
 
-  template <class NormalMap>
-  void compile(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    const internal::Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
-    internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
-    m_report = std::move(reconstructed.report);
-    auto compiled = internal::compile_surface(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
-    compiled.normalization = cloud.normalization.then(compiled.normalization);
-    compiled.number_of_bridged_borders = m_report.number_of_holes;
-    Base::set_surface(std::move(compiled));
-    m_points = {points, cloud, vertices_of_points(cloud, reconstructed.point_of_vertex), Base::number_of_sites()};
-    m_seconds_to_compile = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
-
-  /// Finds the site of every point of the cloud.
-  std::vector<Index> vertices_of_points(const internal::Point_cloud& cloud,
-                                     const std::vector<Index>& point_of_vertex) const
-  {
-    std::vector<Index> result(cloud.points.size(), no_index);
-    for (Index site = 0; site < Base::number_of_sites(); ++site) {
-      const Index vertex = Base::input_point(site);
-      if (vertex != no_index && point_of_vertex[vertex] != no_index) {
-        result[point_of_vertex[vertex]] = site;
-      }
-    }
-    internal::assign_to_nearest(cloud.points, result);
-    return result;
-  }
-
+  std::optional<Triangulated_solid> m_surface;
+  Normalization m_normalization;
   internal::Input_points<PointRange> m_points;
   Reconstruction_report m_report;
-  double m_seconds_to_compile = 0;
+  double m_seconds = 0;
 };
 
 } // namespace CSCD

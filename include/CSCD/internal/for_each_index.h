@@ -8,10 +8,7 @@
 
 #include <CSCD/Vector_3.h>
 
-#include <CGAL/tags.h>
-
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #ifdef CSCD_THREAD_SANITIZER
@@ -65,38 +62,10 @@ private:
 #endif
 };
 
-/// Runs a function on indices, each time with a working object that belongs to the running thread.
-/// Sequential, and the model for every tag where TBB is not linked.
-template <class ConcurrencyTag, class Worker, class = void>
+/// Runs a function on indices, each time with a working object that belongs to the running thread: by TBB where it is
+/// linked and more than one thread is asked for.
+template <class Worker>
 class For_each_index
-{
-public:
-  /// Prepares one worker, made by `make_worker()`.
-  template <class MakeWorker>
-  For_each_index(MakeWorker make_worker, unsigned /* number_of_threads */) : m_worker(make_worker())
-  {
-  }
-
-  /// Calls `function(i, worker)` for `i` from 0 to `size` - 1, in any order.
-  template <class Function>
-  void operator()(Index size, const Function& function)
-  {
-    for (Index i = 0; i < size; ++i) {
-      function(i, m_worker);
-    }
-  }
-
-  unsigned number_of_threads() const { return 1; }
-
-private:
-  Worker m_worker;
-};
-
-#ifdef CGAL_LINKED_WITH_TBB
-/// The same on several threads, with one worker a thread.
-template <class ConcurrencyTag, class Worker>
-class For_each_index<ConcurrencyTag, Worker,
-                     std::enable_if_t<std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>>>
 {
 public:
   /// \param make_worker makes the worker of a thread when it first needs one
@@ -104,44 +73,70 @@ public:
   ///        `tbb::global_control`; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(bounded(number_of_threads, max_threads())), m_arena(int(m_number_of_threads)),
+      : m_number_of_threads(number_of_threads == 0 ? max_threads() : std::min(number_of_threads, max_threads())),
+#ifdef CGAL_LINKED_WITH_TBB
+        m_arena(int(m_number_of_threads)),
+#endif
         m_workers(std::move(make_worker))
   {
   }
 
+  /// Calls `function(i, worker)` for `i` from 0 to `size` - 1, in this order where there is one thread.
   template <class Function>
   void operator()(Index size, const Function& function)
   {
-    [[maybe_unused]] const Tsan_ordering::Loop loop;
-    m_arena.execute([&] {
-      tbb::parallel_for(
-          Index(0), size,
-          [&](Index i) {
-            [[maybe_unused]] const Tsan_ordering::Call call;
-            function(i, m_workers.local());
-          },
-          tbb::simple_partitioner());
-    });
+#ifdef CGAL_LINKED_WITH_TBB
+    if (m_number_of_threads > 1) {
+      [[maybe_unused]] const Tsan_ordering::Loop loop;
+      m_arena.execute([&] {
+        tbb::parallel_for(
+            Index(0), size,
+            [&](Index i) {
+              [[maybe_unused]] const Tsan_ordering::Call call;
+              function(i, m_workers.local());
+            },
+            tbb::simple_partitioner());
+      });
+      return;
+    }
+#endif
+    for (Index i = 0; i < size; ++i) {
+      function(i, m_workers.local());
+    }
   }
 
   unsigned number_of_threads() const { return m_number_of_threads; }
 
 private:
+#ifdef CGAL_LINKED_WITH_TBB
+  using Workers = tbb::enumerable_thread_specific<Worker>;
+#else
+  struct Workers
+  {
+    template <class MakeWorker>
+    explicit Workers(MakeWorker make_worker) : worker(make_worker())
+    {
+    }
+    Worker& local() { return worker; }
+    Worker worker;
+  };
+#endif
+
   static unsigned max_threads()
   {
+#ifdef CGAL_LINKED_WITH_TBB
     return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  }
-
-  static unsigned bounded(unsigned asked, unsigned available)
-  {
-    return asked == 0 ? available : std::min(asked, available);
+#else
+    return 1;
+#endif
   }
 
   unsigned m_number_of_threads;
+#ifdef CGAL_LINKED_WITH_TBB
   tbb::task_arena m_arena;
-  tbb::enumerable_thread_specific<Worker> m_workers;
-};
 #endif
+  Workers m_workers;
+};
 
 } // namespace CSCD::internal
 

@@ -20,3 +20,4 @@ CSCD_add_named_parameter(laplacian_threshold_t, laplacian_threshold, laplacian_t
 CSCD_add_named_parameter(angle_threshold_t, angle_threshold, angle_threshold)
 CSCD_add_named_parameter(minimum_branch_length_t, minimum_branch_length, minimum_branch_length)
 CSCD_add_named_parameter(root_t, root, root)
+CSCD_add_named_parameter(policies_t, policies, policies)

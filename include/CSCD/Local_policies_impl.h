@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Local_policies.h.
+
+#ifndef CSCD_LOCAL_POLICIES_IMPL_H
+#define CSCD_LOCAL_POLICIES_IMPL_H
+
+#include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Covering_search.h>
+#include <CSCD/Selection/Separator_packing.h>
+#include <CSCD/Selection/cut_handles.h>
+#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Surface/Surface_levels.h>
+
+namespace CSCD {
+
+CSCD_INLINE Local_policies::Packing::Packing(std::unique_ptr<const internal::Separator_packing> packing)
+    : m_packing(std::move(packing))
+{
+}
+
+CSCD_INLINE Local_policies::Packing::Packing(Packing&& other) noexcept = default;
+CSCD_INLINE Local_policies::Packing& Local_policies::Packing::operator=(Packing&& other) noexcept = default;
+CSCD_INLINE Local_policies::Packing::~Packing() = default;
+
+CSCD_INLINE const std::vector<Index>& Local_policies::Packing::packed() const
+{
+  return m_packing->packed();
+}
+
+CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangulated_solid& solid,
+                                                                   const Search_settings& settings,
+                                                                   Skeletonization_report& report,
+                                                                   const Progress& progress) const
+{
+  const auto make_finder = [&]() -> Separator_finder {
+    if (m_make_finder) {
+      return m_make_finder(solid);
+    }
+    // A std::function can be copied, a finder with its working memory cannot.
+    const auto finder = std::make_shared<Local_separator_finder>(solid.levels());
+    return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
+  };
+  return internal::Covering_search(solid.levels(), settings, make_finder)(m_cost, report, progress);
+}
+
+CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triangulated_solid& solid,
+                                                                    std::vector<Separator>& separators,
+                                                                    Skeletonization_report& report) const
+{
+  auto packing = std::make_unique<internal::Separator_packing>(solid.triangulation(), separators,
+                                                               internal::separator_costs(separators, m_cost));
+  report.number_of_handle_cuts = internal::cut_handles(solid, separators, *packing);
+  return Packing(std::move(packing));
+}
+
+CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_solid& solid,
+                                                             const std::vector<Separator>& separators,
+                                                             const Packing& packing,
+                                                             Skeletonization_report& report) const
+{
+  return internal::build_cut_graph_skeleton(solid, separators, *packing.m_packing, report);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_LOCAL_POLICIES_IMPL_H

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From points to a closed surface.
+
+#ifndef CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
+#define CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
+
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A closed surface through points.
+struct Reconstructed_surface
+{
+  Indexed_triangles triangles; ///< a closed manifold, looking outwards; faces that only close holes are bridging
+  Halfedge_pairing pairing;    ///< of the triangles
+  /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
+  std::vector<Index> point_of_vertex;
+  Reconstruction_report report;
+};
+
+/// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
+/// \throw Surface_error if there is none
+Reconstructed_surface reconstruct_surface(const Point_cloud& cloud);
+
+/// For every point of `cloud`, its vertex in `solid`, or that of the nearest point that has one.
+/// \param solid the solid that was made of the reconstructed surface
+/// \param point_of_vertex that of the reconstructed surface
+std::vector<Index> vertices_of_points(const Triangulated_solid& solid, const Point_cloud& cloud,
+                                      const std::vector<Index>& point_of_vertex);
+
+} // namespace CSCD::internal
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Reconstruction/Surface_reconstruction.h>
+#endif
+
+#endif // CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A body bounded by triangles: the surface of the pipeline for meshes.
+
+#ifndef CSCD_SURFACE_TRIANGULATED_SOLID_H
+#define CSCD_SURFACE_TRIANGULATED_SOLID_H
+
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace CSCD {
+
+class Surface_levels;
+
+namespace internal {
+class Solid_queries;
+}
+
+/// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
+/// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
+///
+/// Coordinates are normalized (unit area, centroid at the origin) and vertices are in a canonical order, so that results
+/// depend on the shape alone. All members are const and may be called by several threads at once.
+class Triangulated_solid
+{
+public:
+  /// Closes, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
+  /// \param triangles finite points, each with a face; the faces before `first_hole_filling_face` have an area
+  /// \param pairing that of the faces, without conflicts and pinched vertices
+  /// \throw Input_error if the surface has no extent or no area
+  Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing);
+  Triangulated_solid(Triangulated_solid&&) = delete;
+  ~Triangulated_solid();
+
+  /// \name Surface
+  /// @{
+
+  /// The finest level.
+  const Triangulated_surface& triangulation() const;
+  const Surface_levels& levels() const { return *m_levels; }
+  /// The vertex of the triangles as they were given that `vertex` is; `no_index` for an inserted one.
+  Index input_vertex(Index vertex) const { return m_input_vertex[vertex]; }
+  /// The connected component of `vertex`; O(log c) for c components.
+  Index component(Index vertex) const;
+  std::size_t number_of_components() const { return m_component_begin.size() - 1; }
+  /// The number of handles, over all components.
+  std::size_t genus() const;
+  /// From the coordinates of the triangles as they were given.
+  const Normalization& normalization() const { return m_normalization; }
+  /// @}
+
+  /// \name Body
+  /// The first query builds a search structure.
+  /// @{
+
+  /// The surface that queries refer to: the finest level of at most 60000 vertices. Finer faces differ from it by less
+  /// than the precision of the skeleton.
+  const Triangulated_surface& query_surface() const;
+  /// Whether the body contains `point`. Where the surface intersects itself, a part inside both sheets is outside.
+  bool is_inside(const Vector_3& point) const;
+  /// The point of the surface nearest to `point`.
+  Surface_point closest_point(const Vector_3& point) const;
+  /// The first point in which the ray from `origin` along `direction` meets the surface, if any.
+  std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const;
+  /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const;
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
+  /// @}
+
+  /// \name Changes to the input
+  /// @{
+  std::size_t number_of_bridged_borders() const { return m_number_of_bridged_borders; }
+  std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
+  /// The number of input faces with (nearly) no area; they are kept.
+  std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
+  /// The number of components that were oriented inwards in the input.
+  std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
+  /// @}
+
+private:
+  const internal::Solid_queries& queries() const;
+
+  std::unique_ptr<const Surface_levels> m_levels;
+  std::vector<Index> m_input_vertex;
+  std::vector<Index> m_component_begin; ///< the first vertex of every component, and the number of vertices
+  Normalization m_normalization;
+  std::size_t m_number_of_bridged_borders = 0;
+  std::size_t m_number_of_inserted_vertices = 0;
+  std::size_t m_number_of_degenerate_faces = 0;
+  std::size_t m_number_of_reversed_components = 0;
+  mutable std::once_flag m_queries_built;
+  mutable std::unique_ptr<const internal::Solid_queries> m_queries;
+};
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Surface/Triangulated_solid_impl.h>
+#endif
+
+#endif // CSCD_SURFACE_TRIANGULATED_SOLID_H

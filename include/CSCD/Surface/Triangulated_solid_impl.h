@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Triangulated_solid.h.
+
+#ifndef CSCD_SURFACE_TRIANGULATED_SOLID_IMPL_H
+#define CSCD_SURFACE_TRIANGULATED_SOLID_IMPL_H
+
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/compile_surface.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CSCD {
+
+CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+{
+  internal::Compiled_surface compiled = internal::compile_surface(std::move(triangles), std::move(pairing));
+  m_input_vertex = std::move(compiled.input_point);
+  m_component_begin = std::move(compiled.component_begin);
+  m_normalization = compiled.normalization;
+  m_number_of_bridged_borders = compiled.number_of_bridged_borders;
+  m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
+  m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
+  m_number_of_reversed_components = compiled.number_of_reversed_components;
+  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface));
+}
+
+CSCD_INLINE Triangulated_solid::~Triangulated_solid() = default;
+
+CSCD_INLINE const Triangulated_surface& Triangulated_solid::triangulation() const
+{
+  return m_levels->finest().surface;
+}
+
+CSCD_INLINE Index Triangulated_solid::component(Index vertex) const
+{
+  return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), vertex) -
+               m_component_begin.begin()) -
+         1;
+}
+
+CSCD_INLINE std::size_t Triangulated_solid::genus() const
+{
+  // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
+  const Triangulated_surface& surface = triangulation();
+  return (2 * number_of_components() + surface.number_of_faces() / 2 - surface.number_of_vertices()) / 2;
+}
+
+CSCD_INLINE const Triangulated_surface& Triangulated_solid::query_surface() const
+{
+  constexpr Index max_vertices = 60000;
+  return (*m_levels)[m_levels->finest_with_at_most(max_vertices)].surface;
+}
+
+CSCD_INLINE bool Triangulated_solid::is_inside(const Vector_3& point) const
+{
+  return queries().is_inside(point);
+}
+
+CSCD_INLINE Surface_point Triangulated_solid::closest_point(const Vector_3& point) const
+{
+  return queries().closest_point(point);
+}
+
+CSCD_INLINE std::optional<Surface_hit> Triangulated_solid::first_hit(const Vector_3& origin,
+                                                                     const Vector_3& direction) const
+{
+  return queries().first_hit(origin, direction);
+}
+
+CSCD_INLINE std::optional<Vector_3> Triangulated_solid::middle_behind(const Vector_3& point) const
+{
+  return queries().middle_behind(point);
+}
+
+CSCD_INLINE void Triangulated_solid::crossings(const Vector_3& from, const Vector_3& to,
+                                               std::vector<double>& distances) const
+{
+  queries().crossings(from, to, distances);
+}
+
+CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
+{
+  std::call_once(m_queries_built, [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
+  return *m_queries;
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_TRIANGULATED_SOLID_IMPL_H
