@@ -7,8 +7,8 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
+#include <CSCD/Reconstruction/reconstruct_surface_impl.h>
 #include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Reconstruction/Surface_reconstruction.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>

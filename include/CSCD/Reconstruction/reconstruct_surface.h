@@ -41,7 +41,7 @@ std::vector<Index> vertices_of_points(const Triangulated_solid& solid, const Poi
 } // namespace CSCD::internal
 
 #ifndef CSCD_COMPILED
-#include <CSCD/Reconstruction/Surface_reconstruction.h>
+#include <CSCD/Reconstruction/reconstruct_surface_impl.h>
 #endif
 
 #endif // CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From points to a closed surface.
+// The definitions of reconstruct_surface.h.
 
-#ifndef CSCD_RECONSTRUCTION_SURFACE_RECONSTRUCTION_H
-#define CSCD_RECONSTRUCTION_SURFACE_RECONSTRUCTION_H
+#ifndef CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_IMPL_H
+#define CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_IMPL_H
 
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Reconstruction/Handle_repair.h>
@@ -244,4 +244,4 @@ CSCD_INLINE std::vector<Index> vertices_of_points(const Triangulated_solid& soli
 
 } // namespace CSCD::internal
 
-#endif // CSCD_RECONSTRUCTION_SURFACE_RECONSTRUCTION_H
+#endif // CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_IMPL_H
