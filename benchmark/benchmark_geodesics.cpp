@@ -81,7 +81,7 @@ struct Prepared
   std::vector<std::vector<double>> exact; ///< of the first sources
 };
 
-/// The one that was asked for last is kept.
+/// The result of the last call is kept.
 Prepared& prepared(const std::string& name)
 {
   static std::string last_name;

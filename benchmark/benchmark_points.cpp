@@ -12,12 +12,10 @@
 #include "support/Peak_memory.h"
 #include "support/mesh_paths.h"
 #include "support/run_benchmarks.h"
-#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/extract_curve_skeleton.h>
 #include <CSCD/extract_curve_skeleton_from_points.h>
 
@@ -67,7 +65,7 @@ CSCD::Skeleton_measures measure(const Mesh& mesh, const CSCD::Skeleton_graph<Poi
   return CSCD::evaluate_skeleton(mesh, skeleton, CSCD::parameters::resolution(20));
 }
 
-/// The mesh that was asked for last is kept.
+/// The mesh of the last call is kept.
 const Body& body_of(const std::string& path)
 {
   static std::string last;
@@ -119,13 +117,12 @@ void skeletonize_by_default(const Points& points, CSCD::Skeleton_graph<Point, st
 void skeletonize_as_published(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
 {
   constexpr std::size_t number_of_sources = 1000;
-  using Traits = CSCD::Point_set_traits<Points>;
-  const Traits traits(points);
-  CSCD::Curve_skeletonization<Traits, CSCD::Published_policies<Traits>> skeletonization(traits);
-  skeletonization.set_maximum_number_of_sources(number_of_sources)(skeleton);
+  CSCD::extract_curve_skeleton(
+      points, skeleton,
+      CSCD::parameters::policies(CSCD::Published_policies()).maximum_number_of_sources(number_of_sources));
 }
 
-/// Skeletonizes a cloud and tells how the skeleton compares with that of the mesh.
+/// Skeletonizes a cloud and counts how the skeleton compares with that of the mesh.
 void run(benchmark::State& state, Skeletonize skeletonize, const std::string& path, const Sampling& sampling,
          bool is_evaluated)
 {

@@ -18,8 +18,7 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 
@@ -160,9 +159,9 @@ void run(benchmark::State& state, const Mesh& mesh, const Policies& policies, co
     }
     if (variant.number_of_threads > 1) {
       skeletonization.set_number_of_threads(variant.number_of_threads);
-      report = skeletonization.template operator()<CGAL::Parallel_if_available_tag>(skeleton);
+      report = skeletonization.template run<CGAL::Parallel_if_available_tag>(skeleton);
     } else {
-      report = skeletonization(skeleton);
+      report = skeletonization.run(skeleton);
     }
   }
   state.counters["sources"] = double(report.number_of_sources);
@@ -171,8 +170,8 @@ void run(benchmark::State& state, const Mesh& mesh, const Policies& policies, co
 
 /// Errors are measured against the original mesh, topology and position against the one that was skeletonized.
 template <class AnySkeleton>
-void tell(benchmark::State& state, const Mesh& original, const Mesh* altered, const Variant& variant,
-          const AnySkeleton& skeleton)
+void count_measures(benchmark::State& state, const Mesh& original, const Mesh* altered, const Variant& variant,
+                    const AnySkeleton& skeleton)
 {
   const auto coarsely = CSCD::parameters::resolution(coarse_resolution);
   const CSCD::Skeleton_measures measures = variant.is_reconstructed
@@ -202,37 +201,37 @@ void skeletonize(benchmark::State& state, const Input& input, const Variant& var
   const Mesh& mesh = altered ? *altered : original;
   state.counters["vertices"] = double(num_vertices(mesh));
   state.counters["faces"] = double(num_faces(mesh));
-  const auto tell_of = [&](const auto& skeleton) {
-    tell(state, original, altered ? &*altered : nullptr, variant, skeleton);
+  const auto count_measures_of = [&](const auto& skeleton) {
+    count_measures(state, original, altered ? &*altered : nullptr, variant, skeleton);
   };
   if (variant.method == Method::mean_curvature_flow) {
     Mcf_skeleton skeleton;
     for (auto _ : state) {
       CGAL::extract_mean_curvature_flow_skeleton(mesh, skeleton);
     }
-    tell_of(skeleton);
+    count_measures_of(skeleton);
   } else {
     Skeleton skeleton;
     if (variant.method == Method::published) {
-      const CSCD::Published_policies<Traits> policies(variant.target_rule, variant.shortening_rule);
+      const CSCD::Published_policies policies({variant.target_rule, variant.shortening_rule});
       run(state, mesh, policies, variant, skeleton);
     } else {
-      run(state, mesh, CSCD::Local_policies<Traits>(), variant, skeleton);
+      run(state, mesh, CSCD::Local_policies(), variant, skeleton);
     }
-    tell_of(skeleton);
+    count_measures_of(skeleton);
   }
 }
 
 benchmark::internal::Benchmark* add(const std::string& name, const Input& input, const Variant& variant)
 {
-  const auto skeletonize_or_tell_why_not = [input, variant](benchmark::State& state) {
+  const auto skeletonize_or_skip = [input, variant](benchmark::State& state) {
     try {
       skeletonize(state, input, variant);
     } catch (const std::exception& error) {
       state.SkipWithError(error.what());
     }
   };
-  return benchmark::RegisterBenchmark(name.c_str(), skeletonize_or_tell_why_not)
+  return benchmark::RegisterBenchmark(name.c_str(), skeletonize_or_skip)
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1)
       ->MeasureProcessCPUTime();

@@ -52,7 +52,7 @@ struct Source
   }
 };
 
-/// The mesh that was asked for last is kept.
+/// The mesh of the last call is kept.
 const Mesh& mesh_of(const Source& source)
 {
   static Source last;
@@ -69,7 +69,7 @@ const Mesh& mesh_of(const Source& source)
   return mesh;
 }
 
-/// Runs `extract(mesh, skeleton)`, and tells of the skeleton.
+/// Runs `extract(mesh, skeleton)`, and counts properties of the skeleton.
 template <class AnySkeleton, class Extract>
 void run(benchmark::State& state, const Source& source, const Extract& extract)
 {

@@ -9,8 +9,8 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
-#include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -52,7 +52,7 @@ struct Prepared
   Skeletonization skeletonization;
 };
 
-/// The one that was asked for last is kept: each is asked for several times in a row.
+/// The result of the last call is kept: each is used several times in a row.
 Prepared& prepared(const Sized_shape& shape, std::int64_t number_of_vertices)
 {
   static std::unique_ptr<Prepared> last;
@@ -67,7 +67,7 @@ void compile(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
     const Traits traits(input.mesh);
-    benchmark::DoNotOptimize(traits.number_of_sites());
+    benchmark::DoNotOptimize(traits.surface().triangulation().number_of_vertices());
   }
 }
 
@@ -75,7 +75,7 @@ void coarsen(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
     state.PauseTiming();
-    CSCD::Triangulated_surface surface = input.traits.levels().finest().surface;
+    CSCD::Triangulated_surface surface = input.traits.surface().triangulation();
     state.ResumeTiming();
     const CSCD::Surface_levels levels(std::move(surface));
     benchmark::DoNotOptimize(levels.size());

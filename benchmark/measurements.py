@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Reads what Google Benchmark has written, and tells where and of what it was measured."""
+"""Reads what Google Benchmark has written, and describes the machine and the build."""
 
 import json
 import math
@@ -45,7 +45,7 @@ def output(*command):
 
 
 def processor():
-    """The model's name, where Linux tells it."""
+    """The model's name, on Linux."""
     information = pathlib.Path("/proc/cpuinfo")
     text = information.read_text() if information.exists() else ""
     found = re.search(r"^model name\s*:\s*(.*)$", text, re.MULTILINE)
@@ -55,7 +55,7 @@ def processor():
 def commit():
     """The commit that is checked out, and whether what is measured was changed since."""
     name = output("git", "rev-parse", "--short", "HEAD")
-    changes = output("git", "status", "--porcelain", "--", "include", "benchmark", "test/support",
+    changes = output("git", "status", "--porcelain", "--", "include", "src", "benchmark", "test/support",
                      ":!benchmark/results", ":!benchmark/*.py", ":!benchmark/*.sh", ":!benchmark/*.md")
     return name + (" with local changes" if changes else "")
 

@@ -159,7 +159,7 @@ def about(kind, table):
     return lambda medians: table(medians) if runs_of(medians, kind) else None
 
 
-# By the name of what tells when, where and how they were made: the benchmarks that it tells of.
+# By the name of a sentence on when, where and how benchmarks were run: the kind of these benchmarks.
 CIRCUMSTANCES = {f"circumstances_of_{kind}": kind
                  for kind in ("method", "sources", "noise", "resolution", "holes", "ring", "threads")}
 TABLES = {

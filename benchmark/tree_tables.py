@@ -62,7 +62,7 @@ def growing_tree_table(medians):
 
 TABLES = {
     "trees": tree_table,
-    # Without a folder of scans there is nothing to tell.
+    # Without a folder of scans there is no table.
     "scans": lambda medians: scan_table(medians) if any(name.startswith("scan/") for name in medians) else None,
     "growing_tree": growing_tree_table,
 }

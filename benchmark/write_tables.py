@@ -3,7 +3,7 @@
 #
 """Writes the tables of README.md and of the pages in doc, and plots to doc/fig.
 
-Usage: write_tables.py COMMAND BUILD_FOLDER FOLDER FILE...: COMMAND is what the pages shall name as the command that
+Usage: write_tables.py COMMAND BUILD_FOLDER FOLDER FILE...: COMMAND is what the pages name as the command that
 made the files, each named after the program that wrote it; FOLDER is that of README.md and doc.
 Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
 """
@@ -143,8 +143,8 @@ def growing_cloud_table(medians):
     return markdown(["points", "CPU s", "MB"], rows)
 
 
-# By program, the tables by name: functions of the medians, which may have nothing to tell; None stands for when, where
-# and how they were measured.
+# By program, the tables by name: functions of the medians, which return None if they have no rows; None in the place of
+# a function stands for the sentence on when, where and how they were measured.
 TABLES_OF_PROGRAM = {
     "benchmark_skeletonization": {
         "circumstances": None,
@@ -165,7 +165,7 @@ TABLES_OF_PROGRAM = {
     "benchmark_trees": {"circumstances_of_trees": None, **tree_tables.TABLES},
 }
 
-# By program, what is told when, where and how runs of one kind were measured, for programs whose kinds are run apart.
+# By program, the sentences on when, where and how runs of one kind were measured, for programs whose kinds are run apart.
 CIRCUMSTANCES_OF_KINDS = {
     "benchmark_points": {"circumstances_of_clouds": "cloud", "circumstances_of_published_clouds": "published"},
     "benchmark_published": published_tables.CIRCUMSTANCES,
@@ -179,14 +179,14 @@ def main():
     for file in files:
         program = pathlib.Path(file).stem
         context, medians = read_medians(file)
-        told = circumstances(context, command, number_of_repetitions(file), build_dir)
+        sentence = circumstances(context, command, number_of_repetitions(file), build_dir)
         for name, table in TABLES_OF_PROGRAM[program].items():
-            text = table(medians) if table else told
+            text = table(medians) if table else sentence
             if text is not None:
                 tables[name] = text
         for name, kind in CIRCUMSTANCES_OF_KINDS.get(program, {}).items():
             if runs_of(medians, kind):
-                tables[name] = told
+                tables[name] = sentence
         if program == "benchmark_published":
             published_tables.plot(medians, folder / "doc" / "fig")
     for path in [*sorted((folder / "doc").glob("*.md")), folder / "README.md"]:

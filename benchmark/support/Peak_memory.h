@@ -13,7 +13,7 @@
 
 namespace CSCD::benchmark {
 
-/// The greatest resident memory of the process since this object was made, where Linux can tell.
+/// The greatest resident memory of the process since this object was made, on Linux.
 class Peak_memory
 {
 public:
@@ -23,7 +23,7 @@ public:
     std::ofstream("/proc/self/clear_refs") << "5"; // resets the peak
   }
 
-  /// In megabytes of 10^6 bytes, the input included; 0 where the system does not tell.
+  /// In megabytes of 10^6 bytes, the input included; 0 on other systems.
   double megabytes() const
   {
     constexpr double megabytes_per_kibibyte = 1.024e-3;
