@@ -15,7 +15,8 @@ build_benchmarks()
   install_packages "${library_packages[@]}" git libbenchmark-dev python3 gnuplot-nox
   # In a build folder that has the tests or examples, they stay.
   local -a configure=(
-    cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON)
+    cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON
+    -DCSCD_BENCHMARK_FLAGS=)
   if [[ ! -e $build_dir/CMakeCache.txt ]]; then
     configure+=(-DCSCD_BUILD_TESTS=OFF)
   fi

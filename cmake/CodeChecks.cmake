@@ -3,9 +3,11 @@
 #
 # Targets that check the text of the code: format_check, format (rewrites), tidy.
 
-file(GLOB_RECURSE cscd_code CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h" "${PROJECT_SOURCE_DIR}/examples/*.h"
-     "${PROJECT_SOURCE_DIR}/examples/*.cpp" "${PROJECT_SOURCE_DIR}/test/*.h" "${PROJECT_SOURCE_DIR}/test/*.cpp"
-     "${PROJECT_SOURCE_DIR}/benchmark/*.h" "${PROJECT_SOURCE_DIR}/benchmark/*.cpp")
+set(cscd_code)
+foreach(folder include src examples test benchmark cmake)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/*.cpp")
+  list(APPEND cscd_code ${files})
+endforeach()
 
 find_program(CSCD_CLANG_FORMAT NAMES clang-format clang-format-14)
 mark_as_advanced(CSCD_CLANG_FORMAT)
@@ -14,14 +16,15 @@ if(CSCD_CLANG_FORMAT)
   add_custom_target(format COMMAND "${CSCD_CLANG_FORMAT}" -i ${cscd_code} VERBATIM)
 endif()
 
-# clang-tidy reads one file, since most of its time goes to the headers of CGAL: all headers of the library, then that
-# file of the program cscd which instantiates the templates of the pipeline.
+# clang-tidy reads one file, since most of its time goes to the headers of CGAL: all headers of the library, with the
+# definitions that src/ compiles among them, then a file that instantiates the pipeline for meshes and points and both
+# methods. Definitions in files are analyzed along all paths, those in headers as far as these files call them.
 find_program(CSCD_CLANG_TIDY NAMES clang-tidy clang-tidy-14)
 mark_as_advanced(CSCD_CLANG_TIDY)
-if(CSCD_CLANG_TIDY AND CSCD_BUILD_EXAMPLES)
+if(CSCD_CLANG_TIDY)
   file(GLOB_RECURSE cscd_tidy_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h")
   list(REMOVE_ITEM cscd_tidy_headers "${PROJECT_SOURCE_DIR}/include/CSCD/internal/parameters_interface.h")
-  set(cscd_tidy_text ${cscd_tidy_headers} "${PROJECT_SOURCE_DIR}/examples/cscd/compute_skeleton.cpp")
+  set(cscd_tidy_text ${cscd_tidy_headers} "${PROJECT_SOURCE_DIR}/cmake/instantiate_adapters.cpp")
   list(TRANSFORM cscd_tidy_text REPLACE "(.+)" "#include \"\\1\" // NOLINT(bugprone-suspicious-include)\n")
   list(JOIN cscd_tidy_text "" cscd_tidy_text)
   set(cscd_tidy_file "${PROJECT_BINARY_DIR}/tidy.cpp")
@@ -29,8 +32,7 @@ if(CSCD_CLANG_TIDY AND CSCD_BUILD_EXAMPLES)
 
   # Never built: it only puts the file's options into compile_commands.json.
   add_library(cscd_tidy OBJECT EXCLUDE_FROM_ALL "${cscd_tidy_file}")
-  target_link_libraries(cscd_tidy PRIVATE CSCD::CSCD nlohmann_json::nlohmann_json)
-  target_include_directories(cscd_tidy PRIVATE "${PROJECT_SOURCE_DIR}/examples/cscd")
+  target_link_libraries(cscd_tidy PRIVATE CSCD::CSCD)
   set_target_properties(cscd_tidy PROPERTIES CXX_EXTENSIONS OFF EXPORT_COMPILE_COMMANDS ON)
 
   add_custom_target(

@@ -5,7 +5,7 @@
 
 set(CSCD_SANITIZER
     ""
-    CACHE STRING "Sanitizer for the project's own programs: empty, address (with undefined behaviour), or thread")
+    CACHE STRING "Sanitizer for the project's own programs: empty, address (with undefined behavior), or thread")
 set_property(CACHE CSCD_SANITIZER PROPERTY STRINGS "" address thread)
 
 if(CSCD_SANITIZER STREQUAL "address")
@@ -20,4 +20,9 @@ elseif(CSCD_SANITIZER STREQUAL "thread")
   add_link_options(-fsanitize=thread)
 elseif(CSCD_SANITIZER)
   message(FATAL_ERROR "CSCD_SANITIZER is \"${CSCD_SANITIZER}\": it has to be empty, address or thread")
+endif()
+
+# The tests link a build of the library of their own, with the sanitizer.
+if(CSCD_SANITIZER AND TARGET cscd_compiled)
+  set_target_properties(cscd_compiled PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()

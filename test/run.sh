@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: parts under
-# sanitizers, then all. Takes no arguments; may be run again.
+# Installs what is missing (Debian, Ubuntu), builds everything, checks format and style, and runs the tests: those that
+# take seconds first, then parts under sanitizers, then those that take longer. Takes no arguments; may be run again.
 
 set -euo pipefail
 
@@ -11,11 +11,9 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$source_dir"
 # shellcheck source=cmake/install_packages.sh
 source cmake/install_packages.sh
-install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format clang-tidy ccache \
-  doxygen python3
-jobs=$(number_of_jobs)
 
-declare -A seconds=()
+summary=()
+# step <name> <command>... runs the command, and prints how many seconds it took.
 step()
 {
   local name=$1
@@ -23,7 +21,18 @@ step()
   echo "== $name"
   local begin=$SECONDS
   "$@"
-  seconds[$name]=$((SECONDS - begin))
+  summary+=("$(printf '%6d %s' $((SECONDS - begin)) "$name")")
+  echo "== $name: $((SECONDS - begin)) s"
+}
+
+step "packages" install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format \
+  clang-tidy ccache doxygen python3
+jobs=$(number_of_jobs)
+
+# configure <preset> [<option>...]
+configure()
+{
+  cmake --preset "$@" --log-level=WARNING >/dev/null
 }
 
 # build_preset <preset> [<option of the build>...]
@@ -31,22 +40,20 @@ build_preset()
 {
   local preset=$1
   shift
-  cmake --preset "$preset" --log-level=WARNING >/dev/null
+  configure "$preset"
   cmake --build --preset "$preset" --parallel "$jobs" "$@"
 }
 
-# The options of the cache are written out: an earlier run of examples/run.sh may have left them off.
-configure_release()
-{
-  cmake --preset release -DCSCD_BUILD_TESTS=ON -DCSCD_BUILD_EXAMPLES=ON -DCSCD_BUILD_BENCHMARKS=ON >/dev/null
-}
-
-step "configure" configure_release
+# The options of the cache are written out: an earlier run of examples/run.sh may have left them off. Benchmarks are
+# not run here: they are compiled and linked without optimization.
+step "configure" configure release -DCSCD_BUILD_TESTS=ON -DCSCD_BUILD_EXAMPLES=ON -DCSCD_BUILD_BENCHMARKS=ON \
+  -DCSCD_BENCHMARK_FLAGS=-O0
 step "format" cmake --build --preset release --target format_check
+step "order of includes" ctest --preset release --tests-regex '^includes_point_down'
 step "build" cmake --build --preset release --parallel "$jobs"
-step "build for the address sanitizer" build_preset asan-ubsan
-step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
-# clang-tidy reads one file, and takes as long as all of the thread sanitizer.
+step "fast tests" ctest --preset release --parallel "$jobs" --label-exclude slow
+
+# clang-tidy reads one file, and takes as long as the builds for both sanitizers.
 output_of_tidy=$(mktemp)
 set -m # a process group of its own, so that it can be ended whole
 build_preset tidy >"$output_of_tidy" 2>&1 &
@@ -54,6 +61,8 @@ tidy=$!
 set +m
 trap 'kill -- "-$tidy" 2>/dev/null || true; rm -f "$output_of_tidy"' EXIT
 jobs=$((jobs > 1 ? jobs - 1 : 1))
+step "build for the address sanitizer" build_preset asan-ubsan
+step "tests under the address sanitizer" ctest --preset asan-ubsan --parallel "$jobs"
 step "build for the thread sanitizer" build_preset tsan
 step "tests under the thread sanitizer" ctest --preset tsan
 finish_tidy()
@@ -65,11 +74,7 @@ finish_tidy()
 }
 step "clang-tidy, what was left of it" finish_tidy
 jobs=$(number_of_jobs)
+step "slow tests" ctest --preset release --parallel "$jobs" --label-regex slow
 
-echo "Seconds up to here:"
-for name in "${!seconds[@]}"; do
-  printf '%6d %s\n' "${seconds[$name]}" "$name"
-done | sort --numeric-sort --reverse
-
-echo "== all tests, slow ones included"
-ctest --preset release --parallel "$jobs"
+echo "Seconds of each step, $SECONDS in all:"
+printf '%s\n' "${summary[@]}"
