@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # For scripts of bash, to be read by `source`.
+# shellcheck shell=bash disable=SC2034
 
 # install_packages <package>... installs by apt-get those Debian packages that are missing, and says which.
 install_packages()
