@@ -67,16 +67,18 @@ def median_row(title, rows, width):
 
 
 def side_by_side(medians, quantity, measured, columns):
-    """One row for each mesh: what was measured, then what is quoted of others; then medians."""
+    """One row for each mesh: what was measured, then what is quoted of others; then medians over different meshes."""
     rows = []
+    different = {}
     for mesh, runs in runs_of(medians, "method").items():
         run = next(iter(runs.values()))
         ours = [measured(runs[method]) if method in runs else None for method in LIVE]
         theirs = [quoted(source, mesh, run, f"{method} {quantity}") for source, method in columns]
         rows.append((mesh, run["vertices"], ours + theirs))
+        different.setdefault((run["vertices"], run["faces"]), rows[-1])
     cells = [[mesh, count(vertices), *map(cell, numbers)] for mesh, vertices, numbers in rows]
-    cells.append(median_row("median of", rows, len(LIVE)))
-    cells.append(median_row("median of the quoted", rows, len(LIVE) + 2))
+    cells.append(median_row("median of", list(different.values()), len(LIVE)))
+    cells.append(median_row("median of the quoted", list(different.values()), len(LIVE) + 2))
     return markdown(["mesh", "vertices", *LIVE, *(f"{method}, {source}" for source, method in columns)], cells)
 
 
