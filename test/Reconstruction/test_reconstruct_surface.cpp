@@ -7,7 +7,7 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Reconstruction/reconstruct_surface_impl.h>
+#include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Vector_3.h>
 
