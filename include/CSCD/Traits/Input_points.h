@@ -10,6 +10,8 @@
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/double.h>
