@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How far every vertex of a mesh is from its first one along the surface: writes the mesh as distances.ply, with bands
-// of equal distance in two colours.
+// of equal distance in two colors.
 
 #include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/IO/read_triangle_mesh.h>

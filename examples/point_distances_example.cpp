@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How far every point of a set is from its first one along the surface that the points sample: writes the points as
-// point_distances.ply, with bands of equal distance in two colours.
+// point_distances.ply, with bands of equal distance in two colors.
 
 #include <CSCD/Geodesic/estimate_geodesic_distances_on_points.h>
 #include <CSCD/IO/read_points.h>
