@@ -17,7 +17,6 @@
 #include <CSCD/internal/config.h>
 
 #include <Eigen/Geometry>
-#include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
 #include <array>
@@ -40,25 +39,22 @@ struct Branch_graph
   /// Linear.
   explicit Branch_graph(const Indexed_skeleton& skeleton)
   {
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS> graph(skeleton.number_of_nodes());
-    for (const auto& [u, v] : skeleton.edges) {
-      add_edge(u, v, graph);
-    }
+    const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
     std::vector<Index> number(skeleton.number_of_nodes(), no_index);
     for (Index v = 0; v < number.size(); ++v) {
-      if (out_degree(v, graph) != 2) {
+      if (neighbors[v].size() != 2) {
         number[v] = Index(nodes.size());
         nodes.push_back(v);
-        degrees.push_back(out_degree(v, graph));
+        degrees.push_back(neighbors[v].size());
       }
     }
-    for (const auto& path : split_into_branches(graph)) {
+    for (std::vector<Index>& path : split_into_branches(neighbors)) {
       if (path.size() == 1) {
         continue; // an isolated node
       }
-      branches.emplace_back(path.begin(), path.end());
       const Index source = number[path.front()];
       const Index target = number[path.back()];
+      branches.push_back(std::move(path));
       if (source == no_index) {
         ++number_of_closed_cycles;
       } else {
