@@ -7,6 +7,7 @@
 #define CSCD_SKELETONIZATION_REPORT_H
 
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/internal/counted.h>
 
 #include <array>
 #include <cstddef>
@@ -109,11 +110,11 @@ struct Skeletonization_report
   /// What the user should know: one sentence each.
   std::vector<std::string> warnings;
 
-  /// Adds the warning "`count` `what`" unless `count` is 0.
-  void add_warning(std::size_t count, const char* what)
+  /// Adds the warning "`count` `many`", or "1 `one`", unless `count` is 0.
+  void add_warning(std::size_t count, const std::string& one, const std::string& many)
   {
     if (count > 0) {
-      warnings.push_back(std::to_string(count) + ' ' + what);
+      warnings.push_back(internal::counted(count, one, many));
     }
   }
 };

@@ -189,6 +189,26 @@ inline void mark_fan(const Halfedge_pairing& pairing, Index halfedge, std::vecto
   }
 }
 
+/// A vertex around which the faces form several fans, or `no_index`; linear.
+/// \param pairing of the faces, without conflict
+inline Index find_pinched_vertex(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+{
+  std::vector<char> marked(pairing.number_of_halfedges(), 0);
+  std::vector<char> has_fan(triangles.points.size(), 0);
+  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
+    if (marked[halfedge]) {
+      continue;
+    }
+    const Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
+    if (has_fan[vertex]) {
+      return vertex;
+    }
+    has_fan[vertex] = 1;
+    mark_fan(pairing, halfedge, marked);
+  }
+  return no_index;
+}
+
 /// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
 /// and that the faces around every vertex form one fan. Linear.
 /// \param name gives the number by which a message calls a vertex
@@ -200,20 +220,11 @@ Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const Vertex
   if (pairing.conflict() != no_index) {
     refuse_edge(triangles, pairing.conflict(), name);
   }
-  std::vector<char> marked(pairing.number_of_halfedges(), 0);
-  std::vector<char> has_fan(triangles.points.size(), 0);
-  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
-    if (marked[halfedge]) {
-      continue;
-    }
-    const Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
-    if (has_fan[vertex]) {
-      throw Input_error("vertex " + std::to_string(name(vertex)) +
-                        " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
-                        "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
-    }
-    has_fan[vertex] = 1;
-    mark_fan(pairing, halfedge, marked);
+  const Index pinched = find_pinched_vertex(triangles, pairing);
+  if (pinched != no_index) {
+    throw Input_error("vertex " + std::to_string(name(pinched)) +
+                      " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
+                      "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
   }
   return pairing;
 }

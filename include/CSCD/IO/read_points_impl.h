@@ -1,18 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reading points from lines of numbers: the formats XYZ and PTS.
+// The definitions of read_points.h.
 
-#ifndef CSCD_IO_INTERNAL_PARSE_POINTS_H
-#define CSCD_IO_INTERNAL_PARSE_POINTS_H
+#ifndef CSCD_IO_READ_POINTS_IMPL_H
+#define CSCD_IO_READ_POINTS_IMPL_H
 
+#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/parse_mesh.h>
+#include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/read_points.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <istream>
 #include <string>
 #include <string_view>
 
@@ -21,7 +28,7 @@ namespace CSCD::internal {
 /// Reads `text`, a point in each line: three coordinates, and perhaps three numbers of a normal; what follows is passed
 /// over, as are empty lines, comments after `#`, and a first line with a single number. If in some line three further
 /// numbers are missing or longer than a unit vector can be, they are taken for no normals anywhere: they may be
-/// colours. \throw File_error if it is malformed or has no points
+/// colors. \throw File_error if it is malformed or has no points
 inline Polygon_soup parse_xyz(std::string_view text, const std::string& filename)
 {
   constexpr char comment = '#';
@@ -62,6 +69,33 @@ inline Polygon_soup parse_xyz(std::string_view text, const std::string& filename
   return soup;
 }
 
+/// Reads the points of a file of which `content` is the content, and its faces, if it has any.
+/// \throw File_error if it is malformed or has no points
+inline Polygon_soup parse_points(std::string_view content, Point_format format, const std::string& filename)
+{
+  if (content.empty()) {
+    throw File_error(filename + ": the file is empty; fetch or write it again");
+  }
+  Polygon_soup soup = format == Point_format::off   ? parse_off(content, filename)
+                      : format == Point_format::ply ? parse_ply(content, filename)
+                                                    : parse_xyz(content, filename);
+  if (soup.points.empty()) {
+    throw File_error(filename + ": the file has no points; fetch or write it again");
+  }
+  return soup;
+}
+
+CSCD_INLINE Polygon_soup read_point_soup(const std::string& filename)
+{
+  const Point_format format = point_format(filename);
+  return parse_points(read_content(filename), format, filename);
+}
+
+CSCD_INLINE Polygon_soup read_point_soup(std::istream& in, Point_format format, const std::string& name)
+{
+  return parse_points(read_content(in, name), format, name);
+}
+
 } // namespace CSCD::internal
 
-#endif // CSCD_IO_INTERNAL_PARSE_POINTS_H
+#endif // CSCD_IO_READ_POINTS_IMPL_H

@@ -1,47 +1,167 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Evaluates a skeleton against its body.
+// The definitions of evaluate_skeleton.h.
 
-#ifndef CSCD_MEASURE_SKELETON_EVALUATION_H
-#define CSCD_MEASURE_SKELETON_EVALUATION_H
+#ifndef CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
+#define CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
 
 #include <CSCD/Measure/Isosurface_tracker.h>
-#include <CSCD/Measure/Measured_body.h>
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/reconstruction_fields.h>
-#include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/boost/graph/properties.h>
-#include <CGAL/double.h>
-#include <CGAL/float.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
+#include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Measures from the reconstruction to the input, at the centres of faces, weighted by their areas. Of many faces some
+/// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
+/// Borders are bridged, so that there is a body; components that look inwards are turned.
+class Measured_body
+{
+public:
+  /// Near linear.
+  /// \throw Input_error if the triangles have no extent
+  Measured_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+  {
+    m_normalization = normalize_diagonal(triangles.points);
+    const std::size_t number_of_points = triangles.points.size();
+    m_number_of_borders = bridge_borders(triangles, pairing);
+    if (pairing.has_border()) {
+      pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    }
+    Surface_components components(triangles, pairing);
+    orient_outwards(triangles, pairing, components);
+    split_two_face_components(triangles, pairing, components);
+    m_number_of_components = components.number();
+    // What has near numbers should be near in space, for the queries' sake.
+    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    m_points.reserve(number_of_points);
+    for (const Index vertex : order) {
+      if (vertex < number_of_points) {
+        m_points.push_back(triangles.points[vertex]);
+      }
+    }
+    renumber(triangles, order);
+    m_surface = Triangulated_surface(std::move(triangles));
+    CGAL_postcondition(!m_surface.defect());
+    m_queries.emplace(m_surface);
+  }
+  Measured_body(const Measured_body&) = delete;
+  Measured_body& operator=(const Measured_body&) = delete;
+  ~Measured_body() = default;
+
+  const Normalization& normalization() const { return m_normalization; }
+  /// The vertices that have a face, neighbors near each other.
+  const std::vector<Vector_3>& points() const { return m_points; }
+  const Solid_queries& queries() const { return *m_queries; }
+
+  std::size_t number_of_components() const { return m_number_of_components; }
+  std::size_t number_of_borders() const { return m_number_of_borders; }
+  /// The number of handles of the bridged surface, over all components.
+  std::size_t genus() const
+  {
+    // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
+    return (2 * m_number_of_components + m_surface.number_of_faces() / 2 - m_surface.number_of_vertices()) / 2;
+  }
+
+private:
+  Normalization m_normalization;
+  std::vector<Vector_3> m_points;
+  std::size_t m_number_of_components = 0;
+  std::size_t m_number_of_borders = 0;
+  Triangulated_surface m_surface;
+  std::optional<Solid_queries> m_queries;
+};
+
+/// The angle by which the path a, b, c turns at b, from 0 to pi; 0 where two of the points are equal.
+inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  const Vector_3 before = b - a;
+  const Vector_3 after = c - b;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+/// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
+/// edges that touch such nodes, half for each end, in local radii.
+inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<double>& radii,
+                            const std::vector<std::vector<Index>>& neighbors, Skeleton_counts& counts)
+{
+  double sum = 0;
+  double length = 0; // in radii
+  for (std::size_t v = 0; v < neighbors.size(); ++v) {
+    if (neighbors[v].size() != 2) {
+      continue;
+    }
+    const Vector_3& a = skeleton.points[neighbors[v][0]];
+    const Vector_3& b = skeleton.points[v];
+    const Vector_3& c = skeleton.points[neighbors[v][1]];
+    const double angle = turning_angle(a, b, c);
+    counts.max_turning = std::fmax(counts.max_turning, angle);
+    if (radii[v] > 0) {
+      sum += angle;
+      length += ((a - b).norm() + (c - b).norm()) / 2 / radii[v];
+    }
+  }
+  if (length > 0) {
+    counts.mean_turning = sum / length;
+  }
+}
+
+/// Counts nodes, edges, components, cycles, tips and junctions, and measures length and turning. Near linear.
+/// \param radii of the nodes, for the unit of the turning
+inline Skeleton_counts count_skeleton(const Indexed_skeleton& skeleton, const std::vector<double>& radii)
+{
+  Skeleton_counts counts;
+  counts.number_of_nodes = skeleton.number_of_nodes();
+  counts.number_of_edges = skeleton.edges.size();
+  counts.number_of_components = skeleton.number_of_nodes();
+  Disjoint_sets sets(skeleton.number_of_nodes());
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    counts.number_of_components -= sets.join(edge[0], edge[1]) ? 1 : 0;
+    counts.length += skeleton.length(edge);
+  }
+  counts.betti_number = counts.number_of_edges + counts.number_of_components - counts.number_of_nodes;
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  for (const std::vector<Index>& around : neighbors) {
+    counts.number_of_isolated_nodes += around.empty() ? 1 : 0;
+    counts.number_of_tips += around.size() == 1 ? 1 : 0;
+    counts.number_of_junctions += around.size() > 2 ? 1 : 0;
+  }
+  measure_turning(skeleton, radii, neighbors, counts);
+  return counts;
+}
+
+/// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
 /// which a cell's faces follow each other has no say.
 template <class Distance>
@@ -107,19 +227,6 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   return error;
 }
 
-} // namespace CSCD::internal
-
-namespace CSCD {
-
-/// How a surface is made of a skeleton with radii.
-enum class Reconstruction_method
-{
-  convolution, ///< convolution with the inverse quartic kernel, see `doc/measures.md`
-  round_cones  ///< union of the convex hulls of the two balls of each edge
-};
-
-namespace internal {
-
 /// The points of a cloud, and how far a point is from them.
 class Measured_cloud
 {
@@ -156,7 +263,7 @@ private:
 };
 
 /// The distance of `point` from the input.
-/// \param near what the last call left; neighbouring points are answered faster one after the other
+/// \param near what the last call left; neighboring points are answered faster one after the other
 inline double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
 {
   return cloud.distance(point);
@@ -168,13 +275,6 @@ inline double distance_to(const Measured_body& body, const Vector_3& point, Inde
   near = nearest.face;
   return (nearest.point - point).norm();
 }
-
-/// Where radii come from, and how fine the reconstructed surfaces are.
-struct Evaluation_parameters
-{
-  bool uses_skeleton_radii = false;
-  std::size_t resolution = 200; ///< cells of the lattice along the diagonal of the bounding box
-};
 
 /// A skeleton in the coordinates of a `Measured_body` or a `Measured_cloud`, with radii.
 template <class Measured>
@@ -233,7 +333,7 @@ public:
 
 private:
   static constexpr std::size_t maximum_resolution = 10000;
-  /// Nodes farther than this from the centre of the bounding box, and radii greater than this, in its diagonals, cannot
+  /// Nodes farther than this from the center of the bounding box, and radii greater than this, in its diagonals, cannot
   /// belong to the surface.
   static constexpr double max_length = 2;
 
@@ -283,65 +383,47 @@ private:
   std::size_t m_resolution;
 };
 
-} // namespace internal
-} // namespace CSCD
-
-namespace CSCD::internal {
-
-/// Refuses at compile time named parameters that do not apply to a surface of this type, nor are among `MoreTags`.
-template <class Surface, class NamedParameters, class... MoreTags>
-constexpr void check_evaluation_parameters()
+CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                                const Evaluation_parameters& parameters)
 {
-  if constexpr (is_triangle_mesh_v<Surface>) {
-    check_triangle_mesh<Surface>();
-    check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t, MoreTags...>();
-  } else {
-    check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t, MoreTags...>();
+  if (!input.is_mesh) {
+    const Measured_cloud cloud(std::move(input.points));
+    return Skeleton_evaluation<Measured_cloud>(cloud, std::move(skeleton), parameters).measure();
   }
-}
-
-template <class NamedParameters>
-Evaluation_parameters evaluation_parameters(const NamedParameters& np)
-{
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  Evaluation_parameters result;
-  result.uses_skeleton_radii =
-      choose_parameter(get_parameter(np, internal_np::use_skeleton_radii), result.uses_skeleton_radii);
-  result.resolution = std::size_t(choose_parameter(get_parameter(np, internal_np::resolution), result.resolution));
+  const Measured_body body(std::move(input.triangles), std::move(input.pairing));
+  const Skeleton_evaluation<Measured_body> evaluation(body, std::move(skeleton), parameters);
+  Skeleton_measures result = evaluation.measure();
+  result.position = Position_measurement(body.queries(), evaluation.skeleton())();
+  result.position.number_of_surface_components = body.number_of_components();
+  result.position.genus = body.genus();
+  result.position.number_of_borders = body.number_of_borders();
   return result;
 }
 
-/// Prepares a mesh or a range of points for measuring.
-template <class Surface, class NamedParameters>
-auto measured_input(const Surface& surface, const NamedParameters& np)
+/// Reconstructs a surface in the coordinates of `measured`.
+template <class Measured>
+Indexed_triangles reconstruct_surface(const Measured& measured, Indexed_skeleton&& skeleton,
+                                      const Evaluation_parameters& parameters, Reconstruction_method method)
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  if constexpr (is_triangle_mesh_v<Surface>) {
-    if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
-      return std::make_unique<const Measured_body>(surface, get(CGAL::vertex_point, surface));
-    } else {
-      return std::make_unique<const Measured_body>(surface, get_parameter(np, CGAL::internal_np::vertex_point));
-    }
-  } else {
-    const auto to_vector = [](const auto& point) {
-      return Vector_3(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
-    };
-    std::vector<Vector_3> points;
-    for (const auto& element : surface) {
-      if constexpr (is_default_parameter<NamedParameters, CGAL::internal_np::point_t>::value) {
-        points.push_back(to_vector(element));
-      } else {
-        points.push_back(to_vector(get(get_parameter(np, CGAL::internal_np::point_map), element)));
-      }
-    }
-    return std::make_unique<const Measured_cloud>(std::move(points));
+  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
+  Indexed_triangles result = evaluation.reconstruct(method).triangles;
+  for (Vector_3& point : result.points) {
+    point = measured.normalization().to_input(point);
   }
+  return result;
+}
+
+CSCD_INLINE Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                                  const Evaluation_parameters& parameters, Reconstruction_method method)
+{
+  if (input.is_mesh) {
+    const Measured_body body(std::move(input.triangles), std::move(input.pairing));
+    return reconstruct_surface(body, std::move(skeleton), parameters, method);
+  }
+  const Measured_cloud cloud(std::move(input.points));
+  return reconstruct_surface(cloud, std::move(skeleton), parameters, method);
 }
 
 } // namespace CSCD::internal
 
-#endif // CSCD_MEASURE_SKELETON_EVALUATION_H
+#endif // CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
