@@ -88,7 +88,7 @@ namespace CSCD::internal {
 template <class Surface>
 Index edge_of(const Surface& surface, Index halfedge)
 {
-  return std::min(halfedge, surface.twin(halfedge));
+  return std::min<Index>(halfedge, surface.twin(halfedge));
 }
 
 /// The point where `crossing` lies.
