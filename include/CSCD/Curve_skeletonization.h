@@ -118,6 +118,8 @@ public:
     m_report.number_of_sources_without_cut = 0;
     m_report.number_of_rejections = {};
     m_report.number_of_collapsed_loops = 0;
+    m_report.number_of_held_loops = 0;
+    m_report.number_of_unfinished_loops = 0;
     m_report.number_of_bumps = 0;
     m_report.number_of_tunnels = 0;
     m_report.number_of_separators = 0;

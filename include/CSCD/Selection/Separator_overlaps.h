@@ -8,7 +8,6 @@
 
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
 
@@ -27,7 +26,7 @@ namespace CSCD::internal {
 template <class Surface>
 Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
 {
-  const Index edge = surface.edge(crossing.halfedge);
+  const Index edge = edge_of(surface, crossing.halfedge);
   const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
   return position < 0.5 ? surface.origin(edge) : surface.target(edge);
 }
@@ -73,7 +72,7 @@ public:
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
-  /// Lists for each separator the vertices that it passes closest to; a vertex stands once for consecutive crossings.
+  /// Lists for each separator the vertices that it passes closest to, each once for consecutive crossings.
   template <class Surface>
   void collect_rings(const Surface& surface, const std::vector<Separator>& separators)
   {

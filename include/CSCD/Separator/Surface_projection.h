@@ -32,6 +32,9 @@ struct Projected_point
 class Closest_point_projection
 {
 public:
+  /// Whether it has to be given the site of a point nearby.
+  static constexpr bool needs_site = false;
+
   /// \param queries those of `surface`; both are referred to and must outlive this object
   Closest_point_projection(const Triangulated_surface& surface, const Solid_queries& queries)
       : m_surface(&surface), m_queries(&queries)
@@ -89,6 +92,9 @@ private:
 class Moving_least_squares_projection
 {
 public:
+  /// Whether it has to be given the site of a point nearby.
+  static constexpr bool needs_site = true;
+
   /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
   Moving_least_squares_projection(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
       : m_complex(&complex), m_neighborhoods(&neighborhoods)
