@@ -77,7 +77,7 @@ public:
   explicit Point_set_distance_estimator(const PointRange& points,
                                         const NamedParameters& np = parameters::default_values())
       : Point_set_distance_estimator(
-            points, collect(points, np),
+            points, internal::collect_points_of(points, np),
             double(parameters::choose_parameter(parameters::get_parameter(np, internal_np::time_step_factor), 1.)))
   {
     internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
@@ -130,29 +130,8 @@ private:
 
   Point_set_distance_estimator(const PointRange& points, Point_cloud&& cloud, double time_step_factor)
       : m_unit(cloud.normalization.unit), m_method(prepare(cloud, time_step_factor)),
-        m_vertex(std::move(cloud.input_point))
+        m_vertex(std::move(cloud.input_point)), m_numbering(points)
   {
-    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      m_descriptors.assign(points.begin(), points.end());
-      for (Index i = 0; i < m_descriptors.size(); ++i) {
-        const std::size_t number = m_descriptors[i];
-        m_number.resize(std::max(m_number.size(), number + 1), no_index);
-        m_number[number] = i;
-      }
-    }
-  }
-
-  template <class NamedParameters>
-  static Point_cloud collect(const PointRange& points, const NamedParameters& np)
-  {
-    const auto point_map = internal::point_map(points, np);
-    return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
-      if constexpr (sizeof...(normal_map) == 0) {
-        return internal::collect_points(points, point_map, internal::No_normals());
-      } else {
-        return internal::collect_points(points, point_map, normal_map...);
-      }
-    });
   }
 
   static Heat_method prepare(const Point_cloud& cloud, double time_step_factor)
@@ -163,24 +142,14 @@ private:
     return Heat_method(internal::make_intrinsic_delaunay(cover), time_step_factor);
   }
 
-  /// The number of the point in the order of iteration.
-  Index number(const Point_descriptor& point) const
-  {
-    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      CGAL_precondition(std::size_t(point) < m_number.size() && m_number[point] != no_index);
-      return m_number[point];
-    } else {
-      CGAL_precondition(point < m_vertex.size());
-      return Index(point);
-    }
-  }
-
   template <class SourceRange>
   std::vector<internal::Geodesic_source> collect_sources(const SourceRange& sources) const
   {
     std::vector<internal::Geodesic_source> result;
     for (const auto& source : sources) {
-      result.push_back(internal::Geodesic_source::at_vertex(m_vertex[number(source)]));
+      const Index number = m_numbering.number(source);
+      CGAL_precondition(number != no_index);
+      result.push_back(internal::Geodesic_source::at_vertex(m_vertex[number]));
     }
     return result;
   }
@@ -189,21 +158,14 @@ private:
   void write(const internal::Heat_field& field, PointDistanceMap distances) const
   {
     for (Index i = 0; i < m_vertex.size(); ++i) {
-      const double distance = m_unit * std::max(field.distances[m_vertex[i]], 0.);
-      if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-        put(distances, m_descriptors[i], distance);
-      } else {
-        put(distances, std::size_t(i), distance);
-      }
+      put(distances, m_numbering.descriptor(i), m_unit * std::max(field.distances[m_vertex[i]], 0.));
     }
   }
 
   double m_unit;
   Heat_method m_method;
   std::vector<Index> m_vertex; // of the complex, for every point in the order of iteration
-  // Only of a range of indices:
-  std::vector<Point_descriptor> m_descriptors; // in the order of iteration
-  std::vector<Index> m_number;                 // of every index, the place in this order
+  internal::Point_numbering<PointRange> m_numbering;
 };
 
 } // namespace CSCD
