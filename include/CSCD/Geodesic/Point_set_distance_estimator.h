@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances on a point set: prepared once, asked often.
+// Geodesic distances on a point set: prepared once, estimated from many sources.
 
 #ifndef CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 #define CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 
-#include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
-#include <CSCD/Geodesic/Tufted_cover.h>
+#include <CSCD/Geodesic/Prepared_distances.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Surface/build_point_complex.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 
@@ -93,10 +89,8 @@ public:
   template <class SourceRange, class PointDistanceMap>
   void estimate(const SourceRange& sources, PointDistanceMap distances) const
   {
-    Heat_method::Workspace workspace;
-    internal::Heat_field field;
-    m_method(collect_sources(sources), field, workspace);
-    write(field, distances);
+    m_distances.estimate_each({collect_sources(sources)},
+                              [&](std::size_t, const std::vector<double>& field) { write(field, distances); });
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
@@ -107,63 +101,47 @@ public:
   template <class SourceSetRange, class DistanceMapRange>
   void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
   {
-    Heat_method::Workspace workspace;
-    std::vector<internal::Heat_field> fields;
-    std::vector<std::vector<internal::Geodesic_source>> batch;
-    auto sources = std::begin(source_sets);
-    auto map = std::begin(distance_maps);
-    while (sources != std::end(source_sets)) {
-      batch.clear();
-      while (sources != std::end(source_sets) && batch.size() < Heat_method::batch_size) {
-        batch.push_back(collect_sources(*sources++));
-      }
-      m_method(batch, fields, workspace);
-      for (const internal::Heat_field& field : fields) {
-        CGAL_precondition(map != std::end(distance_maps));
-        write(field, *map++);
-      }
+    std::vector<std::vector<internal::Distance_source>> collected;
+    for (const auto& sources : source_sets) {
+      collected.push_back(collect_sources(sources));
     }
+    auto map = std::begin(distance_maps);
+    m_distances.estimate_each(collected, [&](std::size_t, const std::vector<double>& field) {
+      CGAL_precondition(map != std::end(distance_maps));
+      write(field, *map++);
+    });
   }
 
 private:
-  using Heat_method = internal::Heat_method;
-
   Point_set_distance_estimator(const PointRange& points, Point_cloud&& cloud, double time_step_factor)
-      : m_unit(cloud.normalization.unit), m_method(prepare(cloud, time_step_factor)),
-        m_vertex(std::move(cloud.input_point)), m_numbering(points)
-  {
-  }
-
-  static Heat_method prepare(const Point_cloud& cloud, double time_step_factor)
+      : m_unit(cloud.normalization.unit), m_distances(cloud, time_step_factor), m_vertex(std::move(cloud.input_point)),
+        m_numbering(points)
   {
     CGAL_precondition(time_step_factor > 0);
-    const Point_complex complex = internal::build_point_complex(cloud);
-    const internal::Tufted_cover cover(complex);
-    return Heat_method(internal::make_intrinsic_delaunay(cover), time_step_factor);
   }
 
   template <class SourceRange>
-  std::vector<internal::Geodesic_source> collect_sources(const SourceRange& sources) const
+  std::vector<internal::Distance_source> collect_sources(const SourceRange& sources) const
   {
-    std::vector<internal::Geodesic_source> result;
+    std::vector<internal::Distance_source> result;
     for (const auto& source : sources) {
       const Index number = m_numbering.number(source);
       CGAL_precondition(number != no_index);
-      result.push_back(internal::Geodesic_source::at_vertex(m_vertex[number]));
+      result.push_back({m_vertex[number], no_index, {}});
     }
     return result;
   }
 
   template <class PointDistanceMap>
-  void write(const internal::Heat_field& field, PointDistanceMap distances) const
+  void write(const std::vector<double>& field, PointDistanceMap distances) const
   {
     for (Index i = 0; i < m_vertex.size(); ++i) {
-      put(distances, m_numbering.descriptor(i), m_unit * std::max(field.distances[m_vertex[i]], 0.));
+      put(distances, m_numbering.descriptor(i), m_unit * std::max(field[m_vertex[i]], 0.));
     }
   }
 
   double m_unit;
-  Heat_method m_method;
+  internal::Prepared_distances m_distances;
   std::vector<Index> m_vertex; // of the complex, for every point in the order of iteration
   internal::Point_numbering<PointRange> m_numbering;
 };
