@@ -46,16 +46,9 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
       add_edge(vertex[node.parent], vertex.back(), result);
     }
   }
-  std::size_t number = 0;
-  for ([[maybe_unused]] const auto& element : points) {
-    auto& descriptors = result[vertex[skeleton.node_of_point[cloud.input_point[number]]]].vertices;
-    if constexpr (Is_range_of_indices<PointRange>::value) {
-      descriptors.push_back(element);
-    } else {
-      descriptors.push_back(number);
-    }
-    ++number;
-  }
+  for_each_descriptor(points, [&](std::size_t number, const Point_descriptor<PointRange>& descriptor) {
+    result[vertex[skeleton.node_of_point[cloud.input_point[number]]]].vertices.push_back(descriptor);
+  });
   return result;
 }
 

@@ -3,7 +3,7 @@
 //
 // What is measured at a vertex: exact for linear functions, large where fronts meet, of no scale.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
@@ -21,7 +21,7 @@ namespace {
 using CSCD::internal::Cut_criterion;
 using CSCD::internal::Cut_locus_indicators;
 using CSCD::Index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::pi;
 using CSCD::test::Shape;
@@ -33,20 +33,20 @@ class Measured_shape
 public:
   template <class Function>
   Measured_shape(const Shape& shape, const Function& function)
-      : m_values(CSCD::test::sampled(shape, function)), m_surface(CSCD::test::to_open_triangulation(shape)),
+      : m_values(CSCD::test::sampled(shape, function)), m_surface(CSCD::test::to_surface_with_borders(shape)),
         m_frames(m_surface), m_measures(m_frames, m_values)
   {
   }
 
-  const Cut_locus_indicators<Open_triangulation>* operator->() const { return &m_measures; }
+  const Cut_locus_indicators<Triangulated_surface>* operator->() const { return &m_measures; }
   const CSCD::Vector_3& point(Index v) const { return m_surface.point(v); }
   Index size() const { return m_surface.number_of_vertices(); }
 
 private:
   std::vector<double> m_values;
-  Open_triangulation m_surface;
-  Tangent_frames<Open_triangulation> m_frames;
-  Cut_locus_indicators<Open_triangulation> m_measures;
+  Triangulated_surface m_surface;
+  Tangent_frames<Triangulated_surface> m_frames;
+  Cut_locus_indicators<Triangulated_surface> m_measures;
 };
 
 TEST(Cut_locus_indicators, of_a_linear_function)
@@ -78,13 +78,13 @@ TEST(Cut_locus_indicators, where_two_fronts_meet_or_part)
       const Index on_ridge = 4 * 9 + 4;
       const Measured_shape ridge(grid, distance(1));
       EXPECT_NEAR(ridge->convergence(on_ridge), 2 * a, 1e-6);
-      EXPECT_NEAR(ridge->convergence_of_neighbors(on_ridge, ridge->gradients()), 2 * a, 1e-6);
+      EXPECT_NEAR(ridge->convergence(on_ridge, ridge->gradients()), 2 * a, 1e-6);
       // Squares have the dual area 1; the mean edge is longer than their side.
       EXPECT_NEAR(ridge->laplacian(on_ridge), -2 * std::sin(a) * ridge->frames().mean_edge_length() / size, 1e-6);
       EXPECT_EQ(ridge->is_cut(on_ridge, Cut_criterion()), a >= pi / 6);
       const Measured_shape valley(grid, distance(-1));
       EXPECT_NEAR(valley->convergence(on_ridge), 0, 1e-6);
-      EXPECT_NEAR(valley->convergence_of_neighbors(on_ridge, valley->gradients()), 0, 1e-6);
+      EXPECT_NEAR(valley->convergence(on_ridge, valley->gradients()), 0, 1e-6);
       EXPECT_GT(valley->laplacian(on_ridge), 0);
     }
   }
@@ -111,7 +111,7 @@ TEST(Cut_locus_indicators, of_distances_that_are_not_known)
   for (Index v = 0; v < measured.size(); ++v) {
     EXPECT_TRUE(std::isfinite(measured->laplacian(v)));
     EXPECT_TRUE(std::isfinite(measured->convergence(v)));
-    EXPECT_TRUE(std::isfinite(measured->convergence_of_neighbors(v, measured->gradients())));
+    EXPECT_TRUE(std::isfinite(measured->convergence(v, measured->gradients())));
     EXPECT_TRUE(measured.point(v).x() < 2.5 || !measured->is_cut(v, Cut_criterion()));
   }
 }

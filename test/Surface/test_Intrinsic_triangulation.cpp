@@ -3,7 +3,7 @@
 //
 // Flips keep the surface, and every edge can be traced, whatever was flipped.
 
-#include "Intrinsic/expect_consistent.h"
+#include "Surface/expect_consistent.h"
 #include "Traits/to_indexed_triangles.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"

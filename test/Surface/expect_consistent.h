@@ -3,8 +3,8 @@
 //
 // What every intrinsic triangulation of a surface has to hold, whatever was flipped.
 
-#ifndef CSCD_TEST_INTRINSIC_EXPECT_CONSISTENT_H
-#define CSCD_TEST_INTRINSIC_EXPECT_CONSISTENT_H
+#ifndef CSCD_TEST_SURFACE_EXPECT_CONSISTENT_H
+#define CSCD_TEST_SURFACE_EXPECT_CONSISTENT_H
 
 #include <CSCD/Surface/Edge_trace.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
@@ -196,4 +196,4 @@ inline void expect_consistent(const Intrinsic_surface& triangulation, const Inva
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_INTRINSIC_EXPECT_CONSISTENT_H
+#endif // CSCD_TEST_SURFACE_EXPECT_CONSISTENT_H

@@ -3,8 +3,8 @@
 //
 // A test shape as a triangulation with its borders, without any change of numbers or coordinates.
 
-#ifndef CSCD_TEST_CUT_LOCUS_TO_OPEN_TRIANGULATION_H
-#define CSCD_TEST_CUT_LOCUS_TO_OPEN_TRIANGULATION_H
+#ifndef CSCD_TEST_CUT_LOCUS_TO_SURFACE_WITH_BORDERS_H
+#define CSCD_TEST_CUT_LOCUS_TO_SURFACE_WITH_BORDERS_H
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
@@ -18,7 +18,7 @@
 
 namespace CSCD::test {
 
-inline CSCD::Open_triangulation to_open_triangulation(const Shape& shape)
+inline CSCD::Triangulated_surface to_surface_with_borders(const Shape& shape)
 {
   CSCD::Indexed_triangles triangles = to_indexed_triangles(shape);
   CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
@@ -61,4 +61,4 @@ std::vector<double> sampled(const Shape& shape, const Function& function)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_CUT_LOCUS_TO_OPEN_TRIANGULATION_H
+#endif // CSCD_TEST_CUT_LOCUS_TO_SURFACE_WITH_BORDERS_H

@@ -4,7 +4,7 @@
 // Derivatives on a point complex, and what they say of fronts: exact for linear functions, large where fronts meet, of
 // no scale, at one place on a sampled sphere.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
@@ -89,7 +89,7 @@ TEST(Point_cut_locus_indicators, where_two_fronts_meet_or_part)
       const Point_cut_locus_indicators on(cloud.derivatives(), ridge);
       EXPECT_LE(on.convergence(on_ridge), 2 * a + 1e-6);
       EXPECT_GE(on.convergence(on_ridge), a);
-      EXPECT_DOUBLE_EQ(on.convergence_of_neighbors(on_ridge, on.gradients()), on.convergence(on_ridge));
+      EXPECT_DOUBLE_EQ(on.convergence(on_ridge, on.gradients()), on.convergence(on_ridge));
       EXPECT_LT(on.laplacian(on_ridge), -2 * std::sin(a));
       EXPECT_EQ(on.is_cut(on_ridge, Point_cut_locus_indicators::default_criterion()), a >= pi / 4);
       const std::vector<double> valley = distance(-1);
@@ -111,7 +111,7 @@ TEST(Point_cut_locus_indicators, of_distances_that_are_not_known)
   for (Index v = 0; v < cloud.size(); ++v) {
     EXPECT_TRUE(std::isfinite(measures.laplacian(v)));
     EXPECT_TRUE(std::isfinite(measures.convergence(v)));
-    EXPECT_TRUE(std::isfinite(measures.convergence_of_neighbors(v, gradients)));
+    EXPECT_TRUE(std::isfinite(measures.convergence(v, gradients)));
     EXPECT_TRUE(measures.is_reached(v) || !measures.is_cut(v, Point_cut_locus_indicators::default_criterion()));
   }
 }
