@@ -45,7 +45,7 @@ try {
   const auto all = vertices(cut_locus);
   const auto farthest = std::max_element(all.first, all.second,
                                          [&](auto a, auto b) { return cut_locus[a].distance < cut_locus[b].distance; });
-  std::cout << num_vertices(cut_locus) << " points; the farthest, near " << points[cut_locus[*farthest].nearest]
+  std::cout << num_vertices(cut_locus) << " points; the farthest, near " << points[cut_locus[*farthest].location]
             << ", is " << cut_locus[*farthest].distance << " away\n";
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';

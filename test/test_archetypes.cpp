@@ -1,29 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library compiles and runs with models that have nothing but what the concepts ask for.
+// The library runs on types that have no more than the concepts ask for.
 
-#include "archetypes/Multiresolution_traits_archetype.h"
-#include "archetypes/Point_archetype.h"
+#include "Traits/to_indexed_triangles.h"
 #include "archetypes/Policies_archetype.h"
 #include "archetypes/Separator_cost_archetype.h"
+#include "archetypes/Separator_finder_archetype.h"
 #include "archetypes/Skeleton_archetype.h"
 #include "archetypes/Skeletonization_traits_archetype.h"
-#include "archetypes/Solid_traits_archetype.h"
+#include "archetypes/Surface_archetype.h"
 #include "archetypes/Triangle_mesh_archetype.h"
 #include "archetypes/Visitor_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
-#include <CSCD/Selection/Separator_packing.h>
-#include <CSCD/Selection/cut_handles.h>
-#include <CSCD/Separator/Local_separator_finder.h>
-#include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Branch_refinement.h>
-#include <CSCD/Skeleton/Inside_repair.h>
-#include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/place_junctions.h>
+#include <CSCD/Local_policies.h>
+#include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -31,142 +27,187 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace {
 
-using CSCD::test::Multiresolution_traits_archetype;
+using CSCD::Index;
+using CSCD::Triangulated_solid;
+using CSCD::Vector_3;
+using CSCD::test::Input_descriptor_archetype;
 using CSCD::test::Point_archetype;
+using CSCD::test::Policies_archetype;
 using CSCD::test::Separator_cost_archetype;
+using CSCD::test::Separator_finder_archetype;
 using CSCD::test::Skeletonization_traits_archetype;
-using CSCD::test::Solid_traits_archetype;
+using CSCD::test::Surface_archetype;
 using CSCD::test::Triangle_mesh_archetype;
 using CSCD::test::Vertex_point_map_archetype;
 using CSCD::test::Visitor_archetype;
-using Vertex = Triangle_mesh_archetype::Vertex;
-using Skeleton = CSCD::Skeleton_graph<Point_archetype, Vertex>;
-using Skeleton_archetype = CSCD::test::Skeleton_archetype<Point_archetype, Vertex>;
-using Policies_archetype = CSCD::test::Policies_archetype<Skeletonization_traits_archetype>;
-using Finder_archetype = Policies_archetype::Separator_finder;
+using Skeleton_archetype = CSCD::test::Skeleton_archetype<Point_archetype, Input_descriptor_archetype>;
+using Mesh_skeleton_archetype = CSCD::test::Skeleton_archetype<Point_archetype, Triangle_mesh_archetype::Vertex>;
 
 CSCD::test::Shape shape()
 {
   return CSCD::test::y_tube(0.25);
 }
 
-/// Expects every vertex of the shape in one node.
-template <class AnySkeleton>
-void expect_partition(const AnySkeleton& skeleton)
+/// The body of a shape.
+class Solid
 {
-  std::vector<std::size_t> count(shape().points.size(), 0);
+public:
+  explicit Solid(const CSCD::test::Shape& shape) : Solid(CSCD::test::to_indexed_triangles(shape)) {}
+  operator const Triangulated_solid&() const { return m_solid; }
+
+private:
+  explicit Solid(CSCD::Indexed_triangles triangles)
+      : m_pairing(triangles.faces, triangles.points.size()), m_solid(std::move(triangles), std::move(m_pairing))
+  {
+  }
+
+  CSCD::Halfedge_pairing m_pairing;
+  Triangulated_solid m_solid;
+};
+
+/// Expects every one of `number` vertices in one node.
+template <class Skeleton>
+void expect_partition(const Skeleton& skeleton, std::size_t number)
+{
+  std::vector<std::size_t> count(number, 0);
   const auto nodes = vertices(skeleton);
   for (auto node = nodes.first; node != nodes.second; ++node) {
-    for (const Vertex v : skeleton[*node].vertices) {
+    for (const auto& v : skeleton[*node].vertices) {
       ++count[v.number()];
     }
   }
-  EXPECT_EQ(count, std::vector<std::size_t>(count.size(), 1));
-}
-
-TEST(Archetypes, are_models)
-{
-  EXPECT_TRUE(CSCD::is_triangle_mesh_v<Triangle_mesh_archetype>);
-  EXPECT_TRUE(CSCD::is_skeletonization_traits_v<Skeletonization_traits_archetype>);
-  EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Skeletonization_traits_archetype>);
-  EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Solid_traits_archetype>);
-  EXPECT_TRUE(CSCD::is_multiresolution_skeletonization_traits_v<Multiresolution_traits_archetype>);
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies_archetype, Skeletonization_traits_archetype>));
-  EXPECT_TRUE((CSCD::is_separator_finder_v<Finder_archetype, Skeletonization_traits_archetype>));
-  EXPECT_TRUE(CSCD::is_separator_cost_v<Separator_cost_archetype>);
-  EXPECT_TRUE(CSCD::is_curve_skeleton_graph_v<Skeleton_archetype>);
-  EXPECT_TRUE(CSCD::is_skeletonization_visitor_v<Visitor_archetype>);
-  EXPECT_FALSE(CSCD::has_radius_v<Skeleton_archetype>);
-}
-
-TEST(Archetypes, have_nothing_of_the_concepts_beyond_their_own)
-{
-  EXPECT_FALSE(CSCD::is_skeletonization_traits_v<Solid_traits_archetype>);
-  EXPECT_FALSE(CSCD::is_skeletonization_traits_v<Multiresolution_traits_archetype>);
-  EXPECT_FALSE(CSCD::is_solid_skeletonization_traits_v<Multiresolution_traits_archetype>);
+  EXPECT_EQ(count, std::vector<std::size_t>(number, 1));
 }
 
 TEST(Archetypes, of_all_that_the_free_function_takes)
 {
   const Triangle_mesh_archetype mesh(shape());
   Visitor_archetype visitor;
-  std::size_t number_of_weights = 0;
-  Skeleton_archetype skeleton;
+  std::size_t number_of_costs = 0;
+  Mesh_skeleton_archetype skeleton;
   const CSCD::Skeletonization_report report =
       CSCD::extract_curve_skeleton(mesh, skeleton,
                                    CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh))
                                        .visitor(std::ref(visitor))
-                                       .separator_cost(Separator_cost_archetype(number_of_weights)));
+                                       .separator_cost(Separator_cost_archetype(number_of_costs)));
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(num_vertices(skeleton), report.number_of_nodes);
   EXPECT_EQ(num_edges(skeleton), report.number_of_edges);
   EXPECT_GT(visitor.number_of_calls(), 0u);
-  EXPECT_GE(number_of_weights, report.number_of_separators);
-  expect_partition(skeleton);
+  EXPECT_GE(number_of_costs, report.number_of_separators);
+  EXPECT_FALSE(CSCD::has_radius_v<Mesh_skeleton_archetype>);
+  expect_partition(skeleton, shape().points.size());
 }
 
-TEST(Archetypes, of_surface_traits_step_by_step)
+TEST(Archetypes, of_traits_for_the_local_method_step_by_step)
 {
-  const Skeletonization_traits_archetype traits(shape());
-  CSCD::Curve_skeletonization<Skeletonization_traits_archetype> skeletonization(traits);
+  const Solid solid(shape());
+  const Skeletonization_traits_archetype<Triangulated_solid> traits(solid);
+  CSCD::Curve_skeletonization skeletonization(traits);
   EXPECT_GT(skeletonization.find_separators(), 0u);
   EXPECT_GT(skeletonization.pack_separators(), 0u);
-  Skeleton skeleton;
+  Skeleton_archetype skeleton;
   skeletonization.convert_to_skeleton(skeleton);
-  expect_partition(skeleton);
+  expect_partition(skeleton, traits.surface().triangulation().number_of_vertices());
   EXPECT_EQ(skeletonization.report().number_of_tips, 3u);
   for (const auto packed : skeletonization.packed_separators()) {
     EXPECT_GE(skeletonization.polyline(skeletonization.separators()[packed]).size(), 3u);
   }
 }
 
-TEST(Archetypes, of_policies_with_several_threads)
+TEST(Archetypes, of_cost_finder_and_visitor_for_the_local_method)
 {
-  const Skeletonization_traits_archetype traits(shape());
+  const Solid solid(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
+  const Skeletonization_traits_archetype<Triangulated_solid> traits(solid);
   Visitor_archetype visitor;
-  std::size_t number_of_weights = 0;
-  CSCD::Curve_skeletonization<Skeletonization_traits_archetype, Policies_archetype, Visitor_archetype&> skeletonization(
-      traits, Policies_archetype(number_of_weights), visitor);
+  std::size_t number_of_costs = 0;
+  const CSCD::Local_policies policies(Separator_cost_archetype(number_of_costs), [](const Triangulated_solid& s) {
+    return CSCD::Separator_finder(Separator_finder_archetype(s.triangulation()));
+  });
+  CSCD::Curve_skeletonization<Skeletonization_traits_archetype<Triangulated_solid>, CSCD::Local_policies,
+                              Visitor_archetype&>
+      skeletonization(traits, policies, visitor);
   Skeleton_archetype skeleton;
-  skeletonization.set_number_of_threads(2).operator()<CGAL::Parallel_if_available_tag>(skeleton);
-  expect_partition(skeleton);
-  EXPECT_EQ(skeletonization.report().number_of_tips, 3u);
+  const CSCD::Skeletonization_report& report = skeletonization.run<CGAL::Parallel_if_available_tag>(skeleton);
+  expect_partition(skeleton, traits.surface().triangulation().number_of_vertices());
+  EXPECT_EQ(report.number_of_skeleton_components, 1u);
+  EXPECT_EQ(report.number_of_tips, 2u);
   EXPECT_GT(visitor.number_of_calls(), 0u);
-  EXPECT_GE(number_of_weights, skeletonization.report().number_of_separators);
+  EXPECT_GE(number_of_costs, report.number_of_separators);
 }
 
-TEST(Archetypes, of_levels_of_detail_for_the_local_finder)
+/// The torus around the z axis with radii 3 and 1.
+TEST(Archetypes, of_surfaces_for_the_published_method)
 {
-  const Multiresolution_traits_archetype traits(shape());
-  CSCD::Local_separator_finder<Multiresolution_traits_archetype> finder(traits);
-  CSCD::Search_result result;
-  finder(CSCD::test::nearest_vertex(traits.levels().finest().surface, {2, 0, 0.3}), 0, result);
-  EXPECT_EQ(result.outcome, CSCD::Search_outcome::found);
+  const auto nearest_of_middle = [](const Vector_3& p) {
+    const Vector_3 on_circle = 3 * Vector_3(p.x(), p.y(), 0).stableNormalized();
+    return on_circle.norm() > 0 ? on_circle : Vector_3(3, 0, 0);
+  };
+  const Surface_archetype torus(CSCD::test::torus(3, 1, 24), nearest_of_middle, 1);
+  const Skeletonization_traits_archetype<Surface_archetype> traits(torus);
+  CSCD::Curve_skeletonization skeletonization(traits, CSCD::Published_policies());
+  skeletonization.set_maximum_number_of_sources(96);
+  Skeleton_archetype skeleton;
+  const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
+  EXPECT_EQ(report.number_of_sources, 96u);
+  EXPECT_GT(report.number_of_separators, 48u);
+  EXPECT_GE(report.number_of_packed_separators, 3u);
+  EXPECT_EQ(report.number_of_skeleton_components, 1u);
+  EXPECT_EQ(report.betti_number, 1u);
+  EXPECT_EQ(report.number_of_tips, 0u);
+  EXPECT_EQ(report.number_of_nodes_outside, 0u);
+  EXPECT_EQ(report.number_of_edges_outside, 0u);
+  expect_partition(skeleton, torus.triangulation().number_of_vertices());
+  const auto nodes = vertices(skeleton);
+  for (auto node = nodes.first; node != nodes.second; ++node) {
+    const Point_archetype& p = skeleton[*node].point; // at twice the size
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), 6, 1);
+    EXPECT_NEAR(p.z(), 0, 0.5);
+  }
 }
 
-/// The steps that see a body, and neither sites nor an input.
-TEST(Archetypes, of_bodies_for_the_placement_of_nodes)
+TEST(Archetypes, of_surfaces_in_two_components_for_the_published_method)
 {
-  using namespace CSCD::internal;
-  const Solid_traits_archetype traits(CSCD::test::torus(3, 1, 24));
-  std::vector<CSCD::Separator> separators;
-  Separator_packing packing(traits.solid_surface(), separators, {});
-  EXPECT_GE(cut_handles(traits, separators, packing), 1u);
-  Skeleton_builder builder =
-      Node_placement<Solid_traits_archetype>(traits, separators, packing.packed(), packing.cut_graph())();
-  make_simple(builder);
-  center_junctions(traits, builder);
-  Branch_refinement<Solid_traits_archetype>(traits, builder)();
-  Inside_repair<Solid_traits_archetype> repair(traits, builder);
-  repair();
-  EXPECT_EQ(repair.number_of_nodes_outside(), 0u);
-  EXPECT_EQ(repair.number_of_edges_outside(), 0u);
+  const double length = 8;
+  const CSCD::test::Shape tube = CSCD::test::tube(length, 1, 20, CSCD::test::Tube_end::flat);
+  const Surface_archetype tubes(
+      CSCD::test::merged("two tubes", {tube, CSCD::test::translated(tube, {0, 0, 10})}),
+      [length](const Vector_3& p) { return Vector_3(std::clamp(p.x(), 0., length), 0, p.z() < 5 ? 0 : 10); }, 1);
+  const Skeletonization_traits_archetype<Surface_archetype> traits(tubes);
+  CSCD::Curve_skeletonization skeletonization(traits, CSCD::Published_policies());
+  skeletonization.set_maximum_number_of_sources(96);
+  Skeleton_archetype skeleton;
+  const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
+  EXPECT_EQ(report.number_of_skeleton_components, 2u);
+  EXPECT_EQ(report.betti_number, 0u);
+  EXPECT_EQ(report.number_of_tips, 4u);
+  expect_partition(skeleton, tubes.triangulation().number_of_vertices());
+}
+
+TEST(Archetypes, of_policies_for_any_surface)
+{
+  const Surface_archetype torus(
+      CSCD::test::torus(3, 1, 24), [](const Vector_3& p) { return p; }, 1);
+  const Skeletonization_traits_archetype<Surface_archetype> traits(torus);
+  CSCD::Curve_skeletonization skeletonization(traits, Policies_archetype<Surface_archetype>(7));
+  Skeleton_archetype skeleton;
+  const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
+  EXPECT_EQ(report.number_of_sources, 1u);
+  EXPECT_EQ(report.number_of_packed_separators, 1u);
+  EXPECT_EQ(report.number_of_nodes, 1u);
+  EXPECT_EQ(report.number_of_skeleton_components, 1u);
+  EXPECT_EQ(skeleton[*vertices(skeleton).first].point.z(), 6);
+  EXPECT_EQ(skeletonization.polyline(skeletonization.separators().front()).size(), 6u);
+  expect_partition(skeleton, torus.triangulation().number_of_vertices());
 }
 
 } // namespace

@@ -304,13 +304,13 @@ TEST(extract_cut_locus, takes_distances_as_they_are)
   }
   Graph graph;
   const Vertex source = nearest_vertex(sphere, {0, 0, 1});
-  CSCD::extract_cut_locus(mesh, source, graph, parameters::vertex_distance_map(distance).number_of_iterations(0));
+  CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance).number_of_iterations(0));
   ASSERT_EQ(num_vertices(graph), 1u);
   EXPECT_NEAR(graph[0].point.z(), -1, 1e-2);
   EXPECT_FLOAT_EQ(float(graph[0].distance), float(std::acos(std::clamp(graph[0].point.z(), -1., 1.))));
 
   distance[Vertex(3)] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(CSCD::extract_cut_locus(mesh, source, graph, parameters::vertex_distance_map(distance)),
+  EXPECT_THROW(CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance)),
                CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 1u) << "it is left as it was";
 }

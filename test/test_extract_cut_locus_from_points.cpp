@@ -184,7 +184,7 @@ TEST(extract_cut_locus_from_points, holds_its_nearest_points_and_their_distances
   CSCD::extract_cut_locus(range, 7, graph, parameters::number_of_iterations(0));
   ASSERT_GT(num_vertices(graph), 10u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(CGAL::squared_distance(graph[v].point, range[graph[v].nearest]), 1e-10);
+    EXPECT_LT(CGAL::squared_distance(graph[v].point, range[graph[v].location]), 1e-10);
     EXPECT_GT(graph[v].distance, 0);
   }
   Graph smoothed;
@@ -192,7 +192,7 @@ TEST(extract_cut_locus_from_points, holds_its_nearest_points_and_their_distances
   ASSERT_EQ(num_vertices(smoothed), num_vertices(graph));
   for (const auto v : boost::make_iterator_range(vertices(smoothed))) {
     const Triple p = CSCD::test::to_triple(smoothed[v].point);
-    EXPECT_LT(CSCD::test::norm(p - points[smoothed[v].nearest]), 0.3);
+    EXPECT_LT(CSCD::test::norm(p - points[smoothed[v].location]), 0.3);
   }
 }
 
@@ -262,15 +262,15 @@ TEST(extract_cut_locus_from_points, takes_distances_as_they_are)
   const auto map = CGAL::make_property_map(distances);
   Graph graph;
   CSCD::extract_cut_locus(to_range(points), 0, graph,
-                          parameters::point_distance_map(map).number_of_iterations(0).angle_threshold(pi / 3));
+                          parameters::distance_map(map).number_of_iterations(0).angle_threshold(pi / 3));
   ASSERT_GE(num_vertices(graph), 1u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     EXPECT_LT(CSCD::test::norm(CSCD::test::to_triple(graph[v].point) - Triple{0, 0, -1}), 4 * samples.edge);
-    EXPECT_NEAR(graph[v].distance, distances[graph[v].nearest], 1e-5);
+    EXPECT_NEAR(graph[v].distance, distances[graph[v].location], 1e-5);
   }
   const std::size_t number = num_vertices(graph);
   distances[3] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::point_distance_map(map)),
+  EXPECT_THROW(CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map)),
                CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), number) << "it is left as it was";
 }
@@ -289,7 +289,7 @@ TEST(extract_cut_locus_from_points, takes_point_sets_with_normals)
   const auto source = *(points.begin() + 5);
   CSCD::extract_cut_locus(points, source, graph, parameters::number_of_iterations(0));
   ASSERT_GE(num_vertices(graph), 1u);
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, points.point(graph[0].nearest))), 1e-5);
+  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, points.point(graph[0].location))), 1e-5);
   EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, CGAL::ORIGIN + (CGAL::ORIGIN - points.point(source)))),
             0.3);
 }

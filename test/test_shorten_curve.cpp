@@ -4,6 +4,8 @@
 // Geodesics in one call, on meshes of CGAL.
 
 #include "Traits/message_of.h"
+#include "archetypes/Point_archetype.h"
+#include "archetypes/Triangle_mesh_archetype.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Edge_flip_shortening.h>
@@ -98,6 +100,36 @@ TEST(shorten_curve, refuses_curves_that_are_not_along_edges)
   // Only an edge of the faces that bridge a border.
   EXPECT_TRUE(CSCD::test::names(message({Vertex(0), Vertex(2)}), "vertex 0 of the curve"));
   EXPECT_TRUE(points.empty());
+}
+
+TEST(shorten_curve, asks_for_no_vertex_point_map_beside_the_one_that_is_given)
+{
+  const CSCD::test::Shape shape = CSCD::test::tube(6, 1, 12, CSCD::test::Tube_end::open);
+  const CSCD::test::Triangle_mesh_archetype mesh(shape);
+  std::vector<CSCD::test::Triangle_mesh_archetype::Vertex> curve;
+  for (std::size_t k = 0; k < 4; ++k) {
+    curve.emplace_back(24 + k);
+  }
+  std::vector<CSCD::test::Point_archetype> points;
+  const auto outcome =
+      CSCD::shorten_curve(mesh, curve, false, std::back_inserter(points),
+                          CSCD::parameters::vertex_point_map(CSCD::test::Vertex_point_map_archetype(mesh)));
+  EXPECT_EQ(outcome, Shortening_outcome::straight);
+  EXPECT_EQ(points.size(), 4u) << "it runs along a ring already";
+}
+
+TEST(Curve_shortening, shortens_several_curves_of_one_mesh)
+{
+  const Mesh tube = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(6, 1, 12, CSCD::test::Tube_end::open));
+  CSCD::Curve_shortening<Mesh> shortening(tube);
+  for (const unsigned ring : {2u, 4u, 2u}) {
+    const std::vector<Vertex> curve{Vertex(12 * ring), Vertex(12 * ring + 1), Vertex(12 * ring + 2)};
+    std::vector<Point> together;
+    std::vector<Point> alone;
+    EXPECT_EQ(shortening.shorten<Point>(curve, false, std::back_inserter(together)), Shortening_outcome::straight);
+    EXPECT_EQ(CSCD::shorten_curve(tube, curve, false, std::back_inserter(alone)), Shortening_outcome::straight);
+    EXPECT_EQ(together, alone);
+  }
 }
 
 } // namespace

@@ -17,6 +17,7 @@
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/counted.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -117,6 +118,8 @@ public:
     m_report.number_of_sources_without_cut = 0;
     m_report.number_of_rejections = {};
     m_report.number_of_collapsed_loops = 0;
+    m_report.number_of_held_loops = 0;
+    m_report.number_of_unfinished_loops = 0;
     m_report.number_of_bumps = 0;
     m_report.number_of_tunnels = 0;
     m_report.number_of_separators = 0;
@@ -220,13 +223,17 @@ private:
   {
     m_report.warnings.resize(m_number_of_input_warnings);
     if (m_report.genus && m_report.betti_number != *m_report.genus) {
-      m_report.warnings.push_back("the skeleton has " + std::to_string(m_report.betti_number) +
-                                  " independent cycles, the surface " + std::to_string(*m_report.genus) + " handles");
+      m_report.warnings.push_back("the skeleton has " +
+                                  internal::counted(m_report.betti_number, "independent cycle") + ", the surface " +
+                                  internal::counted(*m_report.genus, "handle"));
     }
-    if (m_report.number_of_nodes_outside + m_report.number_of_edges_outside > 0) {
-      m_report.warnings.push_back(std::to_string(m_report.number_of_nodes_outside) + " nodes and " +
-                                  std::to_string(m_report.number_of_edges_outside) +
-                                  " edges are not wholly inside the body");
+    const std::size_t nodes = m_report.number_of_nodes_outside;
+    const std::size_t edges = m_report.number_of_edges_outside;
+    if (nodes + edges > 0) {
+      m_report.warnings.push_back((nodes > 0 ? internal::counted(nodes, "node") : std::string()) +
+                                  (nodes > 0 && edges > 0 ? " and " : "") +
+                                  (edges > 0 ? internal::counted(edges, "edge") : std::string()) +
+                                  (nodes + edges == 1 ? " is" : " are") + " not wholly inside the body");
     }
   }
 

@@ -16,6 +16,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/concepts.h>
 
 #include <cstddef>
 #include <vector>
@@ -25,8 +26,8 @@ namespace CSCD {
 /// The method as published: distances by the heat method on the intrinsic Delaunay triangulation, the cut locus from
 /// the whole distance field, shortening by edge flips or the variational flow, random sources, the quotient graph of
 /// regions. A model of `SkeletonizationPolicies` for every model of `SkeletonizationSurface`: with `Triangulated_solid`
-/// this is CSCD-M, with `Point_solid` CSCD-PC. Slower than `Local_policies` by an order of magnitude; its time grows
-/// with the number of sources times that of vertices.
+/// this is CSCD-M, with `Point_solid` CSCD-PC. The variational flow is for these two only. Slower than `Local_policies`
+/// by an order of magnitude; its time grows with the number of sources times that of vertices.
 class Published_policies
 {
 public:
@@ -63,6 +64,7 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
                                                            Skeletonization_report& report,
                                                            const Progress& progress) const
 {
+  check_skeletonization_surface<Surface>();
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
   const bool is_bounded = settings.maximum_number_of_sources != Search_settings().maximum_number_of_sources;
   return search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);

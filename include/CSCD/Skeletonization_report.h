@@ -7,6 +7,7 @@
 #define CSCD_SKELETONIZATION_REPORT_H
 
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/internal/counted.h>
 
 #include <array>
 #include <cstddef>
@@ -81,6 +82,8 @@ struct Skeletonization_report
   /// Why sources have no cut point that is accepted, in the order of `Cut_loop_outcome`; published only.
   std::array<std::size_t, number_of_cut_loop_outcomes> number_of_rejections{};
   std::size_t number_of_collapsed_loops = 0;    ///< the loop shrank to a point when it was shortened; published only
+  std::size_t number_of_held_loops = 0;         ///< separators that only the locality constraint holds; published only
+  std::size_t number_of_unfinished_loops = 0;   ///< separators that could still be shortened; published only
   std::size_t number_of_bumps = 0;              ///< separators rejected since they only encircle a bump
   std::size_t number_of_tunnels = 0;            ///< separators rejected since they do not span the body; published only
   std::size_t number_of_separators = 0;         ///< separators found
@@ -109,11 +112,11 @@ struct Skeletonization_report
   /// What the user should know: one sentence each.
   std::vector<std::string> warnings;
 
-  /// Adds the warning "`count` `what`" unless `count` is 0.
-  void add_warning(std::size_t count, const char* what)
+  /// Adds the warning "`count` `many`", or "1 `one`", unless `count` is 0.
+  void add_warning(std::size_t count, const std::string& one, const std::string& many)
   {
     if (count > 0) {
-      warnings.push_back(std::to_string(count) + ' ' + what);
+      warnings.push_back(internal::counted(count, one, many));
     }
   }
 };

@@ -26,6 +26,8 @@
 
 namespace CSCD {
 
+class Point_complex;
+
 #ifdef DOXYGEN_RUNNING
 /// Adapts an input to a surface, and leads back: an object that models this concept is all that a new kind of input
 /// needs. All functions are const and may be called by several threads at once.
@@ -36,8 +38,9 @@ namespace CSCD {
 /// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface` |
 /// | `t.surface()` | the surface: a `const T::Surface&` |
 /// | `t.descriptors(v)` | a range of what identifies, in the input, that which belongs to vertex `v`; may be empty |
-/// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length of the surface in the coordinates of the input |
-/// | `t.describe_input(report)` | writes what is known of the input to a `Skeletonization_report&`: counts, genus, warnings |
+/// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length of the surface in the coordinates of the
+/// input | | `t.describe_input(report)` | writes what is known of the input to a `Skeletonization_report&`: counts,
+/// genus, warnings |
 ///
 /// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`}
 /// \cgalArchetype{Skeletonization_traits_archetype.h}
@@ -56,9 +59,10 @@ constexpr void check_skeletonization_traits()
 {
   static_assert(CSCD_IS_VALID(const T&, std::declval<typename std::decay_t<decltype(t)>::Point>()),
                 "CSCD: SkeletonizationTraits requires the type T::Point, that of the points of the input");
-  static_assert(CSCD_IS_VALID(const T&, std::declval<typename std::decay_t<decltype(t)>::Input_descriptor>()),
-                "CSCD: SkeletonizationTraits requires the type T::Input_descriptor, which identifies a vertex or point of "
-                "the input");
+  static_assert(
+      CSCD_IS_VALID(const T&, std::declval<typename std::decay_t<decltype(t)>::Input_descriptor>()),
+      "CSCD: SkeletonizationTraits requires the type T::Input_descriptor, which identifies a vertex or point of "
+      "the input");
   static_assert(CSCD_GIVES(const typename T::Surface&, const T&, t.surface()),
                 "CSCD: SkeletonizationTraits requires t.surface() const, a const T::Surface&");
   static_assert(CSCD_GIVES(typename T::Input_descriptor, const T&, *std::begin(t.descriptors(Index()))),
@@ -74,15 +78,70 @@ constexpr void check_skeletonization_traits()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// A surface that bounds a body, triangulated or nearly so. All functions are const and may be called by several threads
-/// at once. Lengths are best normalized (unit area, centroid at the origin).
+/// A closed, oriented 2-manifold of triangles: vertices `0` to `n - 1`, and halfedges of which `h` is side `h % 3` of
+/// face `h / 3`, counterclockwise seen from outside. No edge joins a vertex to itself, no two edges have the same ends.
+/// All functions are const, take constant time, and may be called by several threads at once.
 ///
 /// | expression | value |
 /// |---|---|
-/// | `s.triangulation()` | the triangles: a reference to a model of `SurfaceTriangulation` |
+/// | `t.number_of_vertices()`, `t.number_of_halfedges()`, `t.number_of_faces()` | the numbers of elements |
+/// | `T::face(h)`, `T::next(h)`, `T::previous(h)` | as numbered above; inherited from `Triangle_halfedges` |
+/// | `t.origin(h)`, `t.target(h)`, `t.twin(h)` | the ends of halfedge `h`, and the halfedge from its target to its
+/// origin | | `t.outgoing(v)` | a range of the halfedges from vertex `v`, in any order | | `t.points()` | the positions
+/// of the vertices: a `const std::vector<Vector_3>&` | | `t.length(h)` | the length of halfedge `h` | |
+/// `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
+///
+/// There may be a function `t.is_hole_filling(f)`: faces for which it is true are no part of the surface.
+///
+/// \cgalHasModels{`Triangulated_surface`}
+/// \cgalArchetype{Surface_archetype.h}
+/// \cgalConcept
+class SurfaceTriangulation
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
+/// @{
+
+/// refuses at compile time a type that is no model of `SurfaceTriangulation`.
+template <class T>
+constexpr void check_surface_triangulation()
+{
+  static_assert(CSCD_GIVES(Index, const T&, t.number_of_vertices()) &&
+                    CSCD_GIVES(Index, const T&, t.number_of_halfedges()) &&
+                    CSCD_GIVES(Index, const T&, t.number_of_faces()),
+                "CSCD: SurfaceTriangulation requires t.number_of_vertices(), t.number_of_halfedges() and "
+                "t.number_of_faces()");
+  static_assert(CSCD_GIVES(Index, const T&, std::decay_t<decltype(t)>::face(Index())) &&
+                    CSCD_GIVES(Index, const T&, std::decay_t<decltype(t)>::next(Index())) &&
+                    CSCD_GIVES(Index, const T&, std::decay_t<decltype(t)>::previous(Index())),
+                "CSCD: SurfaceTriangulation requires T::face(h), T::next(h) and T::previous(h), as Triangle_halfedges");
+  static_assert(CSCD_GIVES(Index, const T&, t.origin(Index())) && CSCD_GIVES(Index, const T&, t.target(Index())) &&
+                    CSCD_GIVES(Index, const T&, t.twin(Index())),
+                "CSCD: SurfaceTriangulation requires t.origin(h), t.target(h) and t.twin(h)");
+  static_assert(CSCD_GIVES(Index, const T&, *std::begin(t.outgoing(Index()))),
+                "CSCD: SurfaceTriangulation requires t.outgoing(v), a range of halfedges");
+  static_assert(CSCD_GIVES(const std::vector<Vector_3>&, const T&, t.points()),
+                "CSCD: SurfaceTriangulation requires t.points(), a const std::vector<Vector_3>&");
+  static_assert(CSCD_GIVES(double, const T&, t.length(Index())),
+                "CSCD: SurfaceTriangulation requires t.length(h), convertible to double");
+  static_assert(CSCD_GIVES(double, const T&, t.vertex_area(Index())),
+                "CSCD: SurfaceTriangulation requires t.vertex_area(v), convertible to double");
+}
+
+/// @}
+
+#ifdef DOXYGEN_RUNNING
+/// A surface that bounds a body. All functions are const and may be called by several threads at once.
+///
+/// | expression | value |
+/// |---|---|
+/// | `s.triangulation()` | the triangles: a reference to a model of `SurfaceTriangulation`, or to a `Point_complex` |
 /// | `s.is_inside(p)` | whether the body contains the point `p` |
 /// | `s.middle_behind(p)` | an optional point: the middle of the body behind where the surface is nearest to `p` |
-/// | `s.crossings(p, q, v)` | fills the vector `v` with the ascending distances at which segment `p` `q` meets the surface |
+/// | `s.crossings(p, q, v)` | fills the vector `v` with the ascending distances from `p` at which segment `p` `q` meets
+/// the surface |
 ///
 /// \cgalHasModels{`Triangulated_solid`, `Point_solid`}
 /// \cgalArchetype{Surface_archetype.h}
@@ -99,68 +158,20 @@ class SkeletonizationSurface
 template <class T>
 constexpr void check_skeletonization_surface()
 {
-  static_assert(CSCD_IS_VALID(const T&, &t.triangulation()),
-                "CSCD: SkeletonizationSurface requires s.triangulation() const, a reference");
+  constexpr bool has_triangulation = CSCD_IS_VALID(const T&, &t.triangulation());
+  static_assert(has_triangulation, "CSCD: SkeletonizationSurface requires s.triangulation() const, a reference");
+  if constexpr (has_triangulation) {
+    using Triangulation = std::decay_t<decltype(std::declval<const T&>().triangulation())>;
+    if constexpr (!std::is_same_v<Triangulation, Point_complex>) {
+      check_surface_triangulation<Triangulation>();
+    }
+  }
   static_assert(CSCD_GIVES(bool, const T&, t.is_inside(Vector_3())),
                 "CSCD: SkeletonizationSurface requires s.is_inside(p) const, convertible to bool");
   static_assert(CSCD_GIVES(std::optional<Vector_3>, const T&, t.middle_behind(Vector_3())),
                 "CSCD: SkeletonizationSurface requires s.middle_behind(p) const, an optional Vector_3");
   static_assert(CSCD_IS_VALID(const T&, t.crossings(Vector_3(), Vector_3(), std::declval<std::vector<double>&>())),
                 "CSCD: SkeletonizationSurface requires s.crossings(p, q, v) const, which fills a std::vector<double>");
-}
-
-/// @}
-
-#ifdef DOXYGEN_RUNNING
-/// What separators lie on: vertices `0` to `n - 1`, halfedges and triangles. All functions are const, take constant
-/// time, and may be called by several threads at once.
-///
-/// | expression | value |
-/// |---|---|
-/// | `t.number_of_vertices()`, `t.number_of_halfedges()`, `t.number_of_faces()` | the numbers of elements |
-/// | `t.points()`, `t.point(v)` | the `std::vector` of all positions, and that of vertex `v` |
-/// | `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
-/// | `t.outgoing(v)` | a range of the halfedges from vertex `v`, counterclockwise |
-/// | `t.origin(h)`, `t.target(h)`, `t.twin(h)` | the ends of halfedge `h`, and the halfedge from its target to its origin |
-/// | `t.edge(h)` | the smaller one of `h` and `t.twin(h)`, which stands for the edge |
-/// | `t.length(h)` | its length |
-/// | `t.face_halfedges(f)` | the three sides of triangle `f`, counterclockwise, as an array |
-///
-/// \cgalHasModels{`Triangulated_surface`, `Point_complex`}
-/// \cgalArchetype{Surface_archetype.h}
-/// \cgalConcept
-class SurfaceTriangulation
-{
-};
-#endif
-
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
-/// refuses at compile time a type that is no model of `SurfaceTriangulation`.
-template <class T>
-constexpr void check_surface_triangulation()
-{
-  static_assert(CSCD_GIVES(std::size_t, const T&, t.number_of_vertices()) &&
-                    CSCD_GIVES(std::size_t, const T&, t.number_of_halfedges()) &&
-                    CSCD_GIVES(std::size_t, const T&, t.number_of_faces()),
-                "CSCD: SurfaceTriangulation requires t.number_of_vertices(), t.number_of_halfedges() and "
-                "t.number_of_faces()");
-  static_assert(CSCD_GIVES(const std::vector<Vector_3>&, const T&, t.points()),
-                "CSCD: SurfaceTriangulation requires t.points(), a const std::vector<Vector_3>&");
-  static_assert(CSCD_GIVES(Vector_3, const T&, t.point(Index())),
-                "CSCD: SurfaceTriangulation requires t.point(v), convertible to Vector_3");
-  static_assert(CSCD_GIVES(double, const T&, t.vertex_area(Index())),
-                "CSCD: SurfaceTriangulation requires t.vertex_area(v), convertible to double");
-  static_assert(CSCD_GIVES(Index, const T&, *std::begin(t.outgoing(Index()))),
-                "CSCD: SurfaceTriangulation requires t.outgoing(v), a range of halfedges");
-  static_assert(CSCD_GIVES(Index, const T&, t.origin(Index())) && CSCD_GIVES(Index, const T&, t.target(Index())) &&
-                    CSCD_GIVES(Index, const T&, t.twin(Index())) && CSCD_GIVES(Index, const T&, t.edge(Index())),
-                "CSCD: SurfaceTriangulation requires t.origin(h), t.target(h), t.twin(h) and t.edge(h)");
-  static_assert(CSCD_GIVES(double, const T&, t.length(Index())),
-                "CSCD: SurfaceTriangulation requires t.length(h), convertible to double");
-  static_assert(CSCD_GIVES(Index, const T&, t.face_halfedges(Index())[2]),
-                "CSCD: SurfaceTriangulation requires t.face_halfedges(f), an array of three halfedges");
 }
 
 /// @}
@@ -180,7 +191,8 @@ class SeparatorCost
 /// Finds the separator of one source after the other; one object serves one thread. A function object that can be
 /// copied: `f(source, level_hint, result)` seeks the separator of `source`, a vertex of the finest level, preferably on
 /// the level `level_hint`, and writes all members of `result`, a `Search_result&` that may hold an earlier answer. What
-/// it writes depends on its arguments alone, not on earlier calls: else the answer would depend on the number of threads.
+/// it writes depends on its arguments alone, not on earlier calls: else the answer would depend on the number of
+/// threads.
 ///
 /// \cgalHasModels{`Local_separator_finder`}
 /// \cgalArchetype{Policies_archetype.h}
@@ -251,12 +263,12 @@ constexpr void check_skeletonization_policies()
                 "CSCD: SkeletonizationPolicies requires p.pack_separators(s, separators, report) const, a P::Packing");
   static_assert(CSCD_GIVES(const std::vector<Index>&, const typename P::Packing&, t.packed()),
                 "CSCD: SkeletonizationPolicies requires packing.packed() const, a const std::vector<Index>&");
-  static_assert(CSCD_GIVES(Embedded_skeleton, const P&,
-                           t.build_skeleton(std::declval<const S&>(), std::declval<const std::vector<Separator>&>(),
-                                            std::declval<const typename P::Packing&>(),
-                                            std::declval<Skeletonization_report&>())),
-                "CSCD: SkeletonizationPolicies requires p.build_skeleton(s, separators, packing, report) const, an "
-                "Embedded_skeleton");
+  static_assert(
+      CSCD_GIVES(Embedded_skeleton, const P&,
+                 t.build_skeleton(std::declval<const S&>(), std::declval<const std::vector<Separator>&>(),
+                                  std::declval<const typename P::Packing&>(), std::declval<Skeletonization_report&>())),
+      "CSCD: SkeletonizationPolicies requires p.build_skeleton(s, separators, packing, report) const, an "
+      "Embedded_skeleton");
   static_assert(std::is_copy_constructible_v<P>, "CSCD: SkeletonizationPolicies requires a copy constructor");
 }
 

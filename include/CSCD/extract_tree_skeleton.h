@@ -11,21 +11,17 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Tree/Gap_bridging.h>
-#include <CSCD/Tree/Tree_nodes.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/Tree_skeletonization.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/concepts.h>
+#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,12 +31,11 @@ namespace internal {
 
 /// Makes the graph of a skeleton; `points` are those of the input, of type `Point`.
 template <class Skeleton, class Point, class PointRange>
-Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud,
-                         const Tree_skeletonization& skeletonization)
+Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, const Tree_skeleton& skeleton)
 {
   Skeleton result;
   std::vector<decltype(add_vertex(result))> vertex;
-  for (const Tree_node& node : skeletonization.nodes()) {
+  for (const Tree_node& node : skeleton.nodes) {
     vertex.push_back(add_vertex(result));
     auto& bundle = result[vertex.back()];
     bundle.point = to_input_point<Point>(cloud.normalization, node.position);
@@ -51,72 +46,10 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud,
       add_edge(vertex[node.parent], vertex.back(), result);
     }
   }
-  std::size_t number = 0;
-  for ([[maybe_unused]] const auto& element : points) {
-    auto& sites = result[vertex[skeletonization.node_of_point(cloud.input_point[number])]].vertices;
-    if constexpr (Is_range_of_indices<PointRange>::value) {
-      sites.push_back(element);
-    } else {
-      sites.push_back(number);
-    }
-    ++number;
-  }
+  for_each_descriptor(points, [&](std::size_t number, const Point_descriptor<PointRange>& descriptor) {
+    result[vertex[skeleton.node_of_point[cloud.input_point[number]]]].vertices.push_back(descriptor);
+  });
   return result;
-}
-
-/// What the user should know of a scan and its skeleton, one sentence each.
-inline std::vector<std::string> tree_warnings(const Tree_report& report)
-{
-  std::vector<std::string> result;
-  const auto warn = [&result](std::size_t count, const std::string& what) {
-    if (count > 0) {
-      result.push_back(std::to_string(count) + what);
-    }
-  };
-  warn(report.number_of_duplicates, " points at the place of others: they belong to the same nodes");
-  warn(report.number_of_debris, " points of no object: they belong to the nodes of the nearest");
-  warn(report.gaps.size(), " gaps between pieces of the scan: bridged");
-  std::size_t number_of_sections = 0;
-  for (std::size_t number : report.number_of_sections) {
-    number_of_sections += number;
-  }
-  const std::size_t number_without_circle =
-      number_of_sections - report.number_of_sections[std::size_t(Circle_outcome::fitted)];
-  warn(number_without_circle,
-       " of " + std::to_string(number_of_sections) + " sections of branches without a circle: their radii are rough");
-  return result;
-}
-
-/// Everything but number of points, time and warnings.
-inline Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
-{
-  Tree_report report;
-  report.number_of_points = cloud.input_point.size();
-  report.number_of_duplicates = cloud.number_of_duplicates();
-  for (Index point : cloud.input_point) {
-    report.number_of_debris += skeletonization.is_debris(point) ? 1 : 0;
-  }
-  const Normalization& normalization = cloud.normalization;
-  report.number_of_objects = skeletonization.number_of_objects();
-  report.spacing = normalization.unit * skeletonization.spacing();
-  report.number_of_sections = skeletonization.number_of_outcomes();
-  report.number_of_nodes = skeletonization.nodes().size();
-  report.number_of_edges = report.number_of_nodes - report.number_of_objects;
-  report.branches = skeletonization.branches();
-  for (Tree_branch& branch : report.branches) {
-    branch.length *= normalization.unit;
-    branch.radius_at_base *= normalization.unit;
-    branch.radius_at_tip *= normalization.unit;
-  }
-  const auto coordinates = [&](Index point) -> std::array<double, 3> {
-    const Vector_3 p = normalization.to_input(cloud.points[point]);
-    return {p.x(), p.y(), p.z()};
-  };
-  for (const Point_gap& gap : skeletonization.gaps()) {
-    report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
-  }
-  report.warnings = tree_warnings(report);
-  return report;
 }
 
 } // namespace internal
@@ -173,13 +106,11 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
       throw Input_error("the root has a coordinate that is not finite: correct it or leave it out");
     }
   }
-  const internal::Tree_skeletonization skeletonization(cloud.points, root);
+  internal::Tree_skeleton trees = internal::skeletonize_trees(cloud, root);
   using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
-  auto result = internal::make_tree_graph<Skeleton, Point>(points, cloud, skeletonization);
-  Tree_report report = internal::make_tree_report(skeletonization, cloud);
-  skeleton = std::move(result);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return report;
+  skeleton = internal::make_tree_graph<Skeleton, Point>(points, cloud, trees);
+  trees.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return std::move(trees.report);
 }
 
 } // namespace CSCD

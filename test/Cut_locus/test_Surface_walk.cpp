@@ -3,7 +3,7 @@
 //
 // Walks over faces: straight in the plane, along geodesics elsewhere, never off the surface.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
@@ -19,7 +19,7 @@ namespace {
 
 using CSCD::internal::Face_point;
 using CSCD::Index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Surface_walk;
 using CSCD::internal::Tangent_frames;
 using CSCD::Vector_3;
@@ -36,8 +36,8 @@ void expect_on_face(const Face_point& at)
 
 TEST(Surface_walk, is_straight_in_the_plane_and_ends_at_the_border)
 {
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(CSCD::test::flat_grid(10, 10, 1));
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(CSCD::test::flat_grid(10, 10, 1));
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const Surface_walk walk(frames);
   std::mt19937_64 random(5);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
@@ -58,9 +58,9 @@ TEST(Surface_walk, is_straight_in_the_plane_and_ends_at_the_border)
 TEST(Surface_walk, returns_around_a_tube)
 {
   const std::size_t around = 24;
-  const Open_triangulation surface =
-      CSCD::test::to_open_triangulation(CSCD::test::tube(6, 1, around, CSCD::test::Tube_end::open));
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface =
+      CSCD::test::to_surface_with_borders(CSCD::test::tube(6, 1, around, CSCD::test::Tube_end::open));
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const Surface_walk walk(frames);
   const double girth = 2 * double(around) * std::sin(CSCD::test::pi / double(around));
   const Face_point start{0, {0.3, 0.3, 0.4}};
@@ -72,8 +72,8 @@ TEST(Surface_walk, returns_around_a_tube)
 
 TEST(Surface_walk, keeps_to_the_face_without_a_step)
 {
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(CSCD::test::tetrahedron());
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(CSCD::test::tetrahedron());
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const Surface_walk walk(frames);
   for (Index v = 0; v < 4; ++v) {
     const Face_point at = walk(walk.at_vertex(v), Vector_3::Zero());

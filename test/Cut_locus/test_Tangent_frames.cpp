@@ -3,7 +3,7 @@
 //
 // Tangent frames: transport is that of the plane where the surface is flat, and turns by the curvature elsewhere.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Tangent_frames.h>
@@ -20,13 +20,13 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Tangent_frames;
 using CSCD::Triangulated_surface;
 using Complex = std::complex<double>;
 
 /// The direction of a halfedge of a flat surface in the plane z = 0.
-Complex direction_in_plane(const Open_triangulation& surface, Index halfedge)
+Complex direction_in_plane(const Triangulated_surface& surface, Index halfedge)
 {
   const CSCD::Vector_3 d = surface.point(surface.target(halfedge)) - surface.point(surface.origin(halfedge));
   return Complex(d.x(), d.y()) / std::abs(Complex(d.x(), d.y()));
@@ -35,11 +35,11 @@ Complex direction_in_plane(const Open_triangulation& surface, Index halfedge)
 TEST(Tangent_frames, carry_vectors_as_the_plane_does)
 {
   const CSCD::test::Shape shape = CSCD::test::noisy(CSCD::test::flat_grid(6, 5, 1), 0.2, 3);
-  const Open_triangulation surface =
-      CSCD::test::to_open_triangulation(CSCD::test::moved(shape, [](const CSCD::test::Triple& p) {
+  const Triangulated_surface surface =
+      CSCD::test::to_surface_with_borders(CSCD::test::moved(shape, [](const CSCD::test::Triple& p) {
         return CSCD::test::Triple{p[0], p[1], 0};
       }));
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   // The angle of the real axis of each vertex's frame in the plane.
   std::vector<Complex> axis(surface.number_of_vertices());
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
@@ -84,12 +84,12 @@ TEST(Tangent_frames, turn_by_the_curvature_around_a_face)
 TEST(Tangent_frames, of_a_border_are_not_scaled_however_it_is_closed)
 {
   const CSCD::test::Shape shape = CSCD::test::tube(4, 1, 12, CSCD::test::Tube_end::open);
-  const Open_triangulation open = CSCD::test::to_open_triangulation(shape);
+  const Triangulated_surface open = CSCD::test::to_surface_with_borders(shape);
   CSCD::Indexed_triangles triangles = CSCD::test::to_indexed_triangles(shape);
   const CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   CSCD::internal::bridge_borders(triangles, pairing);
   const Triangulated_surface bridged(std::move(triangles));
-  const Tangent_frames<Open_triangulation> open_frames(open);
+  const Tangent_frames<Triangulated_surface> open_frames(open);
   const Tangent_frames<Triangulated_surface> bridged_frames(bridged);
   EXPECT_DOUBLE_EQ(open_frames.mean_edge_length(), bridged_frames.mean_edge_length());
   std::size_t on_border = 0;
@@ -103,9 +103,9 @@ TEST(Tangent_frames, of_a_border_are_not_scaled_however_it_is_closed)
 
 TEST(Tangent_frames, show_every_neighbor_once)
 {
-  const Open_triangulation surface =
-      CSCD::test::to_open_triangulation(CSCD::test::tube(4, 1, 12, CSCD::test::Tube_end::open));
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface =
+      CSCD::test::to_surface_with_borders(CSCD::test::tube(4, 1, 12, CSCD::test::Tube_end::open));
+  const Tangent_frames<Triangulated_surface> frames(surface);
   std::size_t number_of_ends = 0;
   std::size_t number_of_borders = 0;
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {

@@ -3,7 +3,7 @@
 //
 // Loops of cut loci: as many as the surface has, whatever the distances are, on triangulations of every kind.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
@@ -30,7 +30,7 @@ using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Cut_tree;
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Org_tree;
 using CSCD::internal::Tangent_frames;
 using CSCD::Triangulated_surface;
@@ -88,7 +88,7 @@ TEST(close_loops, of_any_field)
   std::mt19937_64 random(2);
   const CSCD::test::Shape shape = CSCD::test::ladder(3, 0.2);
   const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const Open_triangulation open = CSCD::test::to_open_triangulation(shape);
+  const Triangulated_surface open = CSCD::test::to_surface_with_borders(shape);
   for (int i = 0; i < 5; ++i) {
     const std::vector<double> distances =
         CSCD::test::sampled(shape, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
@@ -101,18 +101,18 @@ TEST(close_loops, counts_borders_as_closed)
 {
   const CSCD::test::Shape shape = CSCD::test::with_small_holes(CSCD::test::torus(3, 1, 24), 9, 1);
   const std::vector<double> distances = CSCD::test::sampled(shape, [](const Triple& p) { return p[0] + 4; });
-  EXPECT_EQ(number_of_chords(CSCD::test::to_open_triangulation(shape), distances, {0}), 2u);
+  EXPECT_EQ(number_of_chords(CSCD::test::to_surface_with_borders(shape), distances, {0}), 2u);
 }
 
 TEST(Org_tree, spans_what_has_a_distance)
 {
   const CSCD::test::Shape shape =
       CSCD::test::merged("", {CSCD::test::sphere(2), CSCD::test::translated(CSCD::test::sphere(2), {5, 0, 0})});
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(shape);
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(shape);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const std::vector<double> distances = CSCD::test::sampled(
       shape, [](const Triple& p) { return p[0] > 2 ? std::numeric_limits<double>::infinity() : p[2]; });
-  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
   const Org_tree tree(measures, std::vector<char>(distances.size(), 0));
   ASSERT_EQ(tree.roots().size(), 1u);
   EXPECT_EQ(tree.order().size(), distances.size() / 2);

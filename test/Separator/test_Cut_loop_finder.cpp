@@ -3,7 +3,7 @@
 //
 // From a distance field to a loop: opposite targets, simple closed curves, stated reasons where there is none.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
@@ -34,7 +34,7 @@ using CSCD::internal::Cut_loop;
 using CSCD::internal::Cut_loop_finder;
 using CSCD::internal::Cut_locus_indicators;
 using CSCD::Index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Tangent_frames;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
@@ -143,7 +143,7 @@ TEST(Cut_loop_finder, goes_around_a_tube)
 TEST(Cut_loop_finder, says_the_same_where_ends_are_open)
 {
   const Shape shape = CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::open);
-  Tube<Open_triangulation> tube(CSCD::test::to_open_triangulation(shape));
+  Tube<Triangulated_surface> tube(CSCD::test::to_surface_with_borders(shape));
   for (Index source = 0; source < tube.surface().number_of_vertices(); ++source) {
     const Cut_loop loop = tube(source);
     ASSERT_EQ(loop.outcome, Cut_loop_outcome::found);
@@ -181,8 +181,8 @@ TEST(Cut_loop_finder, takes_the_flat_side_of_an_elliptic_tube)
   const Shape shape = CSCD::test::moved(CSCD::test::tube(20, 1, 64, CSCD::test::Tube_end::flat), [&](const auto& p) {
     return CSCD::test::Triple{p[0], width * p[1], p[2]};
   });
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(shape);
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(shape);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   // The arc of the ellipse from its highest point, by the angle of the circle that it was.
   constexpr std::size_t steps = 6400;
   std::vector<double> arc(steps + 1, 0);
@@ -197,8 +197,8 @@ TEST(Cut_loop_finder, takes_the_flat_side_of_an_elliptic_tube)
     const double around = arc[std::size_t(std::lround(angle / (2 * pi) * steps))];
     distances.push_back(std::hypot(p.x() - 10, std::min(around, arc.back() - around)));
   }
-  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
-  Cut_loop_finder<Cut_locus_indicators<Open_triangulation>> finder(frames, surface.points());
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
+  Cut_loop_finder<Cut_locus_indicators<Triangulated_surface>> finder(frames, surface.points());
   Index source = 0;
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     source = distances[v] < distances[source] ? v : source;
@@ -218,8 +218,8 @@ TEST(Cut_loop_finder, runs_along_intrinsic_edges)
   // Triangles several times as long as wide, of which Delaunay flips make better ones.
   for (const Shape& shape :
        {CSCD::test::anisotropic_tube(10, 1, 64, 24), CSCD::test::anisotropic_tube(10, 1, 16, 80)}) {
-    using Triangulation = CSCD::internal::Intrinsic_triangulation<Open_triangulation>;
-    const Open_triangulation surface = CSCD::test::to_open_triangulation(shape);
+    using Triangulation = CSCD::internal::Intrinsic_triangulation<Triangulated_surface>;
+    const Triangulated_surface surface = CSCD::test::to_surface_with_borders(shape);
     Triangulation triangulation(surface);
     triangulation.make_delaunay();
     const Tangent_frames<Triangulation> frames(triangulation);

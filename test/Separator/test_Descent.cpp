@@ -3,7 +3,7 @@
 //
 // Ways to the source end there, whatever the field is like.
 
-#include "Cut_locus/to_open_triangulation.h"
+#include "Cut_locus/to_surface_with_borders.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
@@ -25,12 +25,12 @@ using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Descent;
 using CSCD::internal::Edge_steps;
 using CSCD::Index;
-using CSCD::Open_triangulation;
+using CSCD::Triangulated_surface;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::Triple;
 
 /// Whether `path` leads from `begin` to `end` and passes no vertex twice.
-bool is_simple_path(const Open_triangulation& surface, const Edge_steps& path, Index begin, Index end)
+bool is_simple_path(const Triangulated_surface& surface, const Edge_steps& path, Index begin, Index end)
 {
   std::set<Index> passed{begin};
   Index at = begin;
@@ -46,12 +46,12 @@ bool is_simple_path(const Open_triangulation& surface, const Edge_steps& path, I
 TEST(Descent, leads_straight_down_a_good_field)
 {
   const CSCD::test::Shape grid = CSCD::test::flat_grid(20, 20, 1);
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(grid);
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(grid);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return std::hypot(p[0], p[1]); });
-  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
-  Descent<Tangent_frames<Open_triangulation>> descent(frames);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
+  Descent<Tangent_frames<Triangulated_surface>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
@@ -67,12 +67,12 @@ TEST(Descent, leaves_minima)
 {
   // A basin between the source and everything else: going to the least neighbor alone would stay in it for ever.
   const CSCD::test::Shape grid = CSCD::test::flat_grid(20, 3, 1);
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(grid);
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(grid);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const std::vector<double> distances =
       CSCD::test::sampled(grid, [](const Triple& p) { return p[0] - 6 * std::exp(-(p[0] - 10) * (p[0] - 10)); });
-  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
-  Descent<Tangent_frames<Open_triangulation>> descent(frames);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
+  Descent<Tangent_frames<Triangulated_surface>> descent(frames);
   for (Index v = 0; v < surface.number_of_vertices(); ++v) {
     Edge_steps path;
     ASSERT_TRUE(descent(measures, v, 0, path));
@@ -84,14 +84,14 @@ TEST(Descent, leaves_minima)
 TEST(Descent, ends_at_the_source_of_any_field)
 {
   const CSCD::test::Shape torus = CSCD::test::torus(3, 1, 12);
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(torus);
-  const Tangent_frames<Open_triangulation> frames(surface);
-  Descent<Tangent_frames<Open_triangulation>> descent(frames);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(torus);
+  const Tangent_frames<Triangulated_surface> frames(surface);
+  Descent<Tangent_frames<Triangulated_surface>> descent(frames);
   std::mt19937_64 random(4);
   for (int i = 0; i < 20; ++i) {
     const std::vector<double> distances =
         CSCD::test::sampled(torus, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
-    const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
+    const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
     for (Index v = 0; v < surface.number_of_vertices(); v += 11) {
       Edge_steps path;
       ASSERT_TRUE(descent(measures, v, 5, path));
@@ -99,7 +99,7 @@ TEST(Descent, ends_at_the_source_of_any_field)
     }
   }
   const std::vector<double> level(surface.number_of_vertices(), 1.);
-  const Cut_locus_indicators<Open_triangulation> measures(frames, level);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, level);
   Edge_steps path;
   EXPECT_TRUE(descent(measures, 100, 5, path));
   EXPECT_TRUE(is_simple_path(surface, path, 100, 5));
@@ -109,11 +109,11 @@ TEST(Descent, says_when_there_is_no_way)
 {
   const CSCD::test::Shape two =
       CSCD::test::merged("", {CSCD::test::sphere(1), CSCD::test::translated(CSCD::test::sphere(1), {5, 0, 0})});
-  const Open_triangulation surface = CSCD::test::to_open_triangulation(two);
-  const Tangent_frames<Open_triangulation> frames(surface);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(two);
+  const Tangent_frames<Triangulated_surface> frames(surface);
   const std::vector<double> distances = CSCD::test::sampled(two, [](const Triple& p) { return p[0]; });
-  const Cut_locus_indicators<Open_triangulation> measures(frames, distances);
-  Descent<Tangent_frames<Open_triangulation>> descent(frames);
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
+  Descent<Tangent_frames<Triangulated_surface>> descent(frames);
   Edge_steps path;
   EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));
 }

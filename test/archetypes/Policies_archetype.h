@@ -1,97 +1,82 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationPolicies, with its SeparatorFinder, with no more than the concepts ask for.
+// A SkeletonizationPolicies with no more than the concept asks for: one separator, and one node.
 
 #ifndef CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 
-#include "Separator_cost_archetype.h"
-#include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Selection/Separator_packing.h>
-#include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 
-#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace CSCD::test {
 
-/// Can neither be copied nor moved.
-template <class Traits>
-class Separator_finder_archetype
-{
-public:
-  explicit Separator_finder_archetype(const Traits& traits) : m_finder(traits) {}
-  Separator_finder_archetype(const Separator_finder_archetype&) = delete;
-  Separator_finder_archetype& operator=(const Separator_finder_archetype&) = delete;
-  ~Separator_finder_archetype() = default;
-
-  void operator()(CSCD::Index source, CSCD::Index level_hint, Search_result& result)
-  {
-    m_finder(source, level_hint, result);
-  }
-
-private:
-  Local_separator_finder<Traits> m_finder;
-};
-
-/// Can be moved only, and so can its packing.
-template <class Traits>
+/// Can be copied, and not assigned; there are none by default.
+template <class Surface>
 class Policies_archetype
 {
 public:
-  using Separator_finder = Separator_finder_archetype<Traits>;
-
+  /// Can be moved only.
   class Packing
   {
   public:
-    const std::vector<CSCD::Index>& packed() const { return m_packing.packed(); }
+    Packing(const Packing&) = delete;
+    Packing& operator=(const Packing&) = delete;
+    Packing(Packing&&) = default;
+    Packing& operator=(Packing&&) = default;
+    ~Packing() = default;
+
+    const std::vector<Index>& packed() const { return m_packed; }
 
   private:
     friend class Policies_archetype;
-    explicit Packing(CSCD::internal::Separator_packing&& packing) : m_packing(std::move(packing)) {}
+    explicit Packing(std::vector<Index> packed) : m_packed(std::move(packed)) {}
 
-    CSCD::internal::Separator_packing m_packing;
+    std::vector<Index> m_packed;
   };
 
-  /// \param number_of_weights counts the weights that are asked for
-  explicit Policies_archetype(std::size_t& number_of_weights)
-      : m_policies(Separator_cost_archetype(number_of_weights))
-  {
-  }
-  Policies_archetype(const Policies_archetype&) = delete;
+  explicit Policies_archetype(Index source) : m_source(source) {}
+  Policies_archetype(const Policies_archetype&) = default;
   Policies_archetype& operator=(const Policies_archetype&) = delete;
-  Policies_archetype(Policies_archetype&&) = default;
-  Policies_archetype& operator=(Policies_archetype&&) = delete;
   ~Policies_archetype() = default;
 
-  template <class ConcurrencyTag, class Progress>
-  std::vector<Separator> find_separators(const Traits& traits, const Search_settings& settings,
-                                         Skeletonization_report& report, const Progress& progress) const
+  /// The separator around one vertex.
+  std::vector<Separator> find_separators(const Surface& surface, const Search_settings&, Skeletonization_report& report,
+                                         const Progress& progress) const
   {
-    return m_policies.template find_separators<ConcurrencyTag>(traits, settings, report, progress);
+    report.number_of_sources = 1;
+    progress(0.5);
+    Separator separator;
+    separator.source = m_source;
+    for (const Index h : surface.triangulation().outgoing(m_source)) {
+      separator.crossings.push_back({h, 0.5});
+    }
+    return {separator};
   }
 
-  Packing pack_separators(const Traits& traits, std::vector<Separator>& separators,
-                          Skeletonization_report& report) const
+  Packing pack_separators(const Surface&, std::vector<Separator>& separators, Skeletonization_report&) const
   {
-    return Packing(m_policies.pack_separators(traits, separators, report));
+    return Packing(std::vector<Index>(separators.size(), 0));
   }
 
-  Embedded_skeleton build_skeleton(const Traits& traits, const std::vector<Separator>& separators,
-                                   const Packing& packing, Skeletonization_report& report) const
+  Embedded_skeleton build_skeleton(const Surface& surface, const std::vector<Separator>&, const Packing& packing,
+                                   Skeletonization_report&) const
   {
-    return m_policies.build_skeleton(traits, separators, packing.m_packing, report);
+    Embedded_skeleton result;
+    const Index node = result.graph.add_node(Vector_3(1, 2, 3), double(packing.packed().size()));
+    result.radius = {double(packing.packed().size())};
+    result.node_of_vertex.assign(surface.triangulation().number_of_vertices(), node);
+    return result;
   }
 
 private:
-  Local_policies<Traits, Separator_cost_archetype, Separator_finder> m_policies;
+  Index m_source;
 };
 
 } // namespace CSCD::test

@@ -3,8 +3,8 @@
 //
 // Marks that are taken back at once, the one time in four thousand million included at which the counter ends.
 
-#include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Epoch_marks.h>
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,8 @@
 
 namespace {
 
-using CSCD::internal::Epoch_marks;
 using CSCD::Index;
+using CSCD::internal::Epoch_marks;
 
 TEST(Epoch_marks, tells_whether_a_mark_is_new)
 {
@@ -40,9 +40,9 @@ TEST(Epoch_marks, takes_all_marks_back)
 
 TEST(Epoch_marks, survives_the_end_of_its_counter)
 {
-  Epoch_marks marks(2);
+  CSCD::internal::Basic_epoch_marks<std::uint8_t> marks(2);
   ASSERT_TRUE(marks.mark(0));
-  for (std::uint32_t i = 0; i < std::numeric_limits<std::uint32_t>::max(); ++i) {
+  for (int i = 0; i < std::numeric_limits<std::uint8_t>::max(); ++i) {
     marks.clear();
   }
   EXPECT_FALSE(marks.is_marked(0)) << "the first epoch has come back";

@@ -14,46 +14,37 @@
 
 namespace CSCD {
 
-/// A point of a cut locus on a point cloud.
-/// \tparam Point the point type of the cloud
-/// \tparam PointDescriptor what identifies a point of the cloud: its index in a `CGAL::Point_set_3`, else its number in
-///         the order of iteration
-template <class Point, class PointDescriptor = std::size_t>
-struct Point_cut_locus_vertex
-{
-  /// Position, on the surface that the cloud samples, or near it.
-  Point point{};
-  /// The nearest point of the cloud.
-  PointDescriptor nearest{};
-  /// Distance from the source along the surface, in the unit of the cloud.
-  double distance = 0;
-};
-
-/// A cut locus on a point cloud: a graph near the surface. Its edges are straight segments between points that are near
-/// each other.
-template <class Point, class PointDescriptor = std::size_t>
-using Point_cut_locus_graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Point_cut_locus_vertex<Point, PointDescriptor>>;
-
 /// A point of a cut locus.
-/// \tparam Point the point type of the mesh
-/// \tparam FaceDescriptor the `face_descriptor` of the mesh
-template <class Point, class FaceDescriptor>
+/// \tparam Point the point type of the input
+/// \tparam Location what identifies the place of the point in the input, see `Cut_locus_graph` and
+///         `Point_cut_locus_graph`
+template <class Point, class Location>
 struct Cut_locus_vertex
 {
-  /// Position, on the surface.
+  /// Position, on the surface, or near it if that is given by points.
   Point point{};
-  /// The same as a face and barycentric coordinates in it: a `Face_location` as CGAL's Polygon Mesh Processing has it,
-  /// in the order of the source of the face's halfedge, its target, and the target of the next one.
-  std::pair<FaceDescriptor, std::array<double, 3>> location{};
-  /// Distance from the source along the surface, in the unit of the mesh.
+  /// The same, in terms of the input.
+  Location location{};
+  /// Distance from the source along the surface, in the unit of the input.
   double distance = 0;
 };
 
-/// A cut locus: a graph on a surface. Its edges are straight segments between points that are near each other.
+/// A cut locus on a triangle mesh: a graph on the surface. Its edges are straight segments between points that are near
+/// each other. A location is a face and barycentric coordinates in it, a `Face_location` as CGAL's Polygon Mesh
+/// Processing has it: in the order of the source of the face's halfedge, its target, and the target of the next one.
+/// \tparam FaceDescriptor the `face_descriptor` of the mesh
 template <class Point, class FaceDescriptor>
 using Cut_locus_graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Cut_locus_vertex<Point, FaceDescriptor>>;
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                          Cut_locus_vertex<Point, std::pair<FaceDescriptor, std::array<double, 3>>>>;
+
+/// A cut locus on a point set: a graph near the surface. Its edges are straight segments between points that are near
+/// each other. A location is the nearest point of the set.
+/// \tparam PointDescriptor what identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
+///         iteration
+template <class Point, class PointDescriptor = std::size_t>
+using Point_cut_locus_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Cut_locus_vertex<Point, PointDescriptor>>;
 
 } // namespace CSCD
 

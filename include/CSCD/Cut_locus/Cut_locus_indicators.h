@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Laplacian and gradient angle of a distance field, which tell cut points from others.
+// Laplacian and gradient angle of a distance field, by which cut points are recognized.
 
 #ifndef CSCD_CUT_LOCUS_CUT_LOCUS_INDICATORS_H
 #define CSCD_CUT_LOCUS_CUT_LOCUS_INDICATORS_H
@@ -44,18 +44,18 @@ inline bool are_converging(const Gradient_sample& a, const Gradient_sample& b)
   return dot(a.gradient - b.gradient, a.direction - b.direction) < 0;
 }
 
-/// The greatest angle in [0, pi] between the gradients of two sectors that run towards each other. O(d^2) for d sectors
+/// The greatest angle in [0, pi] between the gradients of two samples that run towards each other. O(d^2) for d samples
 /// up to a constant, beyond which an even sample of them is taken.
-inline double max_convergence(const Gradient_samples& sectors)
+inline double max_convergence(const Gradient_samples& samples)
 {
   // Sectors that are compared pair by pair.
-  constexpr std::size_t max_sectors = 32;
-  const std::size_t stride = (sectors.size() + max_sectors - 1) / max_sectors;
+  constexpr std::size_t max_samples = 32;
+  const std::size_t stride = (samples.size() + max_samples - 1) / max_samples;
   double min_cosine = 1;
-  for (std::size_t i = 0; i < sectors.size(); i += stride) {
-    for (std::size_t j = i + stride; j < sectors.size(); j += stride) {
-      const double cosine = dot(sectors[i].gradient, sectors[j].gradient);
-      if (cosine < min_cosine && are_converging(sectors[i], sectors[j])) {
+  for (std::size_t i = 0; i < samples.size(); i += stride) {
+    for (std::size_t j = i + stride; j < samples.size(); j += stride) {
+      const double cosine = dot(samples[i].gradient, samples[j].gradient);
+      if (cosine < min_cosine && are_converging(samples[i], samples[j])) {
         min_cosine = cosine;
       }
     }
@@ -63,12 +63,70 @@ inline double max_convergence(const Gradient_samples& sectors)
   return std::acos(std::clamp(min_cosine, -1., 1.));
 }
 
-/// The derivatives of a distance field at the vertices, each computed when it is asked for, from the faces around the
-/// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise.
-template <class Triangulation>
-class Cut_locus_indicators
+/// What does not depend on how derivatives are computed: which vertices are points of the cut locus.
+/// \tparam Derived has the members `laplacian(vertex)`, `collect_samples(vertex, samples)` and
+///         `collect_samples(vertex, gradients, samples)`
+template <class Derived>
+class Cut_point_test
 {
 public:
+  using Complex = std::complex<double>;
+
+  const std::vector<double>& distances() const { return m_distances; }
+  double distance(Index vertex) const { return m_distances[vertex]; }
+  bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
+
+  /// The greatest angle in [0, pi] between two of the gradients around `vertex` that run towards each other.
+  /// \param gradients if given, those of all vertices, as `gradients()` returns them: the neighbors are then compared
+  ///        in any case
+  template <class... Gradients>
+  double convergence(Index vertex, const Gradients&... gradients) const
+  {
+    Gradient_samples samples;
+    derived().collect_samples(vertex, gradients..., samples);
+    return max_convergence(samples);
+  }
+
+  /// Whether `vertex` is a point of the cut locus. \param gradients as for `convergence()`
+  template <class... Gradients>
+  bool is_cut(Index vertex, const Cut_criterion& criterion, const Gradients&... gradients) const
+  {
+    return is_reached(vertex) && derived().laplacian(vertex) <= criterion.laplacian_threshold &&
+           convergence(vertex, gradients...) >= criterion.angle_threshold;
+  }
+
+protected:
+  explicit Cut_point_test(const std::vector<double>& distances) : m_distances(distances) {}
+
+  /// Adds a neighbor, unless its gradient is that of a ridge or a source, which is short and has no direction.
+  /// \param transport carries `gradient` from the frame of the neighbor
+  static void add_neighbor(double direction, const Complex& transport, const Complex& gradient,
+                           Gradient_samples& samples)
+  {
+    constexpr double min_gradient = 0.1;
+    const double norm = std::abs(gradient);
+    if (norm > min_gradient && std::isfinite(norm)) {
+      samples.push_back({std::polar(1., direction), transport * gradient / norm});
+    }
+  }
+
+private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  const std::vector<double>& m_distances;
+};
+
+/// The derivatives of a distance field at the vertices, each computed when it is asked for, from the faces around the
+/// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise; samples beyond a
+/// constant number are thinned out evenly before they are compared pair by pair.
+template <class Triangulation>
+class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators<Triangulation>>
+{
+  using Base = Cut_point_test<Cut_locus_indicators<Triangulation>>;
+
+public:
+  using Base::distance;
+  using Base::distances;
   using Frames = Tangent_frames<Triangulation>;
   using Complex = typename Frames::Complex;
   using Basis = Frames; ///< what these are made of
@@ -76,17 +134,14 @@ public:
   static constexpr Cut_criterion default_criterion() { return {}; }
   static const Frames& frames_of(const Basis& basis) { return basis; }
 
-  /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
+  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
   ///        referred to and must outlive this object
-  Cut_locus_indicators(const Frames& frames, const std::vector<double>& distances) : m_frames(frames), m_distances(distances)
+  Cut_locus_indicators(const Frames& frames, const std::vector<double>& field) : Base(field), m_frames(frames)
   {
-    CGAL_precondition(distances.size() == frames.triangulation().number_of_vertices());
+    CGAL_precondition(field.size() == frames.triangulation().number_of_vertices());
   }
 
   const Frames& frames() const { return m_frames; }
-  const std::vector<double>& distances() const { return m_distances; }
-  double distance(Index vertex) const { return m_distances[vertex]; }
-  bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
 
   /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
   Complex face_direction(Index halfedge) const
@@ -96,10 +151,10 @@ public:
     if (corner.sine == 0) {
       return 0;
     }
-    const double here = m_distances[triangulation.origin(halfedge)];
+    const double here = distance(triangulation.origin(halfedge));
     const Index last = triangulation.previous(halfedge);
-    const double along = (m_distances[triangulation.target(halfedge)] - here) / corner.length;
-    const double along_last = (m_distances[triangulation.origin(last)] - here) / m_frames.corner(last).length;
+    const double along = (distance(triangulation.target(halfedge)) - here) / corner.length;
+    const double along_last = (distance(triangulation.origin(last)) - here) / m_frames.corner(last).length;
     const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
     const double norm = std::abs(gradient);
     return norm > 0 && std::isfinite(norm) ? corner.turn * gradient / norm : Complex(0);
@@ -123,8 +178,8 @@ public:
   std::vector<Complex> gradients() const
   {
     std::vector<Complex> result;
-    result.reserve(m_distances.size());
-    for (Index vertex = 0; vertex < m_distances.size(); ++vertex) {
+    result.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
       result.push_back(gradient(vertex));
     }
     return result;
@@ -143,69 +198,38 @@ public:
     m_frames.for_each_outgoing(vertex, [&](Index h) {
       const Index next = triangulation.next(h);
       const Index last = triangulation.previous(h);
-      sum += cotangent(last) * (m_distances[triangulation.origin(next)] - m_distances[vertex]) / 2 +
-             cotangent(next) * (m_distances[triangulation.origin(last)] - m_distances[vertex]) / 2;
+      sum += cotangent(last) * (distance(triangulation.origin(next)) - distance(vertex)) / 2 +
+             cotangent(next) * (distance(triangulation.origin(last)) - distance(vertex)) / 2;
     });
     const double spacing = std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing));
     return std::isfinite(sum) ? sum / area * spacing : 0;
   }
 
-  /// The greatest angle in [0, pi] between the gradients of two faces around `vertex` that run towards each other.
-  /// O(d^2) for degree d up to a constant, beyond which an even sample of the faces is taken.
-  double convergence(Index vertex) const
-  {
-    Gradient_samples sectors;
-    collect_sectors(vertex, sectors);
-    return max_convergence(sectors);
-  }
-
-  /// The same of the mean gradients of two neighbors of `vertex`, carried to its frame: they see farther, to where a
-  /// heat method does not round off a ridge any more.
-  /// \param gradients those of all vertices, as `gradient()` gives them
-  double convergence_of_neighbors(Index vertex, const std::vector<Complex>& gradients) const
-  {
-    // Gradients that are shorter are those of ridges and sources, and have no direction.
-    constexpr double min_gradient = 0.1;
-    Gradient_samples sectors;
-    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      const double norm = std::abs(gradients[neighbor]);
-      if (norm > min_gradient) {
-        const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
-        const double angle = is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h);
-        const Complex transport = m_frames.transport_to_origin(h);
-        sectors.push_back(
-            {std::polar(1., angle), (is_outgoing ? transport : std::conj(transport)) * gradients[neighbor] / norm});
-      }
-    });
-    return max_convergence(sectors);
-  }
-
-  /// Whether `vertex` is a point of the cut locus, by the faces around it.
-  bool is_cut(Index vertex, const Cut_criterion& criterion) const
-  {
-    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
-           convergence(vertex) >= criterion.angle_threshold;
-  }
-
-  /// Whether `vertex` is a point of the cut locus, by its neighbors.
-  bool is_cut(Index vertex, const Cut_criterion& criterion, const std::vector<Complex>& gradients) const
-  {
-    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
-           convergence_of_neighbors(vertex, gradients) >= criterion.angle_threshold;
-  }
-
   /// Collects the faces around `vertex` that have a gradient, counterclockwise.
-  void collect_sectors(Index vertex, Gradient_samples& sectors) const
+  void collect_samples(Index vertex, Gradient_samples& samples) const
   {
-    sectors.clear();
+    samples.clear();
     m_frames.for_each_outgoing(vertex, [&](Index h) {
       const Complex gradient = face_direction(h);
       if (gradient != Complex(0)) {
         const auto& corner = m_frames.corner(h);
         // The bisector of the corner, by the half-angle formulas.
         const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
-        sectors.push_back({corner.turn * bisector, gradient});
+        samples.push_back({corner.turn * bisector, gradient});
       }
+    });
+  }
+
+  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise: these lie farther away, where a heat
+  /// method does not round off a ridge any more. \param gradients those of all vertices, as `gradients()` returns them
+  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
+  {
+    samples.clear();
+    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
+      const Complex transport = m_frames.transport_to_origin(h);
+      Base::add_neighbor(is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h),
+                         is_outgoing ? transport : std::conj(transport), gradients[neighbor], samples);
     });
   }
 
@@ -221,15 +245,16 @@ private:
   }
 
   const Frames& m_frames;
-  const std::vector<double>& m_distances;
 };
 
-/// What `Cut_locus_indicators` are on a triangulation, on a point complex (supplement, appendix G.2): the derivatives of a
-/// distance field at the vertices, each computed when it is asked for. The gradient that a vertex has is the mean of
-/// those of its immediate neighbors and its own: a single one follows the noise of a few points. Only the immediate
+/// What `Cut_locus_indicators` are on a triangulation, on a point complex (supplement, appendix G.2): the derivatives
+/// of a distance field at the vertices, each computed when it is asked for. The gradient that a vertex has is the mean
+/// of those of its immediate neighbors and its own: a single one follows the noise of a few points. Only the immediate
 /// neighbors of a vertex are compared.
-class Point_cut_locus_indicators
+class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators>
 {
+  using Base = Cut_point_test<Point_cut_locus_indicators>;
+
 public:
   using Frames = Point_frames;
   using Complex = Frames::Complex;
@@ -237,44 +262,36 @@ public:
 
   static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
 
-  /// When a vertex of a cloud counts as a point of the cut locus. Less is asked than on a mesh, since means over
-  /// neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,
-  /// random or even, with noise or without: of what passes, 99.8 % lies within two edges of the true cut locus (of
-  /// single gradients 97.9 %, and 70 % on the worst cloud), and the cut locus where fronts meet at 60 degrees is near
-  /// such a vertex everywhere. At a threshold of 60 degrees it is not (doc/cut_locus.md).
-  static constexpr Cut_criterion default_criterion() { return {-0.35, boost::math::double_constants::pi / 4}; }
+  static constexpr Cut_criterion default_criterion() { return point_cut_criterion(); }
 
-  /// \param distances the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it
+  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it
   ///        is referred to and must outlive this object
-  Point_cut_locus_indicators(const Point_derivatives& derivatives, const std::vector<double>& distances)
-      : m_derivatives(derivatives), m_distances(distances)
+  Point_cut_locus_indicators(const Point_derivatives& derivatives, const std::vector<double>& field)
+      : Base(field), m_derivatives(derivatives)
   {
-    CGAL_precondition(distances.size() == frames().triangulation().number_of_vertices());
+    CGAL_precondition(field.size() == frames().triangulation().number_of_vertices());
   }
 
   const Frames& frames() const { return m_derivatives.frames(); }
-  const std::vector<double>& distances() const { return m_distances; }
-  double distance(Index vertex) const { return m_distances[vertex]; }
-  bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
 
   /// The mean gradient of `vertex` and its neighbors, in its frame: it is shorter than 1 where they disagree. O(d^2)
   /// for degree d.
   Complex gradient(Index vertex) const
   {
-    return mean_gradient(vertex, [this](Index v) { return m_derivatives.gradient(v, m_distances); });
+    return mean_gradient(vertex, [this](Index v) { return m_derivatives.gradient(v, distances()); });
   }
 
   /// The gradients of all vertices; linear for bounded degrees.
   std::vector<Complex> gradients() const
   {
     std::vector<Complex> single;
-    single.reserve(m_distances.size());
-    for (Index vertex = 0; vertex < m_distances.size(); ++vertex) {
-      single.push_back(m_derivatives.gradient(vertex, m_distances));
+    single.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
+      single.push_back(m_derivatives.gradient(vertex, distances()));
     }
     std::vector<Complex> result;
-    result.reserve(m_distances.size());
-    for (Index vertex = 0; vertex < m_distances.size(); ++vertex) {
+    result.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
       result.push_back(mean_gradient(vertex, [&single](Index v) { return single[v]; }));
     }
     return result;
@@ -283,46 +300,22 @@ public:
   /// The Laplacian times the spacing, see `Point_derivatives`. O(d) for degree d.
   double laplacian(Index vertex) const
   {
-    const double result = m_derivatives.laplacian(vertex, m_distances);
+    const double result = m_derivatives.laplacian(vertex, distances());
     return std::isfinite(result) ? result : 0;
   }
 
-  /// The greatest angle in [0, pi] between the gradients of two neighbors of `vertex` that run towards each other.
-  double convergence(Index vertex) const
-  {
-    Gradient_samples sectors;
-    collect_sectors(vertex, sectors);
-    return max_convergence(sectors);
-  }
-
-  /// The same with known gradients. \param gradients those of all vertices, as `gradients()` gives them
-  double convergence_of_neighbors(Index vertex, const std::vector<Complex>& gradients) const
-  {
-    Gradient_samples sectors;
-    collect_sectors(
-        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, sectors);
-    return max_convergence(sectors);
-  }
-
-  /// Whether `vertex` is a point of the cut locus.
-  bool is_cut(Index vertex, const Cut_criterion& criterion) const
-  {
-    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
-           convergence(vertex) >= criterion.angle_threshold;
-  }
-
-  /// The same with known gradients.
-  bool is_cut(Index vertex, const Cut_criterion& criterion, const std::vector<Complex>& gradients) const
-  {
-    return is_reached(vertex) && laplacian(vertex) <= criterion.laplacian_threshold &&
-           convergence_of_neighbors(vertex, gradients) >= criterion.angle_threshold;
-  }
-
   /// Collects the neighbors of `vertex` that have a gradient, counterclockwise.
-  void collect_sectors(Index vertex, Gradient_samples& sectors) const
+  void collect_samples(Index vertex, Gradient_samples& samples) const
   {
-    collect_sectors(
-        vertex, [this](Index neighbor) { return gradient(neighbor); }, sectors);
+    collect_neighbors(
+        vertex, [this](Index neighbor) { return gradient(neighbor); }, samples);
+  }
+
+  /// The same with known gradients. \param gradients those of all vertices, as `gradients()` returns them
+  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
+  {
+    collect_neighbors(
+        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, samples);
   }
 
 private:
@@ -339,23 +332,15 @@ private:
   }
 
   template <class Gradient>
-  void collect_sectors(Index vertex, const Gradient& gradient_of, Gradient_samples& sectors) const
+  void collect_neighbors(Index vertex, const Gradient& gradient_of, Gradient_samples& samples) const
   {
-    // Gradients that are shorter are those of ridges and sources, and have no direction.
-    constexpr double min_gradient = 0.1;
-    sectors.clear();
+    samples.clear();
     frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
-      const Complex gradient = gradient_of(neighbor);
-      const double norm = std::abs(gradient);
-      if (norm > min_gradient && std::isfinite(norm)) {
-        sectors.push_back(
-            {std::polar(1., frames().direction_at_origin(h)), frames().transport_to_origin(h) * gradient / norm});
-      }
+      add_neighbor(frames().direction_at_origin(h), frames().transport_to_origin(h), gradient_of(neighbor), samples);
     });
   }
 
   const Point_derivatives& m_derivatives;
-  const std::vector<double>& m_distances;
 };
 
 } // namespace CSCD::internal

@@ -17,16 +17,16 @@ namespace CSCD::internal {
 /// Moves the points of a cut locus over the surface: first across the curve, up the gradient of the distance, to the
 /// ridge between the vertices; then to the middle of their neighbors, which takes the zigzag away. Forks only do the
 /// latter; tips follow their neighbor uphill and then stay, lone points stay.
-/// \tparam Ground what the points move on: it has a type `Point`, and the members `position(point)`, `gradient(point)`,
+/// \tparam Domain what the points move on: it has a type `Point`, and the members `position(point)`, `gradient(point)`,
 ///         the mean unit gradient of the distance there, `moved(point, displacement)` and `mean_edge_length()`
-template <class Ground>
+template <class Domain>
 class Cut_locus_smoothing
 {
 public:
-  using Point = typename Ground::Point;
+  using Point = typename Domain::Point;
 
-  /// \param ground is referred to and must outlive this object
-  explicit Cut_locus_smoothing(const Ground& ground) : m_ground(ground) {}
+  /// \param domain is referred to and must outlive this object
+  explicit Cut_locus_smoothing(const Domain& domain) : m_domain(domain) {}
 
   /// Moves `points`, which `edges` join, `iterations` times either way. O(n) a time for n points.
   void operator()(std::vector<Point>& points, const std::vector<std::pair<Index, Index>>& edges, int iterations)
@@ -66,7 +66,7 @@ private:
   {
     m_positions.clear();
     for (const Point& point : points) {
-      m_positions.push_back(m_ground.position(point));
+      m_positions.push_back(m_domain.position(point));
     }
     m_displacements.clear();
     for (Index i = 0; i < points.size(); ++i) {
@@ -76,7 +76,7 @@ private:
       const bool is_following = do_tips_follow && m_neighbors[i].size() == 1;
       const Vector_3& step = m_displacements[is_following ? m_neighbors[i].front() : i];
       if (step.squaredNorm() > 0) {
-        points[i] = m_ground.moved(points[i], step);
+        points[i] = m_domain.moved(points[i], step);
       }
     }
   }
@@ -97,14 +97,14 @@ private:
       return factor * to_middle(i);
     }
     const Vector_3 along = m_positions[m_neighbors[i][1]] - m_positions[m_neighbors[i][0]];
-    Vector_3 gradient = m_ground.gradient(point);
+    Vector_3 gradient = m_domain.gradient(point);
     if (along.squaredNorm() > 0) {
       gradient -= gradient.dot(along) / along.squaredNorm() * along;
     }
-    return factor * m_ground.mean_edge_length() * gradient;
+    return factor * m_domain.mean_edge_length() * gradient;
   }
 
-  const Ground& m_ground;
+  const Domain& m_domain;
   std::vector<std::vector<Index>> m_neighbors;
   std::vector<Vector_3> m_positions;
   std::vector<Vector_3> m_displacements;

@@ -12,8 +12,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/range/iterator_range.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <functional>
@@ -42,7 +40,7 @@ public:
 
   const Org_tree& tree() const { return m_tree; }
   bool is_kept(Index vertex) const { return m_is_kept[vertex] != 0; }
-  /// Whether `vertex` may not be removed: a root, or part of a loop or of its way to the root.
+  /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
   bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
   bool is_root(Index vertex) const { return m_tree.parent(vertex) == no_index; }
   /// Those that are kept.
@@ -71,7 +69,7 @@ public:
     --m_number_of_children[m_tree.parent(vertex)];
   }
 
-  /// Joins the ends `a` and `b` of `halfedge` by a chord, keeps both, and protects their ways to the root.
+  /// Joins the ends `a` and `b` of `halfedge` by a chord, keeps both, and protects their paths to the root.
   void add_chord(Index halfedge, Index a, Index b)
   {
     m_chords.push_back(halfedge);
@@ -93,52 +91,6 @@ private:
   std::vector<Index> m_number_of_children;
   std::vector<Index> m_chords;
 };
-
-} // namespace CSCD::internal
-
-namespace CSCD {
-
-/// Keeps what can be reached from the root of the tree through cut points. Noise elsewhere does no harm, but one vertex
-/// that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
-struct Growing_policy
-{
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.
-  template <class Predicate>
-  void operator()(const Predicate& is_cut, internal::Cut_tree& cut) const
-  {
-    const internal::Org_tree::Graph& graph = cut.tree().graph();
-    std::vector<Index> reached = cut.tree().roots();
-    for (std::size_t i = 0; i < reached.size(); ++i) {
-      for (const auto edge : boost::make_iterator_range(out_edges(reached[i], graph))) {
-        if (is_cut(target(edge, graph))) {
-          cut.keep(target(edge, graph));
-          reached.push_back(target(edge, graph));
-        }
-      }
-    }
-  }
-};
-
-/// Keeps every cut point and its way to the root of the tree: what remains when leaves that are none are removed until
-/// there are none left. Nothing is missed, but false cut points far away keep their ways too. `Growing_policy`
-/// is the other choice.
-struct Pruning_policy
-{
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their ways to the root; linear.
-  template <class Predicate>
-  void operator()(const Predicate& is_cut, internal::Cut_tree& cut) const
-  {
-    for (Index vertex : cut.tree().order()) {
-      if (is_cut(vertex)) {
-        cut.keep(vertex);
-      }
-    }
-  }
-};
-
-} // namespace CSCD
-
-namespace CSCD::internal {
 
 /// Removes from `cut` the branches that end in a leaf and are shorter than `min_length`, the shortest first; what
 /// they leave of their fork may then be one longer branch. A branch ends at a fork, at a root, or where it is
@@ -238,8 +190,7 @@ Cut_tree filter_org_tree(const Measures& measures, const Org_tree& tree, const C
   for (Index root : tree.roots()) {
     max_distance = std::max(max_distance, measures.distance(root));
   }
-  const double min_length =
-      std::max(min_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
+  const double min_length = std::max(min_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
   drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
   return cut;
 }

@@ -9,6 +9,7 @@
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/assertions.h>
 
@@ -17,7 +18,6 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -154,8 +154,8 @@ public:
   double laplacian(Index vertex, const std::vector<double>& values) const
   {
     double sum = 0;
-    for (Index i = m_row[vertex]; i < m_row[vertex + 1]; ++i) {
-      sum += m_coupling[i].weight * (values[m_coupling[i].neighbor] - values[vertex]);
+    for (const Coupling& coupling : m_couplings[vertex]) {
+      sum += coupling.weight * (values[coupling.neighbor] - values[vertex]);
     }
     return sum;
   }
@@ -205,27 +205,18 @@ private:
 
   void collect_couplings(const Cotangent_elements& elements)
   {
-    m_row.assign(std::size_t(elements.number_of_vertices()) + 1, 0);
-    const auto for_each_coupling = [&elements](const auto& function) {
+    m_couplings = Compressed_rows<Coupling>(elements.number_of_vertices(), [&](const auto& add) {
       for (const Cotangent_elements::Face& face : elements.faces()) {
         const std::array<double, 3> couplings = face.layout.couplings();
         for (std::size_t k = 0; k < 3; ++k) {
-          function(face.vertices[(k + 1) % 3], face.vertices[(k + 2) % 3], -couplings[k]);
+          const Index i = face.vertices[(k + 1) % 3];
+          const Index j = face.vertices[(k + 2) % 3];
+          add(i, Coupling{j, -couplings[k] * scale(elements, i)});
+          add(j, Coupling{i, -couplings[k] * scale(elements, j)});
         }
       }
-    };
-    for_each_coupling([&](Index i, Index j, double) {
-      ++m_row[i + 1];
-      ++m_row[j + 1];
     });
-    std::partial_sum(m_row.begin(), m_row.end(), m_row.begin());
-    m_coupling.resize(m_row.back());
-    std::vector<Index> end(m_row.begin(), m_row.end() - 1);
-    for_each_coupling([&](Index i, Index j, double weight) {
-      m_coupling[end[i]++] = {j, weight * scale(elements, i)};
-      m_coupling[end[j]++] = {i, weight * scale(elements, j)};
-    });
-    merge_couplings();
+    m_couplings.reduce_rows(merge_couplings);
   }
 
   /// What turns sums of stiffnesses into Laplacians times the spacing: that around `vertex` or, if it is larger, the
@@ -239,31 +230,23 @@ private:
   }
 
   /// Adds up what a vertex has with the same neighbor through several faces.
-  void merge_couplings()
+  static Coupling* merge_couplings(Coupling* first, Coupling* last)
   {
-    Index end = 0;
-    for (std::size_t vertex = 0; vertex + 1 < m_row.size(); ++vertex) {
-      const auto begin = m_coupling.begin() + m_row[vertex];
-      std::sort(begin, m_coupling.begin() + m_row[vertex + 1],
-                [](const Coupling& a, const Coupling& b) { return a.neighbor < b.neighbor; });
-      const Index first = end;
-      for (Index i = m_row[vertex]; i < m_row[vertex + 1]; ++i) {
-        if (end > first && m_coupling[end - 1].neighbor == m_coupling[i].neighbor) {
-          m_coupling[end - 1].weight += m_coupling[i].weight;
-        } else {
-          m_coupling[end++] = m_coupling[i];
-        }
+    std::sort(first, last, [](const Coupling& a, const Coupling& b) { return a.neighbor < b.neighbor; });
+    Coupling* end = first;
+    for (const Coupling* coupling = first; coupling != last; ++coupling) {
+      if (end != first && (end - 1)->neighbor == coupling->neighbor) {
+        (end - 1)->weight += coupling->weight;
+      } else {
+        *end++ = *coupling;
       }
-      m_row[vertex] = first;
     }
-    m_row.back() = end;
-    m_coupling.resize(end);
+    return end;
   }
 
   const Point_frames& m_frames;
-  std::vector<Complex> m_gradient; // of every halfedge: what the difference of values along it adds
-  std::vector<Index> m_row;        // of every vertex, in the couplings, and their end
-  std::vector<Coupling> m_coupling;
+  std::vector<Complex> m_gradient;       // of every halfedge: what the difference of values along it adds
+  Compressed_rows<Coupling> m_couplings; // of every vertex
 };
 
 } // namespace CSCD::internal

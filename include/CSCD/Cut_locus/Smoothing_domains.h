@@ -18,12 +18,12 @@
 
 namespace CSCD::internal {
 
-/// The ground of `Cut_locus_smoothing` on a triangulation: points move straight on over its faces.
+/// The domain of `Cut_locus_smoothing` on a triangulation: points move straight on over its faces.
 class Surface_smoothing_domain
 {
 public:
   using Point = Face_point;
-  using Measures = Cut_locus_indicators<Open_triangulation>;
+  using Measures = Cut_locus_indicators<Triangulated_surface>;
 
   /// \param measures is referred to and must outlive this object
   explicit Surface_smoothing_domain(const Measures& measures) : m_measures(measures), m_walk(measures.frames()) {}
@@ -49,7 +49,7 @@ private:
   /// The mean unit gradient of the faces around `vertex`, in space; short where they disagree, as on the ridge.
   Vector_3 vertex_gradient(Index vertex) const
   {
-    const Open_triangulation& surface = m_measures.frames().triangulation();
+    const Triangulated_surface& surface = m_measures.frames().triangulation();
     Vector_3 sum = Vector_3::Zero();
     double number = 0;
     m_measures.frames().for_each_outgoing(vertex, [&](Index h) {
@@ -59,7 +59,7 @@ private:
       }
       const std::complex<double> local = m_measures.face_direction(h) / corner.turn;
       const Vector_3 x = (surface.point(surface.target(h)) - surface.point(vertex)) / corner.length;
-      const Index last = Open_triangulation::previous(h);
+      const Index last = Triangulated_surface::previous(h);
       const Vector_3 incident_edge = surface.point(surface.origin(last)) - surface.point(vertex);
       const Vector_3 y = (incident_edge - incident_edge.dot(x) * x).normalized();
       sum += local.real() * x + local.imag() * y;
@@ -79,7 +79,7 @@ struct Cloud_point
   Vector_3 position;
 };
 
-/// The ground of `Cut_locus_smoothing` on a point complex: points move freely, and then back to the surface that the
+/// The domain of `Cut_locus_smoothing` on a point complex: points move freely, and then back to the surface that the
 /// tangent planes of the nearest vertex and its neighbors make.
 class Point_smoothing_domain
 {
@@ -98,7 +98,7 @@ public:
   Cloud_point moved(const Cloud_point& point, const Vector_3& displacement) const
   {
     Cloud_point result{point.nearest, point.position + displacement};
-    result.nearest = nearest(result);
+    result.nearest = descend_to_nearest(m_complex, result.position, point.nearest, [](Index, Index) { return true; });
     Vector_3 normal = Vector_3::Zero();
     double height = 0;
     for_each_weight(result, [&](Index vertex, double weight) {
@@ -123,26 +123,8 @@ public:
   }
 
 private:
-  /// Where what a vertex says has fallen to 1/e, in mean edge lengths: about the distance of the neighbors.
+  /// Where the weight of a vertex has fallen to 1/e, in mean edge lengths: about the distance of the neighbors.
   static constexpr double reach = 1;
-
-  /// Goes from the vertex nearest so far to nearer neighbors.
-  Index nearest(const Cloud_point& point) const
-  {
-    Index vertex = point.nearest;
-    double least = (m_complex.point(vertex) - point.position).squaredNorm();
-    for (Index center = no_index; center != vertex;) {
-      center = vertex;
-      for (const Index h : m_complex.outgoing(center)) {
-        const double distance = (m_complex.point(m_complex.target(h)) - point.position).squaredNorm();
-        if (distance < least) {
-          least = distance;
-          vertex = m_complex.target(h);
-        }
-      }
-    }
-    return vertex;
-  }
 
   /// Calls `function(vertex, weight)` for the nearest vertex and its neighbors; the weights add up to 1.
   template <class Function>

@@ -16,18 +16,11 @@
 
 namespace CSCD::internal {
 
-/// A point of a face: the sum of its corners, the origins of its halfedges in order, by barycentric weights.
-struct Face_point
-{
-  Index face = no_index;
-  std::array<double, 3> weights{};
-};
-
 /// Moves points along geodesics of a triangulation, step by step from face to face.
 class Surface_walk
 {
 public:
-  using Frames = Tangent_frames<Open_triangulation>;
+  using Frames = Tangent_frames<Triangulated_surface>;
 
   /// \param frames is referred to and must outlive this object
   explicit Surface_walk(const Frames& frames) : m_frames(frames), m_surface(frames.triangulation()) {}
@@ -47,7 +40,7 @@ public:
     Face_point result;
     m_frames.for_each_outgoing(vertex, [&](Index h) {
       if (result.face == no_index) {
-        result.face = Open_triangulation::face(h);
+        result.face = Triangulated_surface::face(h);
         result.weights[h % 3] = 1;
       }
     });
@@ -94,7 +87,7 @@ private:
     const Vector_3 normal = face_vector(face);
     std::array<double, 3> rates{};
     for (Index k = 0; k < 3; ++k) {
-      rates[k] = normal.cross(edge(Open_triangulation::next(3 * face + k))).dot(direction) / normal.squaredNorm();
+      rates[k] = normal.cross(edge(Triangulated_surface::next(3 * face + k))).dot(direction) / normal.squaredNorm();
     }
     return rates;
   }
@@ -108,7 +101,7 @@ private:
       if (m_frames.corner(h).sine == 0) {
         return;
       }
-      const Index face = Open_triangulation::face(h);
+      const Index face = Triangulated_surface::face(h);
       const std::array<double, 3> rates = weight_rates(face, direction);
       // Into the face, the weights of both other corners grow.
       const double outflow = -std::min(rates[(h + 1) % 3], rates[(h + 2) % 3]);
@@ -136,12 +129,12 @@ private:
     for (Index k = 0; k < 3; ++k) {
       if (rates[k] < 0 && at.weights[k] < -rates[k] * time) {
         time = at.weights[k] / -rates[k];
-        exit = Open_triangulation::next(3 * at.face + k);
+        exit = Triangulated_surface::next(3 * at.face + k);
       }
     }
     double sum = 0;
     for (Index k = 0; k < 3; ++k) {
-      const bool is_zero = exit != no_index && Open_triangulation::previous(exit) == 3 * at.face + k;
+      const bool is_zero = exit != no_index && Triangulated_surface::previous(exit) == 3 * at.face + k;
       at.weights[k] = is_zero ? 0 : std::max(0., at.weights[k] + time * rates[k]);
       sum += at.weights[k];
     }
@@ -162,18 +155,18 @@ private:
     }
     const Vector_3 along = edge(exit).normalized();
     const double outwards = displacement.dot(along.cross(face_vector(at.face).normalized()));
-    const Index face = Open_triangulation::face(twin);
+    const Index face = Triangulated_surface::face(twin);
     const Vector_3 inwards = along.cross(face_vector(face).normalized());
     displacement = displacement.dot(along) * along + outwards * inwards;
     const double weight = at.weights[exit % 3];
     at = {face, {}};
-    at.weights[Open_triangulation::next(twin) % 3] = weight;
+    at.weights[Triangulated_surface::next(twin) % 3] = weight;
     at.weights[twin % 3] = 1 - weight;
     return true;
   }
 
   const Frames& m_frames;
-  const Open_triangulation& m_surface;
+  const Triangulated_surface& m_surface;
 };
 
 } // namespace CSCD::internal

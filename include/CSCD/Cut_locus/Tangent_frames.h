@@ -29,8 +29,8 @@ namespace CSCD::internal {
 ///         `number_of_vertices()`, `number_of_halfedges()`, `number_of_faces()`, static `next(h)`, `previous(h)` and
 ///         `face(h)`, and `origin(h)`, `target(h)`, `twin(h)`, which is `no_index` on a border, and `length(h)`: so it
 ///         may be intrinsic, with several edges between two vertices, and edges from a vertex to itself. The faces
-///         around each vertex form one fan. Faces for which there is a member `is_hole_filling(f)` that says so are no part
-///         of the surface.
+///         around each vertex form one fan. Faces for which there is a member `is_hole_filling(f)` that says so are no
+///         part of the surface.
 template <class Triangulation>
 class Tangent_frames
 {
@@ -129,7 +129,10 @@ public:
 private:
   Index next_around_origin(Index halfedge) const { return m_triangulation.twin(m_triangulation.previous(halfedge)); }
   double angle(Index halfedge) const { return std::atan2(m_corners[halfedge].sine, m_corners[halfedge].cosine); }
-  bool is_hole_filling(Index halfedge) const { return is_hole_filling_face(m_triangulation, m_triangulation.face(halfedge)); }
+  bool is_hole_filling(Index halfedge) const
+  {
+    return is_hole_filling_face(m_triangulation, m_triangulation.face(halfedge));
+  }
 
   void measure_corners()
   {

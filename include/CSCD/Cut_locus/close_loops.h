@@ -154,7 +154,8 @@ private:
 /// sphere with one source. Fronts may meet there at any angle, even at one that no threshold would notice.
 /// O(m log m) for m faces.
 template <class Triangulation>
-std::vector<char> find_loop_vertices(const Cut_locus_indicators<Triangulation>& measures, const std::vector<Index>& sources)
+std::vector<char> find_loop_vertices(const Cut_locus_indicators<Triangulation>& measures,
+                                     const std::vector<Index>& sources)
 {
   const Triangulation& triangulation = measures.frames().triangulation();
   const auto never = [](Index) { return false; };

@@ -1,20 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances on a triangle mesh: prepared once, asked often.
+// Geodesic distances on a triangle mesh: prepared once, estimated from many sources.
 
 #ifndef CSCD_GEODESIC_GEODESIC_DISTANCE_ESTIMATOR_H
 #define CSCD_GEODESIC_GEODESIC_DISTANCE_ESTIMATOR_H
 
-#include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
+#include <CSCD/Geodesic/Prepared_distances.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
-#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -104,10 +98,8 @@ public:
   template <class SourceRange, class VertexDistanceMap>
   void estimate(const SourceRange& sources, VertexDistanceMap distances) const
   {
-    Heat_method::Workspace workspace;
-    internal::Heat_field field;
-    m_method(collect_sources(sources), field, workspace);
-    write(sources, field, distances);
+    m_distances.estimate_each({collect_sources(sources)},
+                              [&](std::size_t, const std::vector<double>& field) { write(sources, field, distances); });
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
@@ -119,30 +111,19 @@ public:
   template <class SourceSetRange, class DistanceMapRange>
   void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
   {
-    std::vector<std::vector<internal::Geodesic_source>> collected;
-    collected.reserve(std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
+    std::vector<std::vector<internal::Distance_source>> collected;
     for (const auto& sources : source_sets) {
       collected.push_back(collect_sources(sources));
     }
     CGAL_precondition(collected.size() ==
                       std::size_t(std::distance(std::begin(distance_maps), std::end(distance_maps))));
-    Heat_method::Workspace workspace;
-    std::vector<internal::Heat_field> fields;
-    std::vector<std::vector<internal::Geodesic_source>> batch;
     auto sources = std::begin(source_sets);
     auto map = std::begin(distance_maps);
-    for (std::size_t begin = 0; begin < collected.size(); begin += Heat_method::batch_size) {
-      const std::size_t end = std::min(begin + Heat_method::batch_size, collected.size());
-      batch.assign(collected.begin() + std::ptrdiff_t(begin), collected.begin() + std::ptrdiff_t(end));
-      m_method(batch, fields, workspace);
-      for (const internal::Heat_field& field : fields) {
-        write(*sources++, field, *map++);
-      }
-    }
+    m_distances.estimate_each(collected,
+                              [&](std::size_t, const std::vector<double>& field) { write(*sources++, field, *map++); });
   }
 
 private:
-  using Heat_method = internal::Heat_method;
   using Vertex_number_map =
       typename boost::property_map<TriangleMesh, CGAL::dynamic_vertex_property_t<Index>>::const_type;
   using Face_number_map = typename boost::property_map<TriangleMesh, CGAL::dynamic_face_property_t<Index>>::const_type;
@@ -152,8 +133,7 @@ private:
       : m_mesh(&mesh), m_vertex_numbers(get(CGAL::dynamic_vertex_property_t<Index>(), mesh)),
         m_face_numbers(get(CGAL::dynamic_face_property_t<Index>(), mesh)),
         m_normalization(normalize_extent(collected.triangles.points)),
-        m_surface(closed(std::move(collected.triangles), collected.pairing)),
-        m_method(internal::make_intrinsic_delaunay(m_surface, m_surface.first_hole_filling_face()), time_step_factor)
+        m_distances(std::move(collected.triangles), collected.pairing, time_step_factor)
   {
     CGAL_precondition(time_step_factor > 0);
     for (const Vertex_descriptor vertex : vertices(mesh)) {
@@ -168,30 +148,23 @@ private:
     }
   }
 
-  static Triangulated_surface closed(Indexed_triangles&& triangles,
-                                               const Halfedge_pairing& pairing)
-  {
-    internal::bridge_borders(triangles, pairing);
-    return Triangulated_surface(std::move(triangles));
-  }
-
   template <class SourceRange>
-  std::vector<internal::Geodesic_source> collect_sources(const SourceRange& sources) const
+  std::vector<internal::Distance_source> collect_sources(const SourceRange& sources) const
   {
-    std::vector<internal::Geodesic_source> result;
+    std::vector<internal::Distance_source> result;
     for (const auto& source : sources) {
       if constexpr (std::is_convertible_v<decltype(source), Vertex_descriptor>) {
         const Index vertex = get(m_vertex_numbers, Vertex_descriptor(source));
         if (vertex != no_index) {
-          result.push_back(internal::Geodesic_source::at_vertex(vertex));
+          result.push_back({vertex, no_index, {}});
         }
       } else {
         const Face_location& location = source;
         check(location);
-        // The first corner of a face of ours is the target of the halfedge.
-        const std::array<double, 3> coordinates{location.second[1], location.second[2], location.second[0]};
-        result.push_back(
-            internal::Geodesic_source::in_face(m_surface, get(m_face_numbers, location.first), coordinates));
+        // Triangles are collected from the target of the face's halfedge on.
+        result.push_back({no_index,
+                          get(m_face_numbers, location.first),
+                          {location.second[1], location.second[2], location.second[0]}});
       }
     }
     return result;
@@ -199,7 +172,7 @@ private:
 
   static void check(const Face_location& location)
   {
-    // Rounding makes up less, people's typing errors more.
+    // More than rounding, less than an error in a typed number.
     constexpr double tolerance = 1e-6;
     const auto [a, b, c] = location.second;
     if (!(std::min({a, b, c}) >= -tolerance && std::fabs(a + b + c - 1) <= tolerance)) {
@@ -208,13 +181,12 @@ private:
   }
 
   template <class SourceRange, class VertexDistanceMap>
-  void write(const SourceRange& sources, const internal::Heat_field& field, VertexDistanceMap distances) const
+  void write(const SourceRange& sources, const std::vector<double>& field, VertexDistanceMap distances) const
   {
     for (const Vertex_descriptor vertex : vertices(*m_mesh)) {
       const Index i = get(m_vertex_numbers, vertex);
       put(distances, vertex,
-          i == no_index ? std::numeric_limits<double>::infinity()
-                                  : m_normalization.unit * std::max(field.distances[i], 0.));
+          i == no_index ? std::numeric_limits<double>::infinity() : m_normalization.unit * std::max(field[i], 0.));
     }
     if constexpr (std::is_convertible_v<decltype(*std::begin(sources)), Vertex_descriptor>) {
       for (const Vertex_descriptor source : sources) {
@@ -228,8 +200,7 @@ private:
   Vertex_number_map m_vertex_numbers; // `no_index` for a vertex without a face
   Face_number_map m_face_numbers;
   Normalization m_normalization;
-  Triangulated_surface m_surface;
-  Heat_method m_method;
+  internal::Prepared_distances m_distances;
 };
 
 } // namespace CSCD

@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances on a point set: prepared once, asked often.
+// Geodesic distances on a point set: prepared once, estimated from many sources.
 
 #ifndef CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 #define CSCD_GEODESIC_POINT_SET_DISTANCE_ESTIMATOR_H
 
-#include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
-#include <CSCD/Geodesic/Tufted_cover.h>
+#include <CSCD/Geodesic/Prepared_distances.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Surface/build_point_complex.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 
@@ -77,7 +73,7 @@ public:
   explicit Point_set_distance_estimator(const PointRange& points,
                                         const NamedParameters& np = parameters::default_values())
       : Point_set_distance_estimator(
-            points, collect(points, np),
+            points, internal::collect_points_of(points, np),
             double(parameters::choose_parameter(parameters::get_parameter(np, internal_np::time_step_factor), 1.)))
   {
     internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
@@ -93,10 +89,8 @@ public:
   template <class SourceRange, class PointDistanceMap>
   void estimate(const SourceRange& sources, PointDistanceMap distances) const
   {
-    Heat_method::Workspace workspace;
-    internal::Heat_field field;
-    m_method(collect_sources(sources), field, workspace);
-    write(field, distances);
+    m_distances.estimate_each({collect_sources(sources)},
+                              [&](std::size_t, const std::vector<double>& field) { write(field, distances); });
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
@@ -107,103 +101,49 @@ public:
   template <class SourceSetRange, class DistanceMapRange>
   void estimate_each(const SourceSetRange& source_sets, const DistanceMapRange& distance_maps) const
   {
-    Heat_method::Workspace workspace;
-    std::vector<internal::Heat_field> fields;
-    std::vector<std::vector<internal::Geodesic_source>> batch;
-    auto sources = std::begin(source_sets);
+    std::vector<std::vector<internal::Distance_source>> collected;
+    for (const auto& sources : source_sets) {
+      collected.push_back(collect_sources(sources));
+    }
     auto map = std::begin(distance_maps);
-    while (sources != std::end(source_sets)) {
-      batch.clear();
-      while (sources != std::end(source_sets) && batch.size() < Heat_method::batch_size) {
-        batch.push_back(collect_sources(*sources++));
-      }
-      m_method(batch, fields, workspace);
-      for (const internal::Heat_field& field : fields) {
-        CGAL_precondition(map != std::end(distance_maps));
-        write(field, *map++);
-      }
-    }
-  }
-
-private:
-  using Heat_method = internal::Heat_method;
-
-  Point_set_distance_estimator(const PointRange& points, Point_cloud&& cloud, double time_step_factor)
-      : m_unit(cloud.normalization.unit), m_method(prepare(cloud, time_step_factor)),
-        m_vertex(std::move(cloud.input_point))
-  {
-    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      m_descriptors.assign(points.begin(), points.end());
-      for (Index i = 0; i < m_descriptors.size(); ++i) {
-        const std::size_t number = m_descriptors[i];
-        m_number.resize(std::max(m_number.size(), number + 1), no_index);
-        m_number[number] = i;
-      }
-    }
-  }
-
-  template <class NamedParameters>
-  static Point_cloud collect(const PointRange& points, const NamedParameters& np)
-  {
-    const auto point_map = internal::point_map(points, np);
-    return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
-      if constexpr (sizeof...(normal_map) == 0) {
-        return internal::collect_points(points, point_map, internal::No_normals());
-      } else {
-        return internal::collect_points(points, point_map, normal_map...);
-      }
+    m_distances.estimate_each(collected, [&](std::size_t, const std::vector<double>& field) {
+      CGAL_precondition(map != std::end(distance_maps));
+      write(field, *map++);
     });
   }
 
-  static Heat_method prepare(const Point_cloud& cloud, double time_step_factor)
+private:
+  Point_set_distance_estimator(const PointRange& points, Point_cloud&& cloud, double time_step_factor)
+      : m_unit(cloud.normalization.unit), m_distances(cloud, time_step_factor), m_vertex(std::move(cloud.input_point)),
+        m_numbering(points)
   {
     CGAL_precondition(time_step_factor > 0);
-    const Point_complex complex = internal::build_point_complex(cloud);
-    const internal::Tufted_cover cover(complex);
-    return Heat_method(internal::make_intrinsic_delaunay(cover), time_step_factor);
-  }
-
-  /// The number of the point in the order of iteration.
-  Index number(const Point_descriptor& point) const
-  {
-    if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-      CGAL_precondition(std::size_t(point) < m_number.size() && m_number[point] != no_index);
-      return m_number[point];
-    } else {
-      CGAL_precondition(point < m_vertex.size());
-      return Index(point);
-    }
   }
 
   template <class SourceRange>
-  std::vector<internal::Geodesic_source> collect_sources(const SourceRange& sources) const
+  std::vector<internal::Distance_source> collect_sources(const SourceRange& sources) const
   {
-    std::vector<internal::Geodesic_source> result;
+    std::vector<internal::Distance_source> result;
     for (const auto& source : sources) {
-      result.push_back(internal::Geodesic_source::at_vertex(m_vertex[number(source)]));
+      const Index number = m_numbering.number(source);
+      CGAL_precondition(number != no_index);
+      result.push_back({m_vertex[number], no_index, {}});
     }
     return result;
   }
 
   template <class PointDistanceMap>
-  void write(const internal::Heat_field& field, PointDistanceMap distances) const
+  void write(const std::vector<double>& field, PointDistanceMap distances) const
   {
     for (Index i = 0; i < m_vertex.size(); ++i) {
-      const double distance = m_unit * std::max(field.distances[m_vertex[i]], 0.);
-      if constexpr (internal::Is_range_of_indices<PointRange>::value) {
-        put(distances, m_descriptors[i], distance);
-      } else {
-        put(distances, std::size_t(i), distance);
-      }
+      put(distances, m_numbering.descriptor(i), m_unit * std::max(field[m_vertex[i]], 0.));
     }
   }
 
   double m_unit;
-  Heat_method m_method;
+  internal::Prepared_distances m_distances;
   std::vector<Index> m_vertex; // of the complex, for every point in the order of iteration
-  // Only of a range of indices:
-  std::vector<Point_descriptor> m_descriptors; // in the order of iteration
-  std::vector<Index> m_number;                 // of every index, the place in this order
+  internal::Point_numbering<PointRange> m_numbering;
 };
 
 } // namespace CSCD

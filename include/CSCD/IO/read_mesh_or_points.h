@@ -6,13 +6,9 @@
 #ifndef CSCD_IO_READ_MESH_OR_POINTS_H
 #define CSCD_IO_READ_MESH_OR_POINTS_H
 
-#include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/exceptions.h>
 
 #include <istream>
 #include <optional>
@@ -21,21 +17,6 @@
 #include <vector>
 
 namespace CSCD {
-namespace internal {
-
-/// The format of a mesh that `ending` names. \throw File_error if it names none; the message names all that can be read
-inline Mesh_format mesh_format_among_all(const std::string& ending)
-{
-  try {
-    return mesh_format(ending);
-  } catch (const File_error&) {
-    throw File_error(ending +
-                     ": the ending names no known format; use one of .off .obj .ply .stl for meshes, .xyz .pwn "
-                     ".pts .ply .off for points");
-  }
-}
-
-} // namespace internal
 
 /// reads a stream that holds a triangle mesh, or points, if it has no faces.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
@@ -45,7 +26,7 @@ inline Mesh_format mesh_format_among_all(const std::string& ending)
 /// \param name what to call the stream in messages
 /// \param mesh is replaced if there are faces
 /// \param points, normals are replaced if there are none
-/// \return what was mended, if there are faces
+/// \return what was repaired, if there are faces
 /// \throw File_error if the stream cannot be read, is malformed, or has neither faces nor points
 /// \throw Input_error if the faces cannot be made a surface
 template <class TriangleMesh, class Point, class Vector>
@@ -53,11 +34,7 @@ std::optional<Mesh_repair_report> read_mesh_or_points(std::istream& in, const st
                                                       const std::string& name, TriangleMesh& mesh,
                                                       std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  const std::optional<Point_format> points_only = find_point_format(format);
-  const std::string content = internal::read_content(in, name);
-  internal::Polygon_soup soup =
-      points_only ? internal::parse_points(content, *points_only, name)
-                  : internal::parse_polygon_soup(content, internal::mesh_format_among_all(format), name);
+  internal::Polygon_soup soup = internal::read_polygons_or_points(in, format, name);
   if (soup.number_of_polygons() == 0) {
     internal::convert_to_points(soup, points, normals);
     return std::nullopt;

@@ -8,16 +8,10 @@
 
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/parse_off.h>
-#include <CSCD/IO/internal/parse_ply.h>
-#include <CSCD/IO/internal/parse_points.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 
 #include <istream>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,21 +19,10 @@ namespace CSCD {
 
 namespace internal {
 
-/// Reads the points of a file of which `content` is the content, and its faces, if it has any.
-/// \throw File_error if it is malformed or has no points
-inline Polygon_soup parse_points(std::string_view content, Point_format format, const std::string& filename)
-{
-  if (content.empty()) {
-    throw File_error(filename + ": the file is empty; fetch or write it again");
-  }
-  Polygon_soup soup = format == Point_format::off   ? parse_off(content, filename)
-                      : format == Point_format::ply ? parse_ply(content, filename)
-                                                    : parse_xyz(content, filename);
-  if (soup.points.empty()) {
-    throw File_error(filename + ": the file has no points; fetch or write it again");
-  }
-  return soup;
-}
+/// Reads the points of a file, and its faces, if it has any.
+/// \throw File_error if it cannot be read, is malformed or has no points
+Polygon_soup read_point_soup(const std::string& filename);
+Polygon_soup read_point_soup(std::istream& in, Point_format format, const std::string& name);
 
 /// Writes points and normals to ranges of any type.
 template <class Point, class Vector>
@@ -68,9 +51,7 @@ void convert_to_points(const Polygon_soup& soup, std::vector<Point>& points, std
 template <class Point, class Vector>
 void read_points(const std::string& filename, std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  const Point_format format = point_format(filename);
-  internal::convert_to_points(internal::parse_points(internal::read_content(filename), format, filename), points,
-                              normals);
+  internal::convert_to_points(internal::read_point_soup(filename), points, normals);
 }
 
 /// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
@@ -79,9 +60,13 @@ template <class Point, class Vector>
 void read_points(std::istream& in, Point_format format, const std::string& name, std::vector<Point>& points,
                  std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::parse_points(internal::read_content(in, name), format, name), points, normals);
+  internal::convert_to_points(internal::read_point_soup(in, format, name), points, normals);
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/read_points_impl.h>
+#endif
 
 #endif // CSCD_IO_READ_POINTS_H

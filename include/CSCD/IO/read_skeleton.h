@@ -6,23 +6,15 @@
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
 
-#include <CSCD/IO/internal/parse_json_skeleton.h>
-#include <CSCD/IO/internal/parse_ply_edges.h>
-#include <CSCD/IO/internal/parse_skeleton_text.h>
-#include <CSCD/IO/internal/read_content.h>
-#include <CSCD/IO/internal/skeleton_access.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 
 #include <boost/graph/graph_traits.hpp>
 
-#include <array>
 #include <cstddef>
 #include <istream>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,10 +23,10 @@ namespace CSCD {
 
 namespace internal {
 
-/// The parsers, in the order of `skeleton_endings`.
-inline constexpr std::array<Indexed_skeleton (*)(std::string_view, const std::string&), number_of_read_skeleton_endings>
-    skeleton_parsers{parse_gel_graph, parse_json_skeleton, parse_obj_lines,
-                     parse_ply_edges, parse_polylines,     parse_swc};
+/// Reads the skeleton that a file holds.
+/// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
+Indexed_skeleton read_indexed_skeleton(const std::string& filename);
+Indexed_skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Makes a graph of `indexed`, nodes and edges in their order.
 template <class Skeleton>
@@ -59,14 +51,6 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
   return result;
 }
 
-inline Indexed_skeleton parse_skeleton(std::string_view content, std::size_t ending, const std::string& filename)
-{
-  if (content.empty()) {
-    throw File_error(filename + ": the file is empty; fetch or write it again");
-  }
-  return skeleton_parsers[ending](content, filename);
-}
-
 } // namespace internal
 
 /// reads the skeleton that the file `filename` holds, in the format that its ending names:
@@ -77,8 +61,9 @@ inline Indexed_skeleton parse_skeleton(std::string_view content, std::size_t end
 /// - `.polylines.txt`, as CGAL's examples write it: points with equal coordinates are one node;
 /// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges.
 ///
-/// Edges from a node to itself and repeated edges are left out. Nodes have no sites, and radius 0 where the file holds
-/// none. What `write_skeleton()` writes is read back exactly, but for the sites; nodes and edges keep their order in
+/// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
+/// are 0 where the file holds none. What `write_skeleton()` writes of nodes and edges is read back exactly; they keep
+/// their order in
 /// `.graph`, `.json` and `.ply`. Expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose points can be made of three coordinates
 /// \param skeleton is replaced; when an exception is thrown it is as it was
@@ -87,9 +72,7 @@ inline Indexed_skeleton parse_skeleton(std::string_view content, std::size_t end
 template <class Skeleton>
 bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 {
-  const std::size_t ending = internal::readable_skeleton_ending(filename);
-  const internal::Indexed_skeleton indexed =
-      internal::parse_skeleton(internal::read_content(filename), ending, filename);
+  const internal::Indexed_skeleton indexed = internal::read_indexed_skeleton(filename);
   skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
   return indexed.has_radii();
 }
@@ -100,19 +83,19 @@ bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 template <class Skeleton>
 bool read_skeleton(std::istream& in, const std::string& ending, const std::string& name, Skeleton& skeleton)
 {
-  const std::size_t number = internal::readable_skeleton_ending(ending);
-  const internal::Indexed_skeleton indexed = internal::parse_skeleton(internal::read_content(in, name), number, name);
+  const internal::Indexed_skeleton indexed = internal::read_indexed_skeleton(in, ending, name);
   skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
   return indexed.has_radii();
 }
 
 /// checks that `read_skeleton()` knows the ending of `filename`, before anything else is done.
 /// \throw File_error if not
-inline void check_readable_skeleton_filename(const std::string& filename)
-{
-  internal::readable_skeleton_ending(filename);
-}
+void check_readable_skeleton_filename(const std::string& filename);
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/read_skeleton_impl.h>
+#endif
 
 #endif // CSCD_IO_READ_SKELETON_H

@@ -1,79 +1,206 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangle meshes from files, mended where they need it.
+// Triangle meshes from files, repaired where they need it.
 
 #ifndef CSCD_IO_READ_TRIANGLE_MESH_H
 #define CSCD_IO_READ_TRIANGLE_MESH_H
 
 #include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/Mesh_repair_report.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Triangle_mesh_builder.h>
-#include <CSCD/IO/internal/parse_obj.h>
-#include <CSCD/IO/internal/parse_off.h>
-#include <CSCD/IO/internal/parse_ply.h>
-#include <CSCD/IO/internal/parse_stl.h>
-#include <CSCD/IO/internal/read_content.h>
-#include <CSCD/IO/internal/repair_triangle_soup.h>
-#include <CSCD/IO/internal/triangulate_polygon_soup.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
-#include <CSCD/Surface/Surface_components.h>
-#include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/exceptions.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/counted.h>
 
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
 #include <istream>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace CSCD {
 
+/// What `read_triangle_mesh()` did so that the polygons of a file became an oriented manifold triangle mesh.
+struct Mesh_repair_report
+{
+  std::size_t number_of_triangulated_polygons = 0; ///< faces of more than three vertices, cut into triangles
+  std::size_t number_of_merged_points = 0;         ///< points that repeated the position of another one
+  std::size_t number_of_removed_faces = 0;         ///< triangles that named a vertex twice or repeated another triangle
+  std::size_t number_of_removed_points = 0;        ///< points left without any face by the repair
+  std::size_t number_of_turned_faces = 0;          ///< triangles turned to agree with their neighbors
+  std::size_t number_of_duplicated_points = 0;     ///< points doubled where the surface was not a manifold
+  std::size_t number_of_turned_components = 0;     ///< closed components turned inside out, as they faced inwards
+
+  /// Whether the mesh is the file's, face by face.
+  bool is_empty() const { return sentences().empty(); }
+
+  /// What was done, a sentence each, without a full stop.
+  std::vector<std::string> sentences() const
+  {
+    std::vector<std::string> result;
+    const auto add = [&result](std::size_t count, const char* one, const char* many) {
+      if (count > 0) {
+        result.push_back(internal::counted(count, one, many));
+      }
+    };
+    add(number_of_triangulated_polygons, "polygon triangulated", "polygons triangulated");
+    add(number_of_merged_points, "duplicate point merged", "duplicate points merged");
+    add(number_of_removed_faces, "degenerate or duplicate face removed", "degenerate or duplicate faces removed");
+    add(number_of_removed_points, "point without faces removed", "points without faces removed");
+    add(number_of_turned_faces, "face turned to agree with its neighbors",
+        "faces turned to agree with their neighbors");
+    add(number_of_duplicated_points, "point duplicated where the surface is not a manifold",
+        "points duplicated where the surface is not a manifold");
+    add(number_of_turned_components, "component turned outwards", "components turned outwards");
+    return result;
+  }
+};
+
 namespace internal {
 
-/// Reads the polygons of a file of which `content` is the content.
-/// \throw File_error if it is malformed or has no polygons
-inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format format, const std::string& filename)
+/// The triangles of a file, an oriented manifold.
+struct Manifold_triangles
 {
-  if (content.empty()) {
-    throw File_error(filename + ": the file is empty; fetch or write it again");
+  Indexed_triangles triangles;
+  Halfedge_pairing pairing;
+  Mesh_repair_report report;
+};
+
+/// Reads the polygons of a file.
+/// \throw File_error if it cannot be read, is malformed or has no polygons
+Polygon_soup read_polygons(const std::string& filename);
+Polygon_soup read_polygons(std::istream& in, Mesh_format format, const std::string& name);
+
+/// Reads the polygons or the points of a stream in the format that `ending` names.
+/// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
+Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name);
+
+/// Cuts polygons into triangles and repairs these.
+/// \param filename for messages
+/// \throw Input_error if they are too many or cannot be made a surface
+Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename);
+
+/// Builds a mesh from triangles whose neighbours are known, in linear time; `CGAL::Euler::add_faces()` looks for them
+/// once more, at several times the cost.
+template <class TriangleMesh>
+class Triangle_mesh_builder
+{
+public:
+  Triangle_mesh_builder(const Indexed_triangles& triangles, const Halfedge_pairing& pairing, TriangleMesh& mesh)
+      : m_triangles(triangles), m_pairing(pairing), m_mesh(mesh)
+  {
   }
-  Polygon_soup soup = format == Mesh_format::off   ? parse_off(content, filename)
-                      : format == Mesh_format::obj ? parse_obj(content, filename)
-                      : format == Mesh_format::ply ? parse_ply(content, filename)
-                                                   : parse_stl(content, filename);
-  if (soup.number_of_polygons() == 0) {
-    throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
+
+  void build()
+  {
+    CGAL::clear(m_mesh);
+    reserve(m_mesh, static_cast<typename Graph_traits::vertices_size_type>(m_triangles.points.size()),
+            static_cast<typename Graph_traits::edges_size_type>(number_of_edges()),
+            static_cast<typename Graph_traits::faces_size_type>(m_triangles.faces.size()));
+    add_vertices();
+    add_edges();
+    add_faces();
+    link_borders();
   }
-  return soup;
-}
+
+private:
+  using Graph_traits = boost::graph_traits<TriangleMesh>;
+  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
+  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
+  using face_descriptor = typename Graph_traits::face_descriptor;
+
+  Index origin(Index side) const { return m_triangles.faces[side / 3][side % 3]; }
+
+  std::size_t number_of_edges() const
+  {
+    std::size_t number = 0;
+    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
+      number += m_pairing.twin(side) > side ? 1 : 0;
+    }
+    return number;
+  }
+
+  void add_vertices()
+  {
+    auto point_map = get(CGAL::vertex_point, m_mesh);
+    using Point = typename boost::property_traits<decltype(point_map)>::value_type;
+    m_vertices.reserve(m_triangles.points.size());
+    for (const Vector_3& p : m_triangles.points) {
+      m_vertices.push_back(add_vertex(m_mesh));
+      put(point_map, m_vertices.back(), Point(p.x(), p.y(), p.z()));
+    }
+  }
+
+  void add_edges()
+  {
+    m_halfedges.resize(3 * m_triangles.faces.size());
+    m_border_from.assign(m_triangles.points.size(), Graph_traits::null_halfedge());
+    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
+      const Index other = m_pairing.twin(side);
+      if (other < side) {
+        continue; // this edge stands already
+      }
+      const halfedge_descriptor h = halfedge(add_edge(m_mesh), m_mesh);
+      m_halfedges[side] = h;
+      set_target(h, m_vertices[origin(Halfedge_pairing::next(side))], m_mesh);
+      set_target(opposite(h, m_mesh), m_vertices[origin(side)], m_mesh);
+      if (other != no_index) {
+        m_halfedges[other] = opposite(h, m_mesh);
+      } else {
+        set_face(opposite(h, m_mesh), Graph_traits::null_face(), m_mesh);
+        m_border_from[origin(Halfedge_pairing::next(side))] = opposite(h, m_mesh);
+      }
+    }
+  }
+
+  void add_faces()
+  {
+    for (Index side = 0; side < m_pairing.number_of_halfedges(); side += 3) {
+      const face_descriptor f = add_face(m_mesh);
+      set_halfedge(f, m_halfedges[side], m_mesh);
+      for (Index s = side; s < side + 3; ++s) {
+        set_face(m_halfedges[s], f, m_mesh);
+        set_next(m_halfedges[s], m_halfedges[Halfedge_pairing::next(s)], m_mesh);
+        set_halfedge(m_vertices[origin(Halfedge_pairing::next(s))], m_halfedges[s], m_mesh);
+      }
+    }
+  }
+
+  /// Links borders; a vertex on a border refers to the halfedge on it, as `Surface_mesh` wants it.
+  void link_borders()
+  {
+    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
+      if (m_pairing.twin(side) == no_index) {
+        const Index target = origin(side);
+        const halfedge_descriptor h = opposite(m_halfedges[side], m_mesh);
+        set_next(h, m_border_from[target], m_mesh);
+        set_halfedge(m_vertices[target], h, m_mesh);
+      }
+    }
+  }
+
+  const Indexed_triangles& m_triangles;
+  const Halfedge_pairing& m_pairing;
+  TriangleMesh& m_mesh;
+  std::vector<vertex_descriptor> m_vertices;
+  std::vector<halfedge_descriptor> m_halfedges;
+  std::vector<halfedge_descriptor> m_border_from; ///< for each vertex, the border halfedge that leaves it
+};
 
 /// Makes a mesh of the polygons of a file.
 template <class TriangleMesh>
 Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::string& filename, TriangleMesh& mesh)
 {
-  Mesh_repair_report report;
-  report.number_of_triangulated_polygons = polygons.number_of_polygons_larger_than_triangles();
-  Indexed_triangles triangles = triangulate_polygon_soup(std::move(polygons));
-  if (triangles.faces.size() > maximum_number_of_faces) {
-    throw Input_error(filename + ": the mesh has more than 2^28 triangles; simplify it first");
-  }
-  std::optional<Halfedge_pairing> pairing = pair_manifold(triangles);
-  if (!pairing || pairing->has_border()) {
-    pairing = repair_triangle_soup(triangles, report);
-  }
-  if (!pairing) {
-    throw Input_error(filename + ": the faces do not form a surface and could not be repaired; mend the mesh with a "
-                                 "modelling program");
-  }
-  if (!pairing->has_border()) {
-    Surface_components components(triangles, *pairing);
-    report.number_of_turned_components = orient_outwards(triangles, *pairing, components);
-  }
-  Triangle_mesh_builder<TriangleMesh>(triangles, *pairing, mesh).build();
-  return report;
+  const Manifold_triangles manifold = make_manifold(std::move(polygons), filename);
+  Triangle_mesh_builder<TriangleMesh>(manifold.triangles, manifold.pairing, mesh).build();
+  return manifold.report;
 }
 
 } // namespace internal
@@ -81,7 +208,7 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 /// reads the triangle mesh that the file `filename` holds, as OFF, OBJ, PLY or STL by its ending, and mends it.
 /// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
 /// coordinates are merged; if they still form no manifold, degenerate and duplicate faces are removed, faces turned to
-/// agree with their neighbours, and points duplicated where the surface is no manifold. If the surface is closed,
+/// agree with their neighbors, and points duplicated where the surface is no manifold. If the surface is closed,
 /// components that face inwards are turned. Vertices and faces are numbered as in the file, as far as nothing had to be
 /// mended; vertices without a face are kept then. Near linear.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
@@ -92,9 +219,7 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh& mesh)
 {
-  const Mesh_format format = mesh_format(filename);
-  internal::Polygon_soup soup = internal::parse_polygon_soup(internal::read_content(filename), format, filename);
-  return internal::convert_to_triangle_mesh(std::move(soup), filename, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_polygons(filename), filename, mesh);
 }
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
@@ -103,10 +228,13 @@ Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh&
 template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, const std::string& name, TriangleMesh& mesh)
 {
-  internal::Polygon_soup soup = internal::parse_polygon_soup(internal::read_content(in, name), format, name);
-  return internal::convert_to_triangle_mesh(std::move(soup), name, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_polygons(in, format, name), name, mesh);
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/read_triangle_mesh_impl.h>
+#endif
 
 #endif // CSCD_IO_READ_TRIANGLE_MESH_H

@@ -6,17 +6,28 @@
 #ifndef CSCD_IO_WRITE_DOT_H
 #define CSCD_IO_WRITE_DOT_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Boost_skeleton.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/graph/graphviz.hpp>
 #include <boost/property_map/dynamic_property_map.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <ostream>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_dot(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  const Boost_skeleton graph = boost_skeleton(skeleton);
+  boost::dynamic_properties properties = node_properties(skeleton);
+  properties.property("node_id", get(boost::vertex_index, graph));
+  boost::write_graphviz_dp(out, graph, properties);
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` in Graphviz's DOT language by Boost.Graph: nodes `0`, `1`, ... with the attributes `x`, `y`, `z`
 /// and, if they have one, `radius`. Linear.
@@ -24,11 +35,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_dot(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  boost::dynamic_properties properties = internal::node_properties(skeleton);
-  properties.property("node_id", get(boost::vertex_index, skeleton));
-  boost::write_graphviz_dp(out, skeleton, properties);
-  format.finish();
+  internal::write_dot(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,15 +6,29 @@
 #ifndef CSCD_IO_WRITE_GEL_GRAPH_H
 #define CSCD_IO_WRITE_GEL_GRAPH_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Vector_3.h>
 
 #include <ostream>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_gel_graph(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const Vector_3& point : skeleton.points) {
+    out << "n ";
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  for (const auto& [source, target] : skeleton.edges) {
+    out << "c " << source << ' ' << target << '\n';
+  }
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` in GEL's `.graph` format: a line `n x y z` for each node, then a line `c i j` for each edge, with
 /// nodes counted from 0. Linear.
@@ -22,16 +36,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_gel_graph(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-    out << "n ";
-    internal::write_coordinates(out, skeleton, v);
-    out << '\n';
-  }
-  for (auto e : boost::make_iterator_range(edges(skeleton))) {
-    out << "c " << source(e, skeleton) << ' ' << target(e, skeleton) << '\n';
-  }
-  format.finish();
+  internal::write_gel_graph(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,8 +6,8 @@
 #ifndef CSCD_IO_WRITE_GRAPHML_H
 #define CSCD_IO_WRITE_GRAPHML_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Boost_skeleton.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 
 #include <boost/graph/graphml.hpp>
 #include <boost/property_map/dynamic_property_map.hpp>
@@ -15,6 +15,18 @@
 #include <ostream>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  const boost::dynamic_properties properties = node_properties(skeleton);
+  constexpr bool has_ordered_vertices = true;
+  boost::write_graphml(out, boost_skeleton(skeleton), properties, has_ordered_vertices);
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` as GraphML by Boost.Graph: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they
 /// have one, `radius`. Linear.
@@ -22,11 +34,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_graphml(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  const boost::dynamic_properties properties = internal::node_properties(skeleton);
-  constexpr bool has_ordered_vertices = true;
-  boost::write_graphml(out, skeleton, properties, has_ordered_vertices);
-  format.finish();
+  internal::write_graphml(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,77 +6,100 @@
 #ifndef CSCD_IO_WRITE_HTML_PAGE_H
 #define CSCD_IO_WRITE_HTML_PAGE_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/Html_page_data.h>
-#include <CSCD/IO/internal/html_page_template.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
 
-#include <cstdint>
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <array>
+#include <cstddef>
 #include <ostream>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace CSCD {
 
+/// The points of a point set, and where the surface was repaired.
+template <class Point>
+struct Html_page_cloud
+{
+  /// The first vertices of the mesh are the points; 0 for a mesh that is no such surface.
+  std::size_t number_of_points = 0;
+  std::vector<Point> cut_handles; ///< where handles were cut
+  std::vector<Point> joined_gaps; ///< where fragments were joined
+};
+
 namespace internal {
 
-inline void write_html_page_counts(std::ostream& out, const Html_page_data& data)
+/// What the page shows, in the coordinates of the input.
+struct Html_page_content
 {
-  out << "\"counts\": {\"vertices\": " << data.positions.size() / 3 << ", \"triangles\": " << data.triangles.size() / 3
-      << ", \"nodes\": " << data.node_positions.size() / 3 << ", \"edges\": " << data.edges.size() / 2
-      << ", \"branches\": " << data.number_of_branches << ", \"tips\": " << data.number_of_tips
-      << ", \"junctions\": " << data.number_of_junctions << ", \"cycles\": " << data.number_of_cycles
-      << ", \"separators\": " << data.separator_offsets.size() - 1 << ", \"points\": " << data.number_of_cloud_points
-      << '}';
-}
+  std::vector<Vector_3> points; ///< of the mesh
+  std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> node_of_vertex; ///< `no_index` for vertices of no node
+  Indexed_skeleton skeleton;
+  bool has_radius = false;
+  std::vector<std::vector<Vector_3>> separators;
+  Html_page_cloud<Vector_3> cloud;
+};
 
-/// The letter by which the page's script chooses the type of a typed array.
-constexpr char html_page_array_type(float)
+/// The arguments of `CSCD::write_html_page()`, as far as their types vary, in flat arrays.
+template <class TriangleMesh, class Skeleton, class Point>
+Html_page_content html_page_content(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                    const std::vector<std::vector<Point>>& separators,
+                                    const Html_page_cloud<Point>& cloud)
 {
-  return 'f';
-}
-constexpr char html_page_array_type(double)
-{
-  return 'd';
-}
-constexpr char html_page_array_type(std::uint32_t)
-{
-  return 'u';
-}
-
-template <class Number>
-void write_html_page_array(std::ostream& out, const char* name, const std::vector<Number>& numbers)
-{
-  out << ",\n\"" << name << "\": [\"" << html_page_array_type(Number{}) << "\", \""
-      << encode_base64(little_endian_bytes(numbers)) << "\"]";
-}
-
-inline void write_html_page_data(std::ostream& out, const Html_page_data& data)
-{
-  const std::vector<double> frame{data.centre[0], data.centre[1], data.centre[2], data.half_extent};
-  out << '{';
-  write_html_page_counts(out, data);
-  out << ",\n\"arrays\": {\"frame\": [\"d\", \"" << encode_base64(little_endian_bytes(frame)) << "\"]";
-  write_html_page_array(out, "positions", data.positions);
-  write_html_page_array(out, "triangles", data.triangles);
-  write_html_page_array(out, "node_of_vertex", data.node_of_vertex);
-  write_html_page_array(out, "node_positions", data.node_positions);
-  if (!data.node_radii.empty()) {
-    write_html_page_array(out, "node_radii", data.node_radii);
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  const auto to_vectors = [](const std::vector<Point>& points) {
+    std::vector<Vector_3> result;
+    for (const Point& p : points) {
+      result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    }
+    return result;
+  };
+  Html_page_content result;
+  // A property of the mesh would be faster, but adding one writes to the mesh: others may be reading it.
+  std::unordered_map<Vertex, Index> number;
+  number.reserve(num_vertices(mesh));
+  const auto point_map = get(CGAL::vertex_point, mesh);
+  for (const Vertex v : boost::make_iterator_range(vertices(mesh))) {
+    number.emplace(v, Index(number.size()));
+    const auto& p = get(point_map, v);
+    result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
-  write_html_page_array(out, "edges", data.edges);
-  write_html_page_array(out, "branch_of_node", data.branch_of_node);
-  write_html_page_array(out, "branch_of_edge", data.branch_of_edge);
-  write_html_page_array(out, "separator_points", data.separator_points);
-  write_html_page_array(out, "separator_offsets", data.separator_offsets);
-  if (data.number_of_cloud_points > 0) {
-    write_html_page_array(out, "cut_handles", data.cut_handles);
-    write_html_page_array(out, "joined_gaps", data.joined_gaps);
+  for (const auto f : boost::make_iterator_range(faces(mesh))) {
+    const auto h = halfedge(f, mesh);
+    result.triangles.push_back(
+        {number.at(target(h, mesh)), number.at(target(next(h, mesh), mesh)), number.at(source(h, mesh))});
   }
-  out << "}}";
+  result.skeleton = index_skeleton(skeleton);
+  result.has_radius = has_radius_v<Skeleton>;
+  result.node_of_vertex.assign(number.size(), no_index);
+  Index node = 0;
+  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
+    for (const Vertex vertex : skeleton[v].vertices) {
+      result.node_of_vertex[number.at(vertex)] = node;
+    }
+    ++node;
+  }
+  for (const std::vector<Point>& separator : separators) {
+    result.separators.push_back(to_vectors(separator));
+  }
+  result.cloud = {cloud.number_of_points, to_vectors(cloud.cut_handles), to_vectors(cloud.joined_gaps)};
+  return result;
 }
+
+void write_html_page(std::ostream& out, const Html_page_content& content, const std::string& three_js_source,
+                     const std::string& title);
 
 } // namespace internal
 
@@ -91,7 +114,7 @@ inline void write_html_page_data(std::ostream& out, const Html_page_data& data)
 /// \param three_js_source the text of three.js as a classic script that defines `THREE`, followed by that of
 ///        `THREE.OrbitControls`; the page is written for release 111
 /// \param title heads the page; any text
-/// \param cloud the points of which the mesh was made, and where it was mended; nothing for other meshes
+/// \param cloud the points of which the mesh was made, and where it was repaired; nothing for other meshes
 /// \pre all faces of `mesh` are triangles; all coordinates are finite
 /// \throw File_error if `out` fails
 template <class TriangleMesh, class Skeleton, class Point>
@@ -100,18 +123,14 @@ void write_html_page(std::ostream& out, const TriangleMesh& mesh, const Skeleton
                      const std::string& title, const Html_page_cloud<Point>& cloud = {})
 {
   CGAL_precondition(CGAL::is_triangle_mesh(mesh));
-  const internal::Html_page_data_builder<TriangleMesh, Skeleton, Point> builder(mesh, skeleton, separators, cloud);
-  internal::Exact_format format(out);
-  out << internal::html_page_head << internal::escape_html(title) << internal::html_page_style
-      << internal::html_page_body << "<script type=\"application/json\" id=\"cscd-data\">\n";
-  internal::write_html_page_data(out, builder.data());
-  out << "\n</script>\n<script>\n"
-      << internal::escape_script(three_js_source) << "\n</script>\n<script>" << internal::html_page_model_script
-      << internal::html_page_scene_script << internal::html_page_view_script << internal::html_page_panel_script
-      << "</script>\n</body>\n</html>\n";
-  format.finish();
+  internal::write_html_page(out, internal::html_page_content(mesh, skeleton, separators, cloud), three_js_source,
+                            title);
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/write_html_page_impl.h>
+#endif
 
 #endif // CSCD_IO_WRITE_HTML_PAGE_H

@@ -6,41 +6,56 @@
 #ifndef CSCD_IO_WRITE_JSON_H
 #define CSCD_IO_WRITE_JSON_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Vector_3.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <cstddef>
 #include <ostream>
 #include <utility>
+#include <vector>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
+{
+  std::vector<std::size_t> degree(skeleton.number_of_nodes(), 0);
+  for (const auto& [source, target] : skeleton.edges) {
+    ++degree[source];
+    ++degree[target];
+  }
+  nlohmann::ordered_json document{{"nodes", nlohmann::ordered_json::array()},
+                                  {"edges", nlohmann::ordered_json::array()}};
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    const Vector_3& point = skeleton.points[v];
+    nlohmann::ordered_json node{{"point", std::array<double, 3>{point.x(), point.y(), point.z()}}};
+    if (skeleton.has_radius) {
+      node["radius"] = skeleton.radii[v];
+    }
+    node["degree"] = degree[v];
+    node["number_of_sites"] = skeleton.number_of_vertices[v];
+    document["nodes"].push_back(std::move(node));
+  }
+  for (const auto& [source, target] : skeleton.edges) {
+    document["edges"].push_back({source, target});
+  }
+  Exact_format format(out);
+  out << document.dump() << '\n';
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` as a JSON object of two arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
-/// have one), `degree` and `number_of_sites`; and `edges`, each an array of two nodes counted from 0. Linear.
-/// \throw File_error if `out` fails
+/// have one), `degree` and `number_of_sites`, the number of vertices or points of the input that belong to the node;
+/// and `edges`, each an array of two nodes counted from 0. Linear. \throw File_error if `out` fails
 template <class Skeleton>
 void write_json(std::ostream& out, const Skeleton& skeleton)
 {
-  nlohmann::ordered_json document{{"nodes", nlohmann::ordered_json::array()},
-                                  {"edges", nlohmann::ordered_json::array()}};
-  for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-    nlohmann::ordered_json node{{"point", internal::coordinates(skeleton, v)}};
-    if constexpr (has_radius_v<Skeleton>) {
-      node["radius"] = internal::radius(skeleton, v);
-    }
-    node["degree"] = out_degree(v, skeleton);
-    node["number_of_sites"] = skeleton[v].vertices.size();
-    document["nodes"].push_back(std::move(node));
-  }
-  for (auto e : boost::make_iterator_range(edges(skeleton))) {
-    document["edges"].push_back({source(e, skeleton), target(e, skeleton)});
-  }
-  internal::Exact_format format(out);
-  out << document.dump() << '\n';
-  format.finish();
+  internal::write_json(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,16 +6,35 @@
 #ifndef CSCD_IO_WRITE_OBJ_H
 #define CSCD_IO_WRITE_OBJ_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Skeleton/split_into_branches.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
+#include <CSCD/Vector_3.h>
 
 #include <ostream>
+#include <vector>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_obj(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const Vector_3& point : skeleton.points) {
+    out << "v ";
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+    out << (branch.size() == 1 ? 'p' : 'l');
+    for (const Index v : branch) {
+      out << ' ' << v + 1;
+    }
+    out << '\n';
+  }
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` in OBJ format: a line `v x y z` for each node, then a line `l i j k ...` for each branch, with
 /// nodes counted from 1; an isolated node is a line `p i`. Linear.
@@ -23,20 +42,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_obj(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-    out << "v ";
-    internal::write_coordinates(out, skeleton, v);
-    out << '\n';
-  }
-  for (const auto& branch : split_into_branches(skeleton)) {
-    out << (branch.size() == 1 ? 'p' : 'l');
-    for (auto v : branch) {
-      out << ' ' << v + 1;
-    }
-    out << '\n';
-  }
-  format.finish();
+  internal::write_obj(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

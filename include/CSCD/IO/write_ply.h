@@ -6,15 +6,35 @@
 #ifndef CSCD_IO_WRITE_PLY_H
 #define CSCD_IO_WRITE_PLY_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
-
+#include <cstddef>
 #include <ostream>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_ply(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  out << "ply\nformat ascii 1.0\nelement vertex " << skeleton.number_of_nodes()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+      << (skeleton.has_radius ? "property double radius\n" : "") << "element edge " << skeleton.edges.size()
+      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    write_coordinates(out, skeleton.points[v]);
+    if (skeleton.has_radius) {
+      out << ' ' << skeleton.radii[v];
+    }
+    out << '\n';
+  }
+  for (const auto& [source, target] : skeleton.edges) {
+    out << source << ' ' << target << '\n';
+  }
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` in ASCII PLY: elements `vertex` with `x y z` and, if the nodes have one, `radius`, and elements
 /// `edge` with `vertex1 vertex2`. Linear.
@@ -22,22 +42,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_ply(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  out << "ply\nformat ascii 1.0\nelement vertex " << num_vertices(skeleton)
-      << "\nproperty double x\nproperty double y\nproperty double z\n"
-      << (has_radius_v<Skeleton> ? "property double radius\n" : "") << "element edge " << num_edges(skeleton)
-      << "\nproperty int vertex1\nproperty int vertex2\nend_header\n";
-  for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-    internal::write_coordinates(out, skeleton, v);
-    if constexpr (has_radius_v<Skeleton>) {
-      out << ' ' << internal::radius(skeleton, v);
-    }
-    out << '\n';
-  }
-  for (auto e : boost::make_iterator_range(edges(skeleton))) {
-    out << source(e, skeleton) << ' ' << target(e, skeleton) << '\n';
-  }
-  format.finish();
+  internal::write_ply(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

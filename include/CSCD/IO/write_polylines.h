@@ -6,13 +6,31 @@
 #ifndef CSCD_IO_WRITE_POLYLINES_H
 #define CSCD_IO_WRITE_POLYLINES_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Vector_3.h>
 
 #include <ostream>
+#include <vector>
 
 namespace CSCD {
+namespace internal {
+
+inline void write_polylines(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+    out << branch.size();
+    for (const Index v : branch) {
+      out << ' ';
+      write_coordinates(out, skeleton.points[v]);
+    }
+    out << '\n';
+  }
+  format.finish();
+}
+
+} // namespace internal
 
 /// writes `skeleton` in the format `.polylines.txt`: a line for each branch, the number of its nodes and then
 /// `x y z` of each; closed branches repeat their first node. Linear.
@@ -20,16 +38,7 @@ namespace CSCD {
 template <class Skeleton>
 void write_polylines(std::ostream& out, const Skeleton& skeleton)
 {
-  internal::Exact_format format(out);
-  for (const auto& branch : split_into_branches(skeleton)) {
-    out << branch.size();
-    for (auto v : branch) {
-      out << ' ';
-      internal::write_coordinates(out, skeleton, v);
-    }
-    out << '\n';
-  }
-  format.finish();
+  internal::write_polylines(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,41 +6,21 @@
 #ifndef CSCD_IO_WRITE_SKELETON_H
 #define CSCD_IO_WRITE_SKELETON_H
 
-#include <CSCD/IO/internal/skeleton_access.h>
-#include <CSCD/IO/write_dot.h>
-#include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_gel_graph.h>
-#include <CSCD/IO/write_graphml.h>
-#include <CSCD/IO/write_json.h>
-#include <CSCD/IO/write_obj.h>
-#include <CSCD/IO/write_ply.h>
-#include <CSCD/IO/write_polylines.h>
-#include <CSCD/IO/write_swc.h>
-#include <CSCD/IO/write_vtp.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 
-#include <array>
-#include <ostream>
 #include <string>
 
 namespace CSCD {
 
 namespace internal {
 
-/// The writers, in the order of `skeleton_endings`.
-template <class Skeleton>
-inline constexpr std::array<void (*)(std::ostream&, const Skeleton&), skeleton_endings.size()> skeleton_writers{
-    write_gel_graph<Skeleton>, write_json<Skeleton>,      write_obj<Skeleton>,
-    write_ply<Skeleton>,       write_polylines<Skeleton>, write_swc<Skeleton>,
-    write_vtp<Skeleton>,       write_dot<Skeleton>,       write_graphml<Skeleton>};
+void write_skeleton(const std::string& filename, const Skeleton_content& skeleton);
 
 } // namespace internal
 
 /// checks that `write_skeleton()` knows the ending of `filename`, before there is anything to write.
 /// \throw File_error if not
-inline void check_skeleton_filename(const std::string& filename)
-{
-  internal::skeleton_ending(filename);
-}
+void check_skeleton_filename(const std::string& filename);
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
 /// `.polylines.txt`, `.swc`, `.vtp`, `.dot` or `.graphml`. When it fails there is no new file. Linear.
@@ -49,10 +29,14 @@ inline void check_skeleton_filename(const std::string& filename)
 template <class Skeleton>
 void write_skeleton(const std::string& filename, const Skeleton& skeleton)
 {
-  const auto write = internal::skeleton_writers<Skeleton>[internal::skeleton_ending(filename)];
-  write_file(filename, [&](std::ostream& out) { write(out, skeleton); });
+  check_skeleton_filename(filename);
+  internal::write_skeleton(filename, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/write_skeleton_impl.h>
+#endif
 
 #endif // CSCD_IO_WRITE_SKELETON_H

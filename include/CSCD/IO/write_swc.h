@@ -1,67 +1,62 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes a skeleton as SWC.
+// Skeletons as SWC.
 
 #ifndef CSCD_IO_WRITE_SWC_H
 #define CSCD_IO_WRITE_SWC_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Vector_3.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
-
+#include <array>
 #include <cstddef>
 #include <ostream>
-#include <utility>
 #include <vector>
 
-namespace CSCD::internal {
+namespace CSCD {
+namespace internal {
 
-/// A spanning forest of a skeleton, each tree rooted at its first node, and the edges that it leaves out.
-template <class Skeleton>
+/// A spanning forest of a skeleton, found depth first, each tree rooted at its first node, and the edges that it leaves
+/// out. Boost's depth-first search would need a copy of the skeleton whose incident edges are in reverse order.
 class Spanning_forest
 {
 public:
-  using vertex_descriptor = typename boost::graph_traits<Skeleton>::vertex_descriptor;
-
-  explicit Spanning_forest(const Skeleton& skeleton)
-      : m_parent(num_vertices(skeleton)), m_is_reached(num_vertices(skeleton), false)
+  /// \param neighbors of every node
+  Spanning_forest(const std::vector<std::vector<Index>>& neighbors, const std::vector<std::array<Index, 2>>& edges)
+      : m_parent(neighbors.size()), m_is_reached(neighbors.size(), 0)
   {
-    m_order.reserve(num_vertices(skeleton));
-    for (vertex_descriptor root : boost::make_iterator_range(vertices(skeleton))) {
-      if (!m_is_reached[root]) {
+    m_order.reserve(neighbors.size());
+    for (Index root = 0; root < neighbors.size(); ++root) {
+      if (m_is_reached[root] == 0) {
         m_parent[root] = root;
-        reach_from(root, skeleton);
+        reach_from(root, neighbors);
       }
     }
-    collect_loops(skeleton);
+    collect_loops(edges);
   }
 
   /// All nodes, each after its parent and each branch in one piece.
-  const std::vector<vertex_descriptor>& order() const { return m_order; }
+  const std::vector<Index>& order() const { return m_order; }
   /// The parent of `v`; a root is its own.
-  vertex_descriptor parent(vertex_descriptor v) const { return m_parent[v]; }
+  Index parent(Index v) const { return m_parent[v]; }
   /// The edges that are not in the forest; each of them closes a cycle.
-  const std::vector<std::pair<vertex_descriptor, vertex_descriptor>>& loops() const { return m_loops; }
+  const std::vector<std::array<Index, 2>>& loops() const { return m_loops; }
 
 private:
-  /// Goes deep first, so that branches stay in one piece.
-  void reach_from(vertex_descriptor root, const Skeleton& skeleton)
+  void reach_from(Index root, const std::vector<std::vector<Index>>& neighbors)
   {
-    std::vector<vertex_descriptor> open{root};
+    std::vector<Index> open{root};
     while (!open.empty()) {
-      const vertex_descriptor v = open.back();
+      const Index v = open.back();
       open.pop_back();
-      if (m_is_reached[v]) {
+      if (m_is_reached[v] != 0) {
         continue;
       }
-      m_is_reached[v] = true;
+      m_is_reached[v] = 1;
       m_order.push_back(v);
-      for (auto e : boost::make_iterator_range(out_edges(v, skeleton))) {
-        const vertex_descriptor neighbor = target(e, skeleton);
-        if (!m_is_reached[neighbor]) {
+      for (const Index neighbor : neighbors[v]) {
+        if (m_is_reached[neighbor] == 0) {
           m_parent[neighbor] = v; // the parent given last stays, as what was put on the stack last is taken first
           open.push_back(neighbor);
         }
@@ -70,33 +65,25 @@ private:
   }
 
   /// One edge to the parent of each node is in the forest; all others are not.
-  void collect_loops(const Skeleton& skeleton)
+  void collect_loops(const std::vector<std::array<Index, 2>>& edges)
   {
-    std::vector<bool> has_edge_to_parent(num_vertices(skeleton), false);
-    for (auto e : boost::make_iterator_range(edges(skeleton))) {
-      const vertex_descriptor u = source(e, skeleton);
-      const vertex_descriptor v = target(e, skeleton);
-      const vertex_descriptor child = m_parent[u] == v ? u : v;
-      const bool is_in_forest = u != v && (m_parent[u] == v || m_parent[v] == u) && !has_edge_to_parent[child];
+    std::vector<char> has_edge_to_parent(m_parent.size(), 0);
+    for (const auto& [u, v] : edges) {
+      const Index child = m_parent[u] == v ? u : v;
+      const bool is_in_forest = u != v && (m_parent[u] == v || m_parent[v] == u) && has_edge_to_parent[child] == 0;
       if (is_in_forest) {
-        has_edge_to_parent[child] = true;
+        has_edge_to_parent[child] = 1;
       } else {
-        m_loops.emplace_back(u, v);
+        m_loops.push_back({u, v});
       }
     }
   }
 
-  std::vector<vertex_descriptor> m_parent;
-  std::vector<bool> m_is_reached;
-  std::vector<vertex_descriptor> m_order;
-  std::vector<std::pair<vertex_descriptor, vertex_descriptor>> m_loops;
+  std::vector<Index> m_parent;
+  std::vector<char> m_is_reached;
+  std::vector<Index> m_order;
+  std::vector<std::array<Index, 2>> m_loops;
 };
-
-} // namespace CSCD::internal
-
-namespace CSCD {
-
-namespace internal {
 
 /// The structure identifier of a node in SWC: 5 a fork, 6 an end, 0 anything else.
 inline int swc_type(std::size_t degree)
@@ -105,6 +92,32 @@ inline int swc_type(std::size_t degree)
   constexpr int fork_point = 5;
   constexpr int end_point = 6;
   return degree > 2 ? fork_point : degree == 1 ? end_point : undefined;
+}
+
+inline void write_swc(std::ostream& out, const Skeleton_content& skeleton)
+{
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  const Spanning_forest forest(neighbors, skeleton.edges);
+  std::vector<std::size_t> id(skeleton.number_of_nodes());
+  for (std::size_t i = 0; i < forest.order().size(); ++i) {
+    id[forest.order()[i]] = i + 1;
+  }
+  Exact_format format(out);
+  out << "# id type x y z radius parent\n";
+  for (const auto& [u, v] : forest.loops()) {
+    out << "# loop " << id[u] << ' ' << id[v] << '\n';
+  }
+  for (const Index v : forest.order()) {
+    out << id[v] << ' ' << swc_type(neighbors[v].size()) << ' ';
+    write_coordinates(out, skeleton.points[v]);
+    out << ' ' << (skeleton.has_radius ? skeleton.radii[v] : 0) << ' ';
+    if (forest.parent(v) == v) {
+      out << "-1\n";
+    } else {
+      out << id[forest.parent(v)] << '\n';
+    }
+  }
+  format.finish();
 }
 
 } // namespace internal
@@ -117,27 +130,7 @@ inline int swc_type(std::size_t degree)
 template <class Skeleton>
 void write_swc(std::ostream& out, const Skeleton& skeleton)
 {
-  const internal::Spanning_forest<Skeleton> forest(skeleton);
-  std::vector<std::size_t> id(num_vertices(skeleton));
-  for (std::size_t i = 0; i < forest.order().size(); ++i) {
-    id[forest.order()[i]] = i + 1;
-  }
-  internal::Exact_format format(out);
-  out << "# id type x y z radius parent\n";
-  for (const auto& [u, v] : forest.loops()) {
-    out << "# loop " << id[u] << ' ' << id[v] << '\n';
-  }
-  for (auto v : forest.order()) {
-    out << id[v] << ' ' << internal::swc_type(out_degree(v, skeleton)) << ' ';
-    internal::write_coordinates(out, skeleton, v);
-    out << ' ' << internal::radius(skeleton, v) << ' ';
-    if (forest.parent(v) == v) {
-      out << "-1\n";
-    } else {
-      out << id[forest.parent(v)] << '\n';
-    }
-  }
-  format.finish();
+  internal::write_swc(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

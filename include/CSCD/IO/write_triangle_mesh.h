@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_TRIANGLE_MESH_H
 
 #include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/internal/Exact_format.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 

@@ -6,12 +6,9 @@
 #ifndef CSCD_IO_WRITE_VTP_H
 #define CSCD_IO_WRITE_VTP_H
 
-#include <CSCD/IO/internal/Exact_format.h>
-#include <CSCD/IO/internal/skeleton_access.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Skeleton/split_into_branches.h>
-
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
+#include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,40 +16,60 @@
 #include <vector>
 
 namespace CSCD {
-
 namespace internal {
 
-/// Writes the cells `first` to `last` of a PolyData, each a range of nodes.
-template <class BranchIterator>
-void write_vtp_cells(std::ostream& out, const char* tag, BranchIterator first, BranchIterator last)
+/// Writes the cells `first` to `last` of a PolyData, each a sequence of nodes.
+inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<std::vector<Index>>::const_iterator first,
+                            std::vector<std::vector<Index>>::const_iterator last)
 {
   out << '<' << tag << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  for (BranchIterator branch = first; branch != last; ++branch) {
-    for (auto v : *branch) {
+  for (auto branch = first; branch != last; ++branch) {
+    for (const Index v : *branch) {
       out << v << ' ';
     }
     out << '\n';
   }
   out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
   std::size_t offset = 0;
-  for (BranchIterator branch = first; branch != last; ++branch) {
+  for (auto branch = first; branch != last; ++branch) {
     offset += branch->size();
     out << offset << '\n';
   }
   out << "</DataArray>\n</" << tag << ">\n";
 }
 
-/// Writes the point array `Radius` of a PolyData, if the nodes have a radius.
-template <class Skeleton>
-void write_vtp_radii(std::ostream& out, const Skeleton& skeleton)
+inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 {
-  if constexpr (has_radius_v<Skeleton>) {
+  std::vector<std::vector<Index>> branches = split_into_branches(node_neighbors(skeleton));
+  const auto lines =
+      std::stable_partition(branches.begin(), branches.end(), [](const auto& branch) { return branch.size() == 1; });
+  Exact_format format(out);
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
+      << skeleton.number_of_nodes() << "\" NumberOfVerts=\"" << lines - branches.begin() << "\" NumberOfLines=\""
+      << branches.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+  if (skeleton.has_radius) {
     out << "<PointData Scalars=\"Radius\">\n<DataArray type=\"Float64\" Name=\"Radius\" format=\"ascii\">\n";
-    for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-      out << radius(skeleton, v) << '\n';
+    for (const double radius : skeleton.radii) {
+      out << radius << '\n';
     }
     out << "</DataArray>\n</PointData>\n";
   }
+  out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
+  for (std::size_t i = 0; i < branches.size(); ++i) {
+    out << i << '\n';
+  }
+  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">\n";
+  for (const Vector_3& point : skeleton.points) {
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  out << "</DataArray>\n</Points>\n";
+  write_vtp_cells(out, "Verts", branches.begin(), lines);
+  write_vtp_cells(out, "Lines", lines, branches.end());
+  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
+  format.finish();
 }
 
 } // namespace internal
@@ -63,30 +80,7 @@ void write_vtp_radii(std::ostream& out, const Skeleton& skeleton)
 template <class Skeleton>
 void write_vtp(std::ostream& out, const Skeleton& skeleton)
 {
-  auto branches = split_into_branches(skeleton);
-  const auto lines =
-      std::stable_partition(branches.begin(), branches.end(), [](const auto& branch) { return branch.size() == 1; });
-  internal::Exact_format format(out);
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
-      << num_vertices(skeleton) << "\" NumberOfVerts=\"" << lines - branches.begin() << "\" NumberOfLines=\""
-      << branches.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
-  internal::write_vtp_radii(out, skeleton);
-  out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
-  for (std::size_t i = 0; i < branches.size(); ++i) {
-    out << i << '\n';
-  }
-  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
-         "format=\"ascii\">\n";
-  for (auto v : boost::make_iterator_range(vertices(skeleton))) {
-    internal::write_coordinates(out, skeleton, v);
-    out << '\n';
-  }
-  out << "</DataArray>\n</Points>\n";
-  internal::write_vtp_cells(out, "Verts", branches.begin(), lines);
-  internal::write_vtp_cells(out, "Lines", lines, branches.end());
-  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
-  format.finish();
+  internal::write_vtp(out, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -6,7 +6,6 @@
 #ifndef CSCD_MEASURE_POSITION_MEASUREMENT_H
 #define CSCD_MEASURE_POSITION_MEASUREMENT_H
 
-#include <CSCD/Measure/Measured_body.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -97,15 +96,13 @@ class Position_measurement
 {
 public:
   /// Both are referred to.
-  Position_measurement(const Measured_body& body, const Indexed_skeleton& skeleton)
-      : m_queries(body.queries()), m_skeleton(skeleton)
+  Position_measurement(const Solid_queries& queries, const Indexed_skeleton& skeleton)
+      : m_queries(queries), m_skeleton(skeleton)
   {
-    m_result.number_of_surface_components = body.number_of_components();
-    m_result.genus = body.genus();
-    m_result.number_of_borders = body.number_of_borders();
     m_result.max_distance_outside = 0;
   }
 
+  /// All but what is known of the surface alone.
   Position_measures operator()()
   {
     measure_nodes();

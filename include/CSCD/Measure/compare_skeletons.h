@@ -6,63 +6,68 @@
 #ifndef CSCD_MEASURE_COMPARE_SKELETONS_H
 #define CSCD_MEASURE_COMPARE_SKELETONS_H
 
-#include <CSCD/Measure/Branch_graph.h>
-#include <CSCD/Measure/Compared_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Normalization.h>
-#include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 
-#include <Eigen/Geometry>
-
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
-#include <string>
-#include <utility>
 
 namespace CSCD {
 
+/// How far the points of one skeleton are from another one. Lengths are relative to the diagonal of the bounding box of
+/// both skeletons.
+struct Skeleton_distance
+{
+  double mean = 0;             ///< over the length of the edges
+  double maximum = 0;          ///< over edges and nodes
+  double fraction_matched = 0; ///< of the length: what is not farther away than the match distance
+};
+
+/// How many features of two skeletons are at the same place.
+struct Match_count
+{
+  std::size_t number_in_first = 0;  ///< features of the first skeleton
+  std::size_t number_in_second = 0; ///< features of the second skeleton
+  std::size_t number_matched = 0;   ///< pairs of features at the same place; each is in one pair at most
+
+  /// 1 if all are matched, 0 if none are; 1 if there are none.
+  double fraction() const
+  {
+    const std::size_t sum = number_in_first + number_in_second;
+    return sum > 0 ? 2 * double(number_matched) / double(sum) : 1;
+  }
+};
+
+/// How alike two skeletons are.
+struct Skeleton_comparison
+{
+  double diagonal = 0;                    ///< of the bounding box of both, in their unit
+  double match_distance = 0;              ///< up to which features count as the same, relative to the diagonal
+  Skeleton_distance from_first_to_second; ///< of the points of the first from the second
+  Skeleton_distance from_second_to_first; ///< of the points of the second from the first
+  Match_count tips;                       ///< nodes with one edge
+  Match_count junctions;                  ///< nodes with three edges or more
+  Match_count branches;                   ///< paths between nodes that have not two edges, and cycles
+  /// Whether branches are joined in the same way, wherever they are: the skeletons of a body in two poses should agree.
+  bool has_same_structure = false;
+
+  /// The mean of both mean distances.
+  double mean_distance() const { return (from_first_to_second.mean + from_second_to_first.mean) / 2; }
+  /// The greater one of both maxima.
+  double hausdorff_distance() const { return std::max(from_first_to_second.maximum, from_second_to_first.maximum); }
+};
+
 namespace internal {
 
-/// \throw Input_error if `skeleton`, called `name`, has no nodes or one that is not finite
-inline void check_skeleton(const Indexed_skeleton& skeleton, const std::string& name)
-{
-  if (skeleton.number_of_nodes() == 0) {
-    throw Input_error("the " + name + " skeleton has no nodes: there is nothing to compare");
-  }
-  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
-    if (!skeleton.points[v].allFinite()) {
-      throw Input_error("node " + std::to_string(v) + " of the " + name +
-                        " skeleton has a coordinate that is not finite: correct it or remove the node");
-    }
-  }
-}
-
-/// The coordinates in which the bounding box of both skeletons has a diagonal of 1; any, where it is a point.
-/// \throw Input_error if the coordinates are too large
-inline Normalization common_normalization(const Indexed_skeleton& a, const Indexed_skeleton& b)
-{
-  Eigen::AlignedBox3d box;
-  for (const Indexed_skeleton* skeleton : {&a, &b}) {
-    for (const Vector_3& point : skeleton->points) {
-      box.extend(point);
-    }
-  }
-  const double diagonal = (box.max() - box.min()).stableNorm();
-  if (!std::isfinite(diagonal)) {
-    throw Input_error("the skeletons are too large to be measured: scale the coordinates");
-  }
-  return {box.min(), diagonal > 0 ? diagonal : 1};
-}
+Skeleton_comparison compare_skeletons(Indexed_skeleton&& first, Indexed_skeleton&& second, double match_distance);
 
 } // namespace internal
 
 /// measures how far two skeletons are apart, and how many of their tips, junctions and branches are at the same place.
 ///
-/// Distances are those of points of one skeleton from the nearest point of the other, both ways. Two tips match if they
-/// are not farther apart than the match distance, and likewise two junctions; two branches if the mean distance of
-/// each from the other is not greater. Nearest pairs are matched first, each feature at most once. See
+/// Distances are those of points of one skeleton from the nearest point of the other, in both directions. Two tips
+/// match if they are not farther apart than the match distance, and likewise two junctions; two branches if the mean
+/// distance of each from the other is not greater. Nearest pairs are matched first, each feature at most once. See
 /// `doc/measures.md`. O(n log n + p) for n nodes and samples and p pairs of branches.
 ///
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph`
@@ -87,35 +92,13 @@ Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& s
   constexpr double default_match_distance = 0.02; // a thin limb's radius; skeletons of two seeds agree up to this
   const double match_distance = double(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::match_distance), default_match_distance));
-  if (!(match_distance >= 0)) {
-    throw Input_error("the match distance is negative or no number: 0.02 will do in most cases");
-  }
-  internal::Indexed_skeleton a = internal::index_skeleton(first);
-  internal::Indexed_skeleton b = internal::index_skeleton(second);
-  internal::check_skeleton(a, "first");
-  internal::check_skeleton(b, "second");
-  const Normalization normalization = internal::common_normalization(a, b);
-  for (internal::Indexed_skeleton* skeleton : {&a, &b}) {
-    for (Vector_3& point : skeleton->points) {
-      point = normalization.from_input(point);
-    }
-  }
-  const internal::Compared_skeleton side_a(std::move(a));
-  const internal::Compared_skeleton side_b(std::move(b));
-  Skeleton_comparison result;
-  result.diagonal = normalization.unit;
-  result.match_distance = match_distance;
-  result.from_first_to_second = side_a.distance(side_b, match_distance);
-  result.from_second_to_first = side_b.distance(side_a, match_distance);
-  result.tips = side_a.match_nodes(
-      side_b, [](std::size_t degree) { return degree == 1; }, match_distance);
-  result.junctions = side_a.match_nodes(
-      side_b, [](std::size_t degree) { return degree > 2; }, match_distance);
-  result.branches = side_a.match_branches(side_b, match_distance);
-  result.has_same_structure = internal::have_same_structure(side_a.graph(), side_b.graph());
-  return result;
+  return internal::compare_skeletons(internal::index_skeleton(first), internal::index_skeleton(second), match_distance);
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Measure/compare_skeletons_impl.h>
+#endif
 
 #endif // CSCD_MEASURE_COMPARE_SKELETONS_H

@@ -6,22 +6,96 @@
 #ifndef CSCD_MEASURE_EVALUATE_SKELETON_H
 #define CSCD_MEASURE_EVALUATE_SKELETON_H
 
-#include <CSCD/Measure/Position_measurement.h>
-#include <CSCD/Measure/Skeleton_evaluation.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
 
-#include <type_traits>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace CSCD {
+namespace internal {
+
+/// Where radii come from, and how fine the reconstructed surfaces are.
+struct Evaluation_parameters
+{
+  bool uses_skeleton_radii = false;
+  std::size_t resolution = 200; ///< cells of the lattice along the diagonal of the bounding box
+};
+
+/// What a skeleton is measured against, in the coordinates of the input: a mesh, or points.
+struct Measured_input
+{
+  Indexed_triangles triangles; ///< an oriented manifold with or without borders; empty for points
+  Halfedge_pairing pairing;
+  std::vector<Vector_3> points; ///< empty for a mesh
+  bool is_mesh = false;
+};
+
+/// Refuses at compile time named parameters that do not apply to a surface of this type, nor are among `MoreTags`.
+template <class Surface, class NamedParameters, class... MoreTags>
+constexpr void check_evaluation_parameters()
+{
+  if constexpr (is_triangle_mesh_v<Surface>) {
+    check_triangle_mesh<Surface>();
+    check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
+                           internal_np::use_skeleton_radii_t, MoreTags...>();
+  } else {
+    check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
+                           internal_np::use_skeleton_radii_t, MoreTags...>();
+  }
+}
+
+template <class NamedParameters>
+Evaluation_parameters evaluation_parameters(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Evaluation_parameters result;
+  result.uses_skeleton_radii =
+      choose_parameter(get_parameter(np, internal_np::use_skeleton_radii), result.uses_skeleton_radii);
+  result.resolution = std::size_t(choose_parameter(get_parameter(np, internal_np::resolution), result.resolution));
+  return result;
+}
+
+/// Reads a mesh or a range of points.
+template <class Surface, class NamedParameters>
+Measured_input measured_input(const Surface& surface, const NamedParameters& np)
+{
+  Measured_input result;
+  if constexpr (is_triangle_mesh_v<Surface>) {
+    auto collected = collect_triangles(surface, vertex_point_map(surface, np));
+    result = {std::move(collected.triangles), std::move(collected.pairing), {}, true};
+  } else {
+    const auto map = point_map(surface, np);
+    for (const auto& element : surface) {
+      result.points.push_back(to_vector_3(get(map, element)));
+    }
+  }
+  return result;
+}
+
+Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                    const Evaluation_parameters& parameters);
+
+/// The surface that `skeleton` describes, in the coordinates of the input.
+Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                      const Evaluation_parameters& parameters, Reconstruction_method method);
+
+} // namespace internal
 
 /// measures how good a skeleton is for a surface.
 ///
 /// The measures are those of `Skeleton_measures`; `doc/measures.md` gives their formulas. Two surfaces are
 /// reconstructed from the skeleton: the convolution surface, by which the method's paper measures (supplement, appendix
-/// D), and the union of round cones. Unless told otherwise, radii are estimated from the surface in the same way for
+/// D), and the union of round cones. By default, radii are estimated from the surface in the same way for
 /// every skeleton, so that skeletons of all makers compete on geometry alone. O((n + f) log(n + f) + f e) for n points
 /// or faces of the input, f faces of the reconstructions and e edges.
 ///
@@ -42,7 +116,7 @@ namespace CSCD {
 ///   \cgalParamNBegin{point_map}
 ///     \cgalParamDescription{the points of the elements, if `surface` is a range}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the value type of the range as key}
-///     \cgalParamDefault{`CGAL::Identity_property_map`}
+///     \cgalParamDefault{`surface.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{resolution}
 ///     \cgalParamDescription{the number of cells along the diagonal of the bounding box, by which the reconstructed
@@ -65,17 +139,14 @@ Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skel
                                     const NamedParameters& np = parameters::default_values())
 {
   internal::check_evaluation_parameters<Surface, NamedParameters>();
-  const auto measured = internal::measured_input(surface, np);
-  using Measured = std::decay_t<decltype(*measured)>;
-  const internal::Skeleton_evaluation<Measured> evaluation(*measured, internal::index_skeleton(skeleton),
-                                                           internal::evaluation_parameters(np));
-  Skeleton_measures result = evaluation.measure();
-  if constexpr (std::is_same_v<Measured, internal::Measured_body>) {
-    result.position = internal::Position_measurement(*measured, evaluation.skeleton())();
-  }
-  return result;
+  return internal::evaluate_skeleton(internal::measured_input(surface, np), internal::index_skeleton(skeleton),
+                                     internal::evaluation_parameters(np));
 }
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Measure/evaluate_skeleton_impl.h>
+#endif
 
 #endif // CSCD_MEASURE_EVALUATE_SKELETON_H

@@ -6,10 +6,11 @@
 #ifndef CSCD_MEASURE_RECONSTRUCT_SURFACE_H
 #define CSCD_MEASURE_RECONSTRUCT_SURFACE_H
 
-#include <CSCD/Measure/Isosurface_tracker.h>
-#include <CSCD/Measure/Skeleton_evaluation.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
@@ -56,19 +57,16 @@ void reconstruct_surface(const Surface& surface, const Skeleton& skeleton, Trian
   internal::check_evaluation_parameters<Surface, NamedParameters, internal_np::reconstruction_method_t>();
   const Reconstruction_method method = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::reconstruction_method), Reconstruction_method::convolution);
-  const auto measured = internal::measured_input(surface, np);
-  using Measured = std::decay_t<decltype(*measured)>;
-  const internal::Skeleton_evaluation<Measured> evaluation(*measured, internal::index_skeleton(skeleton),
-                                                           internal::evaluation_parameters(np));
-  const internal::Field_surface result = evaluation.reconstruct(method);
+  const Indexed_triangles triangles =
+      internal::reconstruct_surface(internal::measured_input(surface, np), internal::index_skeleton(skeleton),
+                                    internal::evaluation_parameters(np), method);
   std::vector<Point> points;
-  points.reserve(result.triangles.points.size());
-  for (const Vector_3& point : result.triangles.points) {
-    const Vector_3 p = measured->normalization().to_input(point);
+  points.reserve(triangles.points.size());
+  for (const Vector_3& p : triangles.points) {
     points.emplace_back(Coordinate(p.x()), Coordinate(p.y()), Coordinate(p.z()));
   }
   TriangleMesh mesh;
-  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, result.triangles.faces, mesh);
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);
   reconstruction = std::move(mesh);
 }
 

@@ -11,12 +11,12 @@
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -148,20 +148,13 @@ private:
     }
     m_is_turned.assign(m_number_of_fragments, 0);
     m_is_removed.assign(m_triangles.faces.size(), 0);
-    m_face_begin.assign(m_triangles.points.size() + 1, 0);
-    for (const std::array<Index, 3>& face : m_triangles.faces) {
-      for (Index corner : face) {
-        ++m_face_begin[corner + 1];
+    m_faces_of_vertex = Compressed_rows<Index>(m_triangles.points.size(), [this](const auto& add) {
+      for (Index f = 0; f < m_triangles.faces.size(); ++f) {
+        for (const Index corner : m_triangles.faces[f]) {
+          add(corner, f);
+        }
       }
-    }
-    std::partial_sum(m_face_begin.begin(), m_face_begin.end(), m_face_begin.begin());
-    std::vector<Index> fill(m_face_begin.begin(), m_face_begin.end() - 1);
-    m_faces_of_vertex.resize(3 * m_triangles.faces.size());
-    for (Index f = 0; f < m_triangles.faces.size(); ++f) {
-      for (Index corner : m_triangles.faces[f]) {
-        m_faces_of_vertex[fill[corner]++] = f;
-      }
-    }
+    });
   }
 
   /// Borders run so that the faces that close them lie to their left.
@@ -378,8 +371,7 @@ private:
     Index best = no_index;
     double greatest = 0;
     Index on_border = no_index;
-    for (Index i = m_face_begin[vertex]; i < m_face_begin[vertex + 1]; ++i) {
-      const Index f = m_faces_of_vertex[i];
+    for (const Index f : m_faces_of_vertex[vertex]) {
       const std::array<Index, 3> face = oriented(f);
       const auto border = std::find_if(face.begin(), face.end(), [this](Index v) { return m_next[v] != no_index; });
       if (border != face.end()) {
@@ -490,8 +482,7 @@ private:
   std::vector<char> m_is_turned;             // of every fragment
   std::vector<char> m_is_visited;
   std::vector<char> m_is_removed;  // of every face
-  std::vector<Index> m_face_begin; // of the faces of every vertex
-  std::vector<Index> m_faces_of_vertex;
+  Compressed_rows<Index> m_faces_of_vertex;
   std::vector<std::array<Index, 3>> m_bands;
 };
 

@@ -8,7 +8,6 @@
 
 #include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
@@ -51,7 +50,7 @@ public:
     m_crossed.clear();
     m_front.clear();
     for (const Edge_crossing& crossing : separator.crossings) {
-      m_crossed.mark(m_surface.edge(crossing.halfedge));
+      m_crossed.mark(edge_of(m_surface, crossing.halfedge));
     }
     for (const Edge_crossing& crossing : separator.crossings) {
       // The target of the halfedge lies on the left.
@@ -78,7 +77,7 @@ private:
         return;
       }
       for (Index halfedge : m_surface.outgoing(vertex)) {
-        if (!m_crossed.is_marked(m_surface.edge(halfedge))) {
+        if (!m_crossed.is_marked(edge_of(m_surface, halfedge))) {
           m_front.reach(m_surface.target(halfedge), distance + float(m_surface.length(halfedge)));
         }
       }

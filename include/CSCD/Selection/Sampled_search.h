@@ -6,14 +6,12 @@
 #ifndef CSCD_SELECTION_SAMPLED_SEARCH_H
 #define CSCD_SELECTION_SAMPLED_SEARCH_H
 
-#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
@@ -114,7 +112,8 @@ class Sampled_search
 {
 public:
   Sampled_search(const Surface& surface, const Search_settings& settings, const Field_search_settings& field_settings)
-      : m_space(surface.triangulation(), field_settings), m_sampling(areas(surface.triangulation()), settings.random_seed),
+      : m_space(surface.triangulation(), field_settings),
+        m_sampling(areas(surface.triangulation()), settings.random_seed),
         m_for_each([this] { return std::make_unique<Worker>(m_space); }, settings.number_of_threads)
   {
   }
@@ -203,13 +202,15 @@ private:
     for (std::size_t i = 0; i < m_sources.size(); ++i) {
       const Field_search_result& result = m_results[i];
       ++report.number_of_sources;
-      if (result.has_separator()) {
+      if (result.outcome == Search_outcome::found) {
         separators.push_back(result.separator);
-      } else if (result.outcome == Cut_loop_outcome::found) {
+        report.number_of_held_loops += result.shortening == Shortening_outcome::held ? 1 : 0;
+        report.number_of_unfinished_loops += result.shortening == Shortening_outcome::unfinished ? 1 : 0;
+      } else if (result.outcome == Search_outcome::degenerate) {
         ++report.number_of_collapsed_loops;
       } else {
         ++report.number_of_sources_without_cut;
-        ++report.number_of_rejections[std::size_t(result.outcome)];
+        ++report.number_of_rejections[std::size_t(result.loop)];
       }
     }
   }

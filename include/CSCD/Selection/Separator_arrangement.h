@@ -7,6 +7,7 @@
 #define CSCD_SELECTION_SEPARATOR_ARRANGEMENT_H
 
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
@@ -24,7 +25,9 @@ namespace CSCD::internal {
 /// Whether two chords cross is decided by the order of their ends around the face alone. The order along an edge is
 /// total: crossings at the same position are told apart by their separators, as if moved by infinitesimal amounts, and
 /// alike from both faces of the edge. So the answer is exact and consistent for any positions.
-class Separator_arrangement
+/// \tparam Triangulation a model of `SurfaceTriangulation`
+template <class Triangulation>
+class Separator_arrangement_on
 {
 public:
   /// A point where a separator crosses an edge.
@@ -45,7 +48,7 @@ public:
     Index next; ///< index of another chord in the same face, or `no_index`
   };
 
-  explicit Separator_arrangement(const Triangulated_surface& surface)
+  explicit Separator_arrangement_on(const Triangulation& surface)
       : m_surface(surface), m_first_chord(surface.number_of_faces(), no_index)
   {
   }
@@ -69,12 +72,12 @@ public:
     const std::size_t first_chord = m_chords.size();
     for (std::size_t i = 0; i < size; ++i) {
       const Edge_crossing& crossing = crossings[i];
-      const Index edge = m_surface.edge(crossing.halfedge);
+      const Index edge = edge_of(m_surface, crossing.halfedge);
       const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
       m_points.push_back({edge, position, separator, Index(i)});
     }
     for (std::size_t i = 0; i < size; ++i) {
-      const Index face = Triangulated_surface::face(crossings[i].halfedge);
+      const Index face = Triangulation::face(crossings[i].halfedge);
       const Chord chord{first_point + Index(i > 0 ? i - 1 : size - 1), first_point + Index(i), face,
                         m_first_chord[face]};
       if (crosses_any(chord)) {
@@ -114,7 +117,7 @@ public:
   Index side(Index edge, Index face) const { return (is_reversed(edge, face) ? m_surface.twin(edge) : edge) % 3; }
 
 private:
-  static bool is_reversed(Index edge, Index face) { return Triangulated_surface::face(edge) != face; }
+  static bool is_reversed(Index edge, Index face) { return Triangulation::face(edge) != face; }
 
   bool crosses_any(const Chord& chord) const
   {
@@ -141,19 +144,23 @@ private:
     }
   }
 
-  const Triangulated_surface& m_surface;
+  const Triangulation& m_surface;
   std::vector<Index> m_first_chord;
   std::vector<Edge_point> m_points;
   std::vector<Chord> m_chords;
 };
 
+/// The arrangements of the local method.
+using Separator_arrangement = Separator_arrangement_on<Triangulated_surface>;
+
 /// For each of `separators`, 1 if it crosses itself in a face. Linear in the number of crossings.
-inline std::vector<std::uint8_t> find_self_crossings(const Triangulated_surface& surface,
-                                                     const std::vector<Separator>& separators)
+/// \tparam Triangulation a model of `SurfaceTriangulation`
+template <class Triangulation>
+std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators)
 {
   std::vector<std::uint8_t> result;
   result.reserve(separators.size());
-  Separator_arrangement arrangement(surface);
+  Separator_arrangement_on<Triangulation> arrangement(surface);
   for (Index i = 0; i < separators.size(); ++i) {
     arrangement.clear();
     result.push_back(arrangement.insert(i, separators[i].crossings) ? 0 : 1);
@@ -163,8 +170,8 @@ inline std::vector<std::uint8_t> find_self_crossings(const Triangulated_surface&
 
 /// For each of `separators`, 1 if it crosses an edge twice: among points there are no faces in which curves could be
 /// followed more closely. Linear in the number of crossings.
-template <class Surface>
-std::vector<std::uint8_t> find_self_crossings(const Surface& surface, const std::vector<Separator>& separators)
+inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
+                                                     const std::vector<Separator>& separators)
 {
   std::vector<std::uint8_t> result;
   result.reserve(separators.size());
@@ -173,7 +180,7 @@ std::vector<std::uint8_t> find_self_crossings(const Surface& surface, const std:
     crossed.clear();
     const bool is_simple =
         std::all_of(separator.crossings.begin(), separator.crossings.end(),
-                    [&](const Edge_crossing& crossing) { return crossed.mark(surface.edge(crossing.halfedge)); });
+                    [&](const Edge_crossing& crossing) { return crossed.mark(edge_of(surface, crossing.halfedge)); });
     result.push_back(is_simple ? 0 : 1);
   }
   return result;

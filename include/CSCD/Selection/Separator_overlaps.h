@@ -8,9 +8,9 @@
 
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -27,7 +27,7 @@ namespace CSCD::internal {
 template <class Surface>
 Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
 {
-  const Index edge = surface.edge(crossing.halfedge);
+  const Index edge = edge_of(surface, crossing.halfedge);
   const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
   return position < 0.5 ? surface.origin(edge) : surface.target(edge);
 }
@@ -73,7 +73,7 @@ public:
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
-  /// Lists for each separator the vertices that it passes closest to; a vertex stands once for consecutive crossings.
+  /// Lists for each separator the vertices that it passes closest to, each once for consecutive crossings.
   template <class Surface>
   void collect_rings(const Surface& surface, const std::vector<Separator>& separators)
   {
@@ -97,26 +97,21 @@ private:
   /// Lists for each vertex the separators that pass closest to it.
   void list_passes(std::size_t number_of_vertices)
   {
-    m_first_pass.assign(number_of_vertices + 1, 0);
-    for (const Index vertex : m_rings) {
-      ++m_first_pass[vertex + 1];
-    }
-    std::partial_sum(m_first_pass.begin(), m_first_pass.end(), m_first_pass.begin());
-    m_passes.resize(m_first_pass.back());
-    std::vector<std::size_t> fill(m_first_pass.begin(), m_first_pass.end() - 1);
-    for (Index separator = 0; separator + 1 < m_ring_begin.size(); ++separator) {
-      for (const Index vertex : ring(separator)) {
-        m_passes[fill[vertex]++] = separator;
+    m_passes = Compressed_rows<Index, std::size_t>(number_of_vertices, [this](const auto& add) {
+      for (Index separator = 0; separator + 1 < m_ring_begin.size(); ++separator) {
+        for (const Index vertex : ring(separator)) {
+          add(vertex, separator);
+        }
       }
-    }
+    });
   }
 
   void collect_touching(Index separator, Epoch_marks& found)
   {
     for (const Index vertex : ring(separator)) {
-      for (std::size_t i = m_first_pass[vertex]; i < m_first_pass[vertex + 1]; ++i) {
-        if (found.mark(m_passes[i])) {
-          m_others.push_back(m_passes[i]);
+      for (const Index other : m_passes[vertex]) {
+        if (found.mark(other)) {
+          m_others.push_back(other);
         }
       }
     }
@@ -125,8 +120,7 @@ private:
   std::vector<std::uint8_t> m_crosses_itself;
   std::vector<std::size_t> m_ring_begin; ///< of every separator
   std::vector<Index> m_rings;
-  std::vector<std::size_t> m_first_pass; ///< of every vertex
-  std::vector<Index> m_passes;
+  Compressed_rows<Index, std::size_t> m_passes; ///< of every vertex
   std::vector<std::size_t> m_begin;
   std::vector<Index> m_others;
 };

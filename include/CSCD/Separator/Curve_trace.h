@@ -29,12 +29,20 @@ namespace CSCD::internal {
 class Polygon_trace
 {
 public:
+  /// Sides of the polygon should be about half as long as edges, so that a side crosses few of them.
+  static constexpr std::size_t samples_per_edge = 2;
+  /// Whether the curve is taken for the polygon of its crossings.
+  static constexpr bool is_polygon_of_crossings = true;
+
   explicit Polygon_trace(const Triangulated_surface& surface) : m_surface(surface) {}
 
+  const Triangulated_surface& surface() const { return m_surface; }
+
   /// Writes to `crossings` the edges that the closed polygon `points` crosses; linear in their number.
+  /// \param points each with its face as site
   /// \return false if a walk misses its point, as where the surface turns sharply between points that are far apart, or
   ///         if fewer than three edges are crossed
-  bool operator()(const std::vector<Surface_point>& points, std::vector<Edge_crossing>& crossings) const
+  bool operator()(const std::vector<Projected_point>& points, std::vector<Edge_crossing>& crossings) const
   {
     crossings.clear();
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -42,7 +50,7 @@ public:
         return false;
       }
     }
-    cancel_backtracks(crossings);
+    cancel_backtracks(m_surface, crossings);
     return crossings.size() >= 3;
   }
 
@@ -57,13 +65,13 @@ private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-6;
 
-  Surface_point moved_inside(const Surface_point& p) const
+  Surface_point moved_inside(const Projected_point& p) const
   {
-    const Vector_3 center =
-        (m_surface.point(m_surface.origin(3 * p.face)) + m_surface.point(m_surface.origin(3 * p.face + 1)) +
-         m_surface.point(m_surface.origin(3 * p.face + 2))) /
-        3;
-    return {p.point + inward_part * (center - p.point), p.face};
+    const Index h = 3 * p.site;
+    const Vector_3 center = (m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.origin(h + 1)) +
+                             m_surface.point(m_surface.origin(h + 2))) /
+                            3;
+    return {p.point + inward_part * (center - p.point), p.site};
   }
 
   Vector_3 normal(Index face) const { return m_surface.face_vector(face).normalized(); }
@@ -99,29 +107,6 @@ private:
     return true;
   }
 
-  /// Removes pairs of consecutive crossings that go through an edge and straight back, also where the end meets the
-  /// beginning.
-  void cancel_backtracks(std::vector<Edge_crossing>& crossings) const
-  {
-    const auto cancels = [this](const Edge_crossing& a, const Edge_crossing& b) {
-      return a.halfedge == m_surface.twin(b.halfedge);
-    };
-    std::size_t size = 0;
-    for (const Edge_crossing& crossing : crossings) {
-      if (size > 0 && cancels(crossings[size - 1], crossing)) {
-        --size;
-      } else {
-        crossings[size++] = crossing;
-      }
-    }
-    std::size_t stem = 0;
-    while (2 * stem + 2 <= size && cancels(crossings[size - 1 - stem], crossings[stem])) {
-      ++stem;
-    }
-    crossings.resize(size - stem);
-    crossings.erase(crossings.begin(), crossings.begin() + std::ptrdiff_t(stem));
-  }
-
   const Triangulated_surface& m_surface;
 };
 
@@ -136,12 +121,19 @@ private:
 class Complex_trace
 {
 public:
+  /// Sides of the polygon may be as long as edges.
+  static constexpr std::size_t samples_per_edge = 1;
+  /// Whether the curve is taken for the polygon of its crossings.
+  static constexpr bool is_polygon_of_crossings = false;
+
   /// \param complex is referred to and must outlive this object
   explicit Complex_trace(const Point_complex& complex)
       : m_complex(complex), m_is_met(complex.number_of_vertices()), m_foot(complex.number_of_vertices()),
         m_is_taken(complex.number_of_halfedges())
   {
   }
+
+  const Point_complex& surface() const { return m_complex; }
 
   /// Writes to `crossings` the edges that the closed polygon `curve` crosses, in the order of the polygon. The work is
   /// that of the vertices along the curve.

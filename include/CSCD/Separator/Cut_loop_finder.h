@@ -6,9 +6,9 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 #define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 
-#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Separator/Descent.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/incoming_directions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
@@ -35,18 +35,18 @@ struct Cut_loop
   /// From the target to the base and back, if there is a curve.
   Edge_steps steps;
   Index target = no_index;
-  /// Where the two ways to the source join: the source or a vertex near it.
+  /// Where the two paths to the source join: the source or a vertex near it.
   Index base = no_index;
   /// Distance of the target along the surface.
   double distance = 0;
-  /// Distance in space between the two ways half way down, relative to that of the target along the surface: 0.64 on a
+  /// Distance in space between the two paths half way down, relative to that of the target along the surface: 0.64 on a
   /// round tube, about 0 around a bump.
   double path_separation = 0;
   /// How many candidates had which outcome, in the order of `Cut_loop_outcome`.
   std::array<std::size_t, number_of_cut_loop_outcomes> number_of_candidates{};
 };
 
-/// Selects the target of a source among its cut points, traces the two ways back from it, and joins them (supplement,
+/// Selects the target of a source among its cut points, traces the two paths back from it, and joins them (supplement,
 /// Alg. 3, lines 3 to 6). Cut points are tried in the order of the rule until one passes all tests, so that only
 /// vertices that come before the target are looked at. One object serves one thread, and keeps working memory of the
 /// size of the surface.
@@ -99,12 +99,14 @@ public:
     }
   }
 
-  /// The vertices of a loop in order, beginning with the target.
-  std::vector<Index> vertices(const Cut_loop& loop) const
+  /// The halfedges of a loop in order, from the target on.
+  /// \pre no edge of the loop is on a border
+  std::vector<Index> halfedges(const Cut_loop& loop) const
   {
     std::vector<Index> result;
     for (const Edge_step& step : loop.steps) {
-      result.push_back(begin_of(m_triangulation, step));
+      CGAL_precondition(!step.is_reversed);
+      result.push_back(step.halfedge);
     }
     return result;
   }
@@ -113,15 +115,16 @@ private:
   /// Candidates are ordered shell by shell, each twice as thick as all before; the first one, in mean edge lengths, has
   /// the targets of limbs of usual meshes.
   static constexpr double first_shell = 16;
-  /// A target is farther from its source than this many mean edge lengths: nearer, the heat method's field is wrong.
+  /// A target is farther from its source than this many mean edge lengths: nearer, the field of the heat method is
+  /// inaccurate.
   static constexpr double min_distance = 4;
-  /// The least distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
+  /// The minimum distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
   static constexpr double min_distance_to_chord = 0.98;
-  /// The least path_separation: half of that of a round tube. It decides about more targets than any other test.
+  /// The minimum of `path_separation`: half of that of a round tube. It decides about more targets than any other test.
   static constexpr double min_path_separation = 0.3;
-  /// The greatest distance of the base from the source, relative to that of the target ...
+  /// The maximum distance of the base from the source, relative to that of the target ...
   static constexpr double max_stem = 0.1;
-  /// ... or to the mean edge length: ways along edges join a few edges before the source, wherever they come from.
+  /// ... or to the mean edge length: paths along edges join a few edges before the source, wherever they come from.
   static constexpr double max_edges_of_stem = 3;
 
   /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.

@@ -6,6 +6,7 @@
 #ifndef CSCD_SEPARATOR_EDGE_FLIP_SHORTENING_H
 #define CSCD_SEPARATOR_EDGE_FLIP_SHORTENING_H
 
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Edge_trace.h>
 #include <CSCD/Surface/Flat_triangle.h>
@@ -24,19 +25,6 @@
 #include <tuple>
 #include <utility>
 #include <vector>
-
-namespace CSCD {
-
-/// What has become of a curve that was shortened.
-enum class Shortening_outcome
-{
-  straight,  ///< it is a geodesic: nowhere can it be shortened locally
-  held,      ///< it can be shortened at pinned vertices only
-  collapsed, ///< a closed curve has shrunk to a point, or to less than the allowed part of its length
-  unfinished ///< it can still be shortened at a vertex, but not by flips, or not in the allowed number of steps
-};
-
-} // namespace CSCD
 
 namespace CSCD::internal {
 
@@ -282,8 +270,7 @@ private:
 
   /// Shortens the curve; one of a single segment is taken off its vertex at most `max_single_steps` times.
   template <class IsPinned>
-  void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
-           std::size_t max_single_steps)
+  void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned, std::size_t max_single_steps)
   {
     start(halfedges, is_closed);
     m_max_single_steps = max_single_steps;

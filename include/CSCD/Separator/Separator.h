@@ -11,9 +11,11 @@
 
 #include <boost/math/constants/constants.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace CSCD {
@@ -25,9 +27,9 @@ struct Separator
   /// The crossings in order along the curve. On a mesh, consecutive ones lie in one face, the last and the first too;
   /// on a point cloud they have an end in common, or ends that are neighbors.
   std::vector<Edge_crossing> crossings;
-  /// On a point cloud, the points of the curve, which passes the crossed edges at a distance. Empty on a mesh, where
-  /// the curve is the polygon of its crossings.
-  std::vector<Vector_3> points;
+  /// The points of a curve that passes the crossed edges at a distance, as on a point cloud. Any other curve is the
+  /// polygon of its crossings. `Curve_skeletonization::polyline()` gives the points of either.
+  std::optional<std::vector<Vector_3>> points;
   /// Length of the curve.
   double length = 0;
   /// Mean of its points by length.
@@ -53,7 +55,16 @@ enum class Search_outcome
   found,     ///< a separator was found
   no_cut,    ///< no acceptable cut point was met
   bump,      ///< the loop only encircles a bump
-  degenerate ///< the loop is no simple curve of enough edges
+  degenerate ///< the loop is no simple curve of enough edges, or shrank to a point
+};
+
+/// How the shortening of a curve ended.
+enum class Shortening_outcome
+{
+  straight,  ///< it is a geodesic: nowhere can it be shortened locally
+  held,      ///< it can be shortened at pinned vertices only, or is held by the ball around its source
+  collapsed, ///< a closed curve has shrunk to a point, or to less than the allowed part of its length
+  unfinished ///< it can still be shortened, but not by flips, or not in the allowed number of steps
 };
 
 /// The result of the search for the separator of one source.
@@ -61,9 +72,9 @@ struct Search_result
 {
   Search_outcome outcome = Search_outcome::no_cut; ///< how the search ended
   Separator separator;                             ///< where one was found
-  bool is_section = false;   ///< whether it was shortened by the section plane, else by straightening
-  Index level = 0; ///< the level of detail that decided
-  double loop_length = 0;    ///< length of the loop before shortening, 0 where there was none
+  bool is_section = false; ///< whether it was shortened by the section plane, else by straightening
+  Index level = 0;         ///< the level of detail that decided
+  double loop_length = 0;  ///< length of the loop before shortening, 0 where there was none
 };
 
 /// Any model of `SeparatorFinder`: seeks the separator of `source`, preferably on the level `level_hint`.
@@ -73,13 +84,20 @@ using Separator_finder = std::function<void(Index source, Index level_hint, Sear
 
 namespace CSCD::internal {
 
+/// The halfedge that stands for the edge of `halfedge`: the smaller one of the two.
+template <class Surface>
+Index edge_of(const Surface& surface, Index halfedge)
+{
+  return std::min<Index>(halfedge, surface.twin(halfedge));
+}
+
 /// The point where `crossing` lies.
-/// \tparam Surface a `Triangulated_surface` or a `Point_complex`
+/// \tparam Surface a model of `SurfaceTriangulation`, or `Point_complex`
 template <class Surface>
 Vector_3 crossing_point(const Surface& surface, const Edge_crossing& crossing)
 {
-  return (1 - crossing.position) * surface.point(surface.origin(crossing.halfedge)) +
-         crossing.position * surface.point(surface.target(crossing.halfedge));
+  return (1 - crossing.position) * surface.points()[surface.origin(crossing.halfedge)] +
+         crossing.position * surface.points()[surface.target(crossing.halfedge)];
 }
 
 /// Writes the points of `crossings` to `points`, which is reused.
@@ -92,15 +110,39 @@ void crossing_points(const Surface& surface, const std::vector<Edge_crossing>& c
   }
 }
 
-/// Writes the points of the curve of `separator` to `points`, which is reused: its own, or else those of its crossings.
+/// Writes the points of the curve of `separator` to `points`, which is reused.
 template <class Surface>
 void curve_points(const Surface& surface, const Separator& separator, std::vector<Vector_3>& points)
 {
-  if (separator.points.empty()) {
-    crossing_points(surface, separator.crossings, points);
+  if (separator.points) {
+    points = *separator.points;
   } else {
-    points = separator.points;
+    crossing_points(surface, separator.crossings, points);
   }
+}
+
+/// Removes pairs of consecutive crossings that go through an edge and straight back, also where the end of the closed
+/// curve meets its beginning. Linear.
+template <class Surface>
+void cancel_backtracks(const Surface& surface, std::vector<Edge_crossing>& crossings)
+{
+  const auto cancels = [&surface](const Edge_crossing& a, const Edge_crossing& b) {
+    return a.halfedge == surface.twin(b.halfedge);
+  };
+  std::size_t size = 0;
+  for (const Edge_crossing& crossing : crossings) {
+    if (size > 0 && cancels(crossings[size - 1], crossing)) {
+      --size;
+    } else {
+      crossings[size++] = crossing;
+    }
+  }
+  std::size_t stem = 0;
+  while (2 * stem + 2 <= size && cancels(crossings[size - 1 - stem], crossings[stem])) {
+    ++stem;
+  }
+  crossings.resize(size - stem);
+  crossings.erase(crossings.begin(), crossings.begin() + std::ptrdiff_t(stem));
 }
 
 /// The measures of a closed polygon.

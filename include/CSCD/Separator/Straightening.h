@@ -37,7 +37,7 @@ public:
         straighten_at(crossings, i);
       }
       pass_over_vertices(crossings);
-      cancel_backtracks(crossings);
+      cancel_backtracks(m_surface, crossings);
     }
   }
 
@@ -174,7 +174,7 @@ private:
     }
     collect_other_side(crossings[first % size].halfedge, crossings[last % size].halfedge, is_on_right);
     if (m_incident_edges.empty() || angle_over_incident_edges(vertex, crossing_point(m_surface, before),
-                                              crossing_point(m_surface, after)) >= pi - angle_margin) {
+                                                              crossing_point(m_surface, after)) >= pi - angle_margin) {
       return false;
     }
     for (Index incident_edge : m_incident_edges) {
@@ -187,7 +187,8 @@ private:
     return true;
   }
 
-  /// Collects the incident edges of the vertex that the run does not cross, in the order in which the curve will cross them.
+  /// Collects the incident edges of the vertex that the run does not cross, in the order in which the curve will cross
+  /// them.
   void collect_other_side(Index first, Index last, bool is_on_right)
   {
     m_incident_edges.clear();
@@ -215,27 +216,6 @@ private:
       direction = next_direction;
     }
     return angle + angle_between(direction, after - center);
-  }
-
-  /// Removes pairs of consecutive crossings that go through an edge and straight back.
-  void cancel_backtracks(std::vector<Edge_crossing>& crossings)
-  {
-    const auto cancels = [this](const Edge_crossing& a, const Edge_crossing& b) {
-      return a.halfedge == m_surface.twin(b.halfedge);
-    };
-    m_result.clear();
-    for (const Edge_crossing& crossing : crossings) {
-      if (!m_result.empty() && cancels(m_result.back(), crossing)) {
-        m_result.pop_back();
-      } else {
-        m_result.push_back(crossing);
-      }
-    }
-    std::size_t stem = 0;
-    while (2 * stem + 2 <= m_result.size() && cancels(m_result[m_result.size() - 1 - stem], m_result[stem])) {
-      ++stem;
-    }
-    crossings.assign(m_result.begin() + std::ptrdiff_t(stem), m_result.end() - std::ptrdiff_t(stem));
   }
 
   const Triangulated_surface& m_surface;

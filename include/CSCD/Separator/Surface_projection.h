@@ -32,6 +32,9 @@ struct Projected_point
 class Closest_point_projection
 {
 public:
+  /// Whether it has to be given the site of a point nearby.
+  static constexpr bool needs_site = false;
+
   /// \param queries those of `surface`; both are referred to and must outlive this object
   Closest_point_projection(const Triangulated_surface& surface, const Solid_queries& queries)
       : m_surface(&surface), m_queries(&queries)
@@ -89,6 +92,9 @@ private:
 class Moving_least_squares_projection
 {
 public:
+  /// Whether it has to be given the site of a point nearby.
+  static constexpr bool needs_site = true;
+
   /// \param neighborhoods those of `complex`; both are referred to and must outlive this object
   Moving_least_squares_projection(const Point_complex& complex, const Point_neighborhoods& neighborhoods)
       : m_complex(&complex), m_neighborhoods(&neighborhoods)
@@ -121,19 +127,9 @@ private:
   /// Goes on to the nearest neighbor that looks to the same side until none is nearer.
   Index nearest(const Vector_3& point, Index vertex) const
   {
-    double least = (m_complex->point(vertex) - point).squaredNorm();
-    for (Index center = no_index; center != vertex;) {
-      center = vertex;
-      for (const Index h : m_complex->outgoing(center)) {
-        const Index target = m_complex->target(h);
-        const double distance = (m_complex->point(target) - point).squaredNorm();
-        if (distance < least && m_complex->normal(target).dot(m_complex->normal(center)) > 0) {
-          least = distance;
-          vertex = target;
-        }
-      }
-    }
-    return vertex;
+    return descend_to_nearest(*m_complex, point, vertex, [this](Index from, Index to) {
+      return m_complex->normal(to).dot(m_complex->normal(from)) > 0;
+    });
   }
 
   /// Sets the normal of the surface at the point of `projected`. \return how high above the surface it is

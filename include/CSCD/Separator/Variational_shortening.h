@@ -6,7 +6,7 @@
 #ifndef CSCD_SEPARATOR_VARIATIONAL_SHORTENING_H
 #define CSCD_SEPARATOR_VARIATIONAL_SHORTENING_H
 
-#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/solve_cyclic_tridiagonal.h>
@@ -74,8 +74,8 @@ struct Variational_report
 ///
 /// The ball does not prevent a curve that nothing holds from shrinking to a point, as the supplement has it: that is
 /// noticed by the lost length. An object is working memory, and is reused.
-/// \tparam Projection is called as `projection(point, near)` with the site of a projected point nearby or `no_index`,
-///         and gives a `Projected_point`: `Closest_point_projection` for meshes
+/// \tparam Projection is called as `projection(point, near)` with the site of a projected point nearby or, unless it
+///         `needs_site`, `no_index`, and gives a `Projected_point`: `Closest_point_projection` for meshes
 template <class Projection>
 class Variational_shortening
 {
@@ -93,16 +93,18 @@ public:
   /// O(iterations times `number_of_samples` projections).
   /// \param points gets the samples, on the surface and about equally far from each other
   /// \param radius of the ball; infinite for none
-  /// \return `held` where points are at the rim of the ball, `unfinished` after `max_iterations`
+  /// \param near a site near the first point, where the projection needs one
+  /// \return `held` where points are outside of the ball, `unfinished` after `max_iterations`
   /// \pre `number_of_samples` >= 3, `points` is not empty
   Variational_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
-                                double radius)
+                                double radius, Index near = no_index)
   {
     CGAL_precondition(number_of_samples >= 3);
     resample_polygon(points, number_of_samples, m_samples);
     m_curve.clear();
     for (const Vector_3& sample : m_samples) {
-      m_curve.push_back(m_projection(sample, no_index));
+      m_curve.push_back(m_projection(sample, Projection::needs_site ? near : no_index));
+      near = m_curve.back().site;
     }
     const Variational_report report = shorten(center, radius);
     points.resize(number_of_samples);
@@ -110,15 +112,6 @@ public:
       points[i] = m_curve[i].point;
     }
     return report;
-  }
-
-  /// The same for points that lie on the surface already, about equally far from each other: they need not be sought.
-  /// \pre there are at least 3
-  Variational_report operator()(const std::vector<Projected_point>& start, const Vector_3& center, double radius)
-  {
-    CGAL_precondition(start.size() >= 3);
-    m_curve = start;
-    return shorten(center, radius);
   }
 
   /// The points of the last curve, with their sites.

@@ -88,61 +88,48 @@ inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loo
 
 /// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from the way in to the
 /// way out. `before`, `vertex` and `after` are consecutive points of the path.
-template <class Append>
-void push_off_vertex(const Triangulated_surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
-                     const Edge_crossing& after, const Append& append)
+template <class Surface>
+void push_off_vertex(const Surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
+                     const Edge_crossing& after, std::vector<Edge_crossing>& crossings)
 {
   // Distance from the vertex, relative to the length of the crossed edge.
   constexpr double offset = 0.01;
+  const auto previous_around_origin = [&surface](Index h) { return Surface::next(surface.twin(h)); };
   const bool comes_along = is_vertex(before);
   const Index back = surface.twin(before.halfedge);
-  const Index way_in = comes_along ? back : Triangulated_surface::previous(back);
+  const Index way_in = comes_along ? back : Surface::previous(back);
   const Index way_out = vertex.halfedge;
-  Index incident_edge = comes_along ? surface.previous_around_origin(way_in) : way_in;
+  Index incident_edge = comes_along ? previous_around_origin(way_in) : way_in;
   // Both ways in one face: the left side holds all incident edges or none.
   if (way_in == way_out && !comes_along && !is_vertex(after) && 1 - before.position < after.position) {
-    append({incident_edge, offset});
-    incident_edge = surface.previous_around_origin(incident_edge);
+    crossings.push_back({incident_edge, offset});
+    incident_edge = previous_around_origin(incident_edge);
   }
-  for (; incident_edge != way_out; incident_edge = surface.previous_around_origin(incident_edge)) {
-    append({incident_edge, offset});
+  for (; incident_edge != way_out; incident_edge = previous_around_origin(incident_edge)) {
+    crossings.push_back({incident_edge, offset});
   }
 }
 
 /// Writes to `crossings` the edges that `path` crosses when it is pushed a little to its left where it passes through
 /// vertices and along edges. Linear in the number of points and the degrees of the vertices.
+/// \tparam Surface a model of `SurfaceTriangulation`
 /// \return whether at least three edges are crossed
 /// \pre `path` is closed
-inline bool push_off_vertices(const Triangulated_surface& surface, const Surface_path& path,
-                              std::vector<Edge_crossing>& crossings)
+template <class Surface>
+bool push_off_vertices(const Surface& surface, const Surface_path& path, std::vector<Edge_crossing>& crossings)
 {
   CGAL_precondition(path.is_closed);
-  const auto cancels = [&surface](const Edge_crossing& a, const Edge_crossing& b) {
-    return a.halfedge == surface.twin(b.halfedge);
-  };
-  const auto append = [&](const Edge_crossing& crossing) {
-    if (!crossings.empty() && cancels(crossings.back(), crossing)) {
-      crossings.pop_back();
-    } else {
-      crossings.push_back(crossing);
-    }
-  };
   crossings.clear();
   const std::vector<Edge_crossing>& points = path.points;
   const std::size_t size = points.size();
   for (std::size_t i = 0; i < size; ++i) {
     if (is_vertex(points[i])) {
-      push_off_vertex(surface, points[(i + size - 1) % size], points[i], points[(i + 1) % size], append);
+      push_off_vertex(surface, points[(i + size - 1) % size], points[i], points[(i + 1) % size], crossings);
     } else {
-      append(points[i]);
+      crossings.push_back(points[i]);
     }
   }
-  std::size_t stem = 0;
-  while (2 * stem + 2 <= crossings.size() && cancels(crossings[crossings.size() - 1 - stem], crossings[stem])) {
-    ++stem;
-  }
-  crossings.erase(crossings.end() - std::ptrdiff_t(stem), crossings.end());
-  crossings.erase(crossings.begin(), crossings.begin() + std::ptrdiff_t(stem));
+  cancel_backtracks(surface, crossings);
   return crossings.size() >= 3;
 }
 

@@ -33,16 +33,16 @@ public:
 
   Front_sides(const Measures& measures, Index vertex)
   {
-    Gradient_samples sectors;
-    measures.collect_sectors(vertex, sectors);
+    Gradient_samples samples;
+    measures.collect_samples(vertex, samples);
     // The cycle twice, so that arcs need not wrap around.
     boost::container::small_vector<Sum, 33> sums(1);
-    for (std::size_t i = 0; i < 2 * sectors.size(); ++i) {
-      const auto& sector = sectors[i % sectors.size()];
-      sums.push_back({sums.back().gradient + sector.gradient, sums.back().direction + sector.direction});
+    for (std::size_t i = 0; i < 2 * samples.size(); ++i) {
+      const auto& sample = samples[i % samples.size()];
+      sums.push_back({sums.back().gradient + sample.gradient, sums.back().direction + sample.direction});
     }
-    const std::size_t size = sectors.size();
-    const std::size_t stride = (size + max_sectors - 1) / max_sectors;
+    const std::size_t size = samples.size();
+    const std::size_t stride = (size + max_samples - 1) / max_samples;
     for (std::size_t begin = 0; begin < size; begin += stride) {
       for (std::size_t end = begin + stride; end < begin + size && end < size; end += stride) {
         consider(difference(sums[end], sums[begin]), difference(sums[begin + size], sums[end]));
@@ -57,7 +57,7 @@ public:
 
 private:
   /// Faces around a vertex that are sorted into sides one by one; of more, several go together.
-  static constexpr std::size_t max_sectors = 32;
+  static constexpr std::size_t max_samples = 32;
 
   struct Sum
   {

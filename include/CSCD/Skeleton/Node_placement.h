@@ -14,13 +14,13 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -33,26 +33,19 @@ public:
   {
     const Triangulated_surface& surface = regions.level().surface;
     const Index n = surface.number_of_vertices();
-    std::vector<Index> piece(n);
-    m_begin.assign(cut_graph.pieces().size() + 1, 0);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      piece[vertex] = cut_graph.piece_of_vertex(regions.level().to_finest(vertex));
-      ++m_begin[piece[vertex] + 1];
-    }
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    m_vertices.resize(n);
-    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      m_vertices[fill[piece[vertex]]++] = vertex;
-    }
+    m_vertices = Compressed_rows<Index>(cut_graph.pieces().size(), [&](const auto& add) {
+      for (Index vertex = 0; vertex < n; ++vertex) {
+        add(cut_graph.piece_of_vertex(regions.level().to_finest(vertex)), vertex);
+      }
+    });
   }
 
   /// The vertices of `piece`; none in a piece that is smaller than the triangles of the level.
   CGAL::Iterator_range<const Index*> vertices(Index piece) const
   {
-    return {m_vertices.data() + m_begin[piece], m_vertices.data() + m_begin[piece + 1]};
+    return m_vertices[piece];
   }
-  bool is_empty(Index piece) const { return m_begin[piece] == m_begin[piece + 1]; }
+  bool is_empty(Index piece) const { return m_vertices.size(piece) == 0; }
 
   /// A sum of points by area.
   struct Weighted_sum
@@ -102,8 +95,7 @@ public:
 
 private:
   const Surface_regions& m_regions;
-  std::vector<Index> m_begin;
-  std::vector<Index> m_vertices;
+  Compressed_rows<Index> m_vertices;
 };
 
 /// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more

@@ -10,6 +10,7 @@
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 
@@ -23,6 +24,18 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// The sides of `face`, one after the other.
+/// \tparam Triangulation a model of `SurfaceTriangulation`
+template <class Triangulation>
+std::array<Index, 3> face_halfedges(const Triangulation& /* surface */, Index face)
+{
+  return {3 * face, 3 * face + 1, 3 * face + 2};
+}
+inline std::array<Index, 3> face_halfedges(const Point_complex& surface, Index face)
+{
+  return surface.face_halfedges(face);
+}
 
 /// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept.
 ///
@@ -44,7 +57,7 @@ public:
   {
     const auto is_between = [&](Index h) { return region(surface.origin(h)) != region(surface.target(h)); };
     for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      const std::array<Index, 3> sides = surface.face_halfedges(face);
+      const std::array<Index, 3> sides = face_halfedges(surface, face);
       for (std::size_t k = 0; k < 3; ++k) {
         join_at_corner(surface, is_between, sides[(k + 2) % 3], sides[k], sides[(k + 1) % 3]);
       }
@@ -64,7 +77,7 @@ private:
   void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
   {
     if (is_between(h) && is_between(before)) {
-      m_networks.join(surface.edge(h), surface.edge(before));
+      m_networks.join(edge_of(surface, h), edge_of(surface, before));
       m_cycles.join(h, surface.twin(before));
       if (!is_between(after)) {
         // The corner lies alone in its region; the other two are on the other side.
@@ -89,14 +102,14 @@ private:
   {
     std::vector<Index> number_of_faces(surface.number_of_halfedges(), 0);
     for (Index face = 0; face < surface.number_of_faces(); ++face) {
-      for (const Index h : surface.face_halfedges(face)) {
-        ++number_of_faces[surface.edge(h)];
+      for (const Index h : face_halfedges(surface, face)) {
+        ++number_of_faces[edge_of(surface, h)];
       }
     }
     Disjoint_sets holes(surface.number_of_vertices());
     Hole_ends ends;
     for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      if (number_of_faces[surface.edge(h)] == 1) {
+      if (number_of_faces[edge_of(surface, h)] == 1) {
         holes.join(surface.origin(h), surface.target(h));
         if (is_between(h)) {
           ends.push_back({0, region(surface.origin(h)), region(surface.target(h)), h});
@@ -157,7 +170,7 @@ private:
   void join_ends(const Surface& surface, const Hole_ends& ends)
   {
     for (std::size_t i = 1; i < ends.size(); ++i) {
-      m_networks.join(surface.edge(ends[i - 1].halfedge), surface.edge(ends[i].halfedge));
+      m_networks.join(edge_of(surface, ends[i - 1].halfedge), edge_of(surface, ends[i].halfedge));
       if (ends[i - 1].from == ends[i].from) {
         m_cycles.join(ends[i - 1].halfedge, ends[i].halfedge);
       }
@@ -172,7 +185,7 @@ private:
       if (!is_between(h) || m_cycles.find(h) != h) {
         continue;
       }
-      Index& meeting = meeting_of_network[m_networks.find(surface.edge(h))];
+      Index& meeting = meeting_of_network[m_networks.find(edge_of(surface, h))];
       if (meeting == no_index) {
         meeting = Index(m_meetings.size());
         m_meetings.emplace_back();
@@ -227,9 +240,9 @@ private:
     std::vector<std::size_t> count(m_regions.size(), 0);
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
       const Index region = m_regions[vertex];
-      sum[region] += double(m_triangulation.vertex_area(vertex)) * m_triangulation.point(vertex);
+      sum[region] += double(m_triangulation.vertex_area(vertex)) * m_triangulation.points()[vertex];
       area[region] += double(m_triangulation.vertex_area(vertex));
-      plain_sum[region] += m_triangulation.point(vertex);
+      plain_sum[region] += m_triangulation.points()[vertex];
       ++count[region];
     }
     for (Index region = 0; region < m_regions.size(); ++region) {
@@ -282,14 +295,16 @@ private:
     skeleton.radius = radii([&](Index region) { return node_of_region[region]; }, builder);
   }
 
-  /// For each node, the median by area of the distances of its vertices; what the builder has where a node has no vertices.
+  /// For each node, the median by area of the distances of its vertices; what the builder has where a node has no
+  /// vertices.
   template <class NodeOfRegion>
   std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_builder& builder) const
   {
     std::vector<std::vector<std::pair<double, double>>> distances(builder.size());
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
       const Index node = node_of_region(m_regions[vertex]);
-      distances[node].emplace_back((m_triangulation.point(vertex) - builder[node].position).norm(), double(m_triangulation.vertex_area(vertex)));
+      distances[node].emplace_back((m_triangulation.points()[vertex] - builder[node].position).norm(),
+                                   double(m_triangulation.vertex_area(vertex)));
     }
     std::vector<double> result(builder.size());
     for (Index node = 0; node < builder.size(); ++node) {

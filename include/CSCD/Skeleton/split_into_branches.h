@@ -6,6 +6,8 @@
 #ifndef CSCD_SKELETON_SPLIT_INTO_BRANCHES_H
 #define CSCD_SKELETON_SPLIT_INTO_BRANCHES_H
 
+#include <CSCD/Vector_3.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
@@ -18,22 +20,21 @@ namespace CSCD {
 namespace internal {
 
 /// Walks along the branches of a skeleton; see `split_into_branches()`.
-template <class Skeleton>
 class Branch_splitter
 {
 public:
-  using vertex_descriptor = typename boost::graph_traits<Skeleton>::vertex_descriptor;
-  using Branch = std::vector<vertex_descriptor>;
+  using Branch = std::vector<Index>;
 
-  explicit Branch_splitter(const Skeleton& skeleton) : m_skeleton(skeleton), m_is_walked(num_vertices(skeleton), false)
+  explicit Branch_splitter(const std::vector<std::vector<Index>>& neighbors)
+      : m_neighbors(neighbors), m_is_walked(neighbors.size(), 0)
   {
-    for (vertex_descriptor v : boost::make_iterator_range(vertices(skeleton))) {
-      if (out_degree(v, skeleton) != 2) {
+    for (Index v = 0; v < neighbors.size(); ++v) {
+      if (!is_inner(v)) {
         walk_all_from(v);
       }
     }
-    for (vertex_descriptor v : boost::make_iterator_range(vertices(skeleton))) {
-      if (out_degree(v, skeleton) == 2 && !is_walked(v)) {
+    for (Index v = 0; v < neighbors.size(); ++v) {
+      if (is_inner(v) && m_is_walked[v] == 0) {
         walk_cycle(v);
       }
     }
@@ -42,20 +43,17 @@ public:
   std::vector<Branch> release() { return std::move(m_branches); }
 
 private:
-  bool is_inner(vertex_descriptor v) const { return out_degree(v, m_skeleton) == 2; }
-  bool is_walked(vertex_descriptor v) const { return m_is_walked[static_cast<std::size_t>(v)]; }
-  void mark(vertex_descriptor v) { m_is_walked[static_cast<std::size_t>(v)] = true; }
+  bool is_inner(Index v) const { return m_neighbors[v].size() == 2; }
 
-  void walk_all_from(vertex_descriptor end)
+  void walk_all_from(Index end)
   {
-    if (out_degree(end, m_skeleton) == 0) {
+    if (m_neighbors[end].empty()) {
       m_branches.push_back({end});
     }
     std::size_t number_of_loop_ends = 0; // an edge from a node to itself is listed twice among its edges
-    for (auto e : boost::make_iterator_range(out_edges(end, m_skeleton))) {
-      const vertex_descriptor next = target(e, m_skeleton);
+    for (const Index next : m_neighbors[end]) {
       if (is_inner(next)) {
-        if (!is_walked(next)) {
+        if (m_is_walked[next] == 0) {
           walk(end, next);
         }
       } else if (end < next || (end == next && number_of_loop_ends++ % 2 == 0)) {
@@ -64,13 +62,13 @@ private:
     }
   }
 
-  void walk(vertex_descriptor previous, vertex_descriptor current)
+  void walk(Index previous, Index current)
   {
     Branch branch{previous};
-    while (is_inner(current) && !is_walked(current)) {
-      mark(current);
+    while (is_inner(current) && m_is_walked[current] == 0) {
+      m_is_walked[current] = 1;
       branch.push_back(current);
-      const vertex_descriptor next = other_neighbor(current, previous);
+      const Index next = m_neighbors[current][m_neighbors[current][0] == previous ? 1 : 0];
       previous = current;
       current = next;
     }
@@ -78,23 +76,23 @@ private:
     m_branches.push_back(std::move(branch));
   }
 
-  void walk_cycle(vertex_descriptor first)
+  void walk_cycle(Index first)
   {
-    mark(first);
-    walk(first, target(*out_edges(first, m_skeleton).first, m_skeleton));
+    m_is_walked[first] = 1;
+    walk(first, m_neighbors[first][0]);
   }
 
-  vertex_descriptor other_neighbor(vertex_descriptor v, vertex_descriptor neighbor) const
-  {
-    auto e = out_edges(v, m_skeleton).first;
-    const vertex_descriptor first = target(*e, m_skeleton);
-    return first == neighbor ? target(*++e, m_skeleton) : first;
-  }
-
-  const Skeleton& m_skeleton;
-  std::vector<bool> m_is_walked;
+  const std::vector<std::vector<Index>>& m_neighbors;
+  std::vector<char> m_is_walked;
   std::vector<Branch> m_branches;
 };
+
+/// The branches of the skeleton whose nodes have these neighbors, in the order of their edges; see the function for
+/// graphs. Linear.
+inline std::vector<std::vector<Index>> split_into_branches(const std::vector<std::vector<Index>>& neighbors)
+{
+  return Branch_splitter(neighbors).release();
+}
 
 } // namespace internal
 
@@ -109,7 +107,20 @@ template <class Skeleton>
 std::vector<std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor>>
 split_into_branches(const Skeleton& skeleton)
 {
-  return internal::Branch_splitter<Skeleton>(skeleton).release();
+  using vertex_descriptor = typename boost::graph_traits<Skeleton>::vertex_descriptor;
+  std::vector<std::vector<Index>> neighbors;
+  neighbors.reserve(num_vertices(skeleton));
+  for (const vertex_descriptor v : boost::make_iterator_range(vertices(skeleton))) {
+    std::vector<Index>& around = neighbors.emplace_back();
+    for (const auto edge : boost::make_iterator_range(out_edges(v, skeleton))) {
+      around.push_back(static_cast<Index>(target(edge, skeleton)));
+    }
+  }
+  std::vector<std::vector<vertex_descriptor>> result;
+  for (const std::vector<Index>& branch : internal::split_into_branches(neighbors)) {
+    result.emplace_back(branch.begin(), branch.end());
+  }
+  return result;
 }
 
 } // namespace CSCD

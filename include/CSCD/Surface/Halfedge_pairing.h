@@ -9,11 +9,11 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -85,38 +85,34 @@ private:
         pair_descending(halfedge, origin, target);
       }
     });
-    std::vector<Index>().swap(m_begin);
-    std::vector<Entry>().swap(m_entries);
+    m_entries = {};
     m_has_border = std::find(m_twin.begin(), m_twin.end(), no_index) != m_twin.end();
   }
 
   void fill_buckets(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points)
   {
-    m_begin.assign(number_of_points + 1, 0);
-    for_each_halfedge(faces, [this](Index, Index origin, Index target) { m_begin[origin + 1] += origin < target; });
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
-    m_entries.resize(m_begin.back());
-    for_each_halfedge(faces, [&](Index halfedge, Index origin, Index target) {
-      if (origin < target) {
-        m_entries[fill[origin]++] = {target, halfedge};
-      }
+    m_entries = internal::Compressed_rows<Entry>(number_of_points, [&faces](const auto& add) {
+      for_each_halfedge(faces, [&add](Index halfedge, Index origin, Index target) {
+        if (origin < target) {
+          add(origin, Entry{target, halfedge});
+        }
+      });
     });
   }
 
-  bool is_sorted(Index vertex) const { return m_begin[vertex + 1] - m_begin[vertex] > small_bucket; }
+  bool is_sorted(Index vertex) const { return m_entries.size(vertex) > small_bucket; }
 
   /// Seeks two entries for the same edge; sorts the bucket if it is large.
   void check_bucket(Index vertex)
   {
-    const auto first = m_entries.begin() + m_begin[vertex];
-    const auto last = m_entries.begin() + m_begin[vertex + 1];
+    Entry* const first = m_entries[vertex].begin();
+    Entry* const last = m_entries[vertex].end();
     if (is_sorted(vertex)) {
       std::sort(first, last);
     }
     const auto is_same_edge = [](const Entry& a, const Entry& b) { return a.larger_end == b.larger_end; };
-    for (auto it = first; it != last && m_conflict == no_index; ++it) {
-      const auto end = is_sorted(vertex) ? std::min(it + 2, last) : last;
+    for (Entry* it = first; it != last && m_conflict == no_index; ++it) {
+      Entry* const end = is_sorted(vertex) ? std::min(it + 2, last) : last;
       const auto other = std::find_if(it + 1, end, [&](const Entry& entry) { return is_same_edge(*it, entry); });
       m_conflict = other == end ? no_index : other->halfedge;
     }
@@ -125,8 +121,8 @@ private:
   /// Pairs the halfedge `h` from `larger_end` to `smaller_end` with the ascending one of its edge, if there is one.
   void pair_descending(Index h, Index larger_end, Index smaller_end)
   {
-    auto first = m_entries.begin() + m_begin[smaller_end];
-    const auto last = m_entries.begin() + m_begin[smaller_end + 1];
+    const Entry* first = std::as_const(m_entries)[smaller_end].begin();
+    const Entry* const last = std::as_const(m_entries)[smaller_end].end();
     if (is_sorted(smaller_end)) {
       first = std::lower_bound(first, last, Entry{larger_end, 0});
     }
@@ -145,8 +141,7 @@ private:
   }
 
   std::vector<Index> m_twin;
-  std::vector<Index> m_begin; // of every bucket, while halfedges are paired
-  std::vector<Entry> m_entries;
+  internal::Compressed_rows<Entry> m_entries; // by bucket, while halfedges are paired
   Index m_conflict = no_index;
   bool m_has_border = false;
 };
@@ -173,51 +168,6 @@ template <class VertexName>
                            "CGAL::Polygon_mesh_processing::orient_polygon_soup; a one-sided surface has no inside");
 }
 
-/// Marks all corners of the fan of faces that holds `halfedge` around its origin.
-inline void mark_fan(const Halfedge_pairing& pairing, Index halfedge, std::vector<char>& marked)
-{
-  Index at = halfedge;
-  do {
-    marked[at] = 1;
-    at = pairing.twin(Halfedge_pairing::previous(at));
-  } while (at != no_index && at != halfedge);
-  if (at == no_index) {
-    for (at = pairing.twin(halfedge); at != no_index; at = pairing.twin(at)) {
-      at = Halfedge_pairing::next(at);
-      marked[at] = 1;
-    }
-  }
-}
-
-/// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
-/// and that the faces around every vertex form one fan. Linear.
-/// \param name gives the number by which a message calls a vertex
-/// \throw Input_error naming the first edge or vertex that violates this
-template <class VertexName>
-Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const VertexName& name)
-{
-  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  if (pairing.conflict() != no_index) {
-    refuse_edge(triangles, pairing.conflict(), name);
-  }
-  std::vector<char> marked(pairing.number_of_halfedges(), 0);
-  std::vector<char> has_fan(triangles.points.size(), 0);
-  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
-    if (marked[halfedge]) {
-      continue;
-    }
-    const Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
-    if (has_fan[vertex]) {
-      throw Input_error("vertex " + std::to_string(name(vertex)) +
-                        " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
-                        "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
-    }
-    has_fan[vertex] = 1;
-    mark_fan(pairing, halfedge, marked);
-  }
-  return pairing;
-}
-
 /// Calls `use(h)` for each halfedge `h` that leaves the origin of `halfedge` inside the same fan of faces.
 template <class Use>
 void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use& use)
@@ -233,6 +183,46 @@ void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use&
       use(at);
     }
   }
+}
+
+/// A vertex around which the faces form several fans, or `no_index`; linear.
+/// \param pairing of the faces, without conflict
+inline Index find_pinched_vertex(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+{
+  std::vector<char> marked(pairing.number_of_halfedges(), 0);
+  std::vector<char> has_fan(triangles.points.size(), 0);
+  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
+    if (marked[halfedge]) {
+      continue;
+    }
+    const Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
+    if (has_fan[vertex]) {
+      return vertex;
+    }
+    has_fan[vertex] = 1;
+    for_each_in_fan(pairing, halfedge, [&marked](Index h) { marked[h] = 1; });
+  }
+  return no_index;
+}
+
+/// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
+/// and that the faces around every vertex form one fan. Linear.
+/// \param name gives the number by which a message calls a vertex
+/// \throw Input_error naming the first edge or vertex that violates this
+template <class VertexName>
+Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const VertexName& name)
+{
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  if (pairing.conflict() != no_index) {
+    refuse_edge(triangles, pairing.conflict(), name);
+  }
+  const Index pinched = find_pinched_vertex(triangles, pairing);
+  if (pinched != no_index) {
+    throw Input_error("vertex " + std::to_string(name(pinched)) +
+                      " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
+                      "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
+  }
+  return pairing;
 }
 
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are

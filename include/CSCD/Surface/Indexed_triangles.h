@@ -7,11 +7,11 @@
 #define CSCD_SURFACE_INDEXED_TRIANGLES_H
 
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -72,22 +72,15 @@ inline void sort_faces(Indexed_triangles& triangles)
   const auto bucket = [&triangles, n](std::size_t f) {
     return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
   };
-  std::vector<Index> begin(2 * n + 1, 0);
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    ++begin[bucket(f) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Index> fill(begin.begin(), begin.end() - 1);
-  std::vector<std::array<Index, 3>> sorted(triangles.faces.size());
-  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-    sorted[fill[bucket(f)]++] = triangles.faces[f];
-  }
-  for (std::size_t b = 0; b < 2 * n; ++b) {
-    if (begin[b + 1] - begin[b] > 1) {
-      std::sort(sorted.begin() + begin[b], sorted.begin() + begin[b + 1]);
+  internal::Compressed_rows<std::array<Index, 3>> buckets(2 * n, [&](const auto& add) {
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      add(bucket(f), triangles.faces[f]);
     }
+  });
+  for (std::size_t b = 0; b < 2 * n; ++b) {
+    std::sort(buckets[b].begin(), buckets[b].end());
   }
-  triangles.faces = std::move(sorted);
+  triangles.faces = std::move(buckets).values();
 }
 
 /// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest

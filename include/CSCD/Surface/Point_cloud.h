@@ -68,6 +68,13 @@ Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_
 /// \throw Input_error if there are too few different points, or all are on a line or at one place
 void check_extent(const Point_cloud& cloud);
 
+namespace internal {
+
+/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a space
+/// filling curve, for points that are near each other to be near in memory.
+void sort_canonically(Point_cloud& cloud);
+
+} // namespace internal
 } // namespace CSCD
 
 #ifndef CSCD_COMPILED

@@ -27,9 +27,7 @@
 
 namespace CSCD::internal {
 
-/// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a space
-/// filling curve, for points that are near each other to be near in memory.
-inline void sort_canonically(Point_cloud& cloud)
+CSCD_INLINE void sort_canonically(Point_cloud& cloud)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   cloud.pose = Canonical_pose(cloud.points);

@@ -7,6 +7,7 @@
 #define CSCD_SURFACE_POINT_COMPLEX_H
 
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
@@ -19,58 +20,39 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
 
+namespace internal {
+
 /// The neighbors of every vertex in some triangles, each once, by ascending number.
-struct Vertex_neighbors
+class Vertex_neighbors : public Compressed_rows<Index>
 {
+public:
   /// O(n) for bounded degrees.
   /// \param triangles a range of what `vertices_of` maps to three vertices
   template <class Triangles, class VerticesOf>
   Vertex_neighbors(std::size_t number_of_vertices, const Triangles& triangles, const VerticesOf& vertices_of)
-      : begin(number_of_vertices + 1, 0)
+      : Compressed_rows(number_of_vertices, [&](const auto& add) {
+          for (const auto& triangle : triangles) {
+            const std::array<Index, 3>& vertices = vertices_of(triangle);
+            for (std::size_t k = 0; k < 3; ++k) {
+              add(vertices[k], vertices[(k + 1) % 3]);
+              add(vertices[k], vertices[(k + 2) % 3]);
+            }
+          }
+        })
   {
-    for (const auto& triangle : triangles) {
-      for (const Index vertex : vertices_of(triangle)) {
-        begin[vertex + 1] += 2;
-      }
-    }
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
-    neighbors.resize(begin.back());
-    std::vector<Index> end(begin.begin(), begin.end() - 1);
-    for (const auto& triangle : triangles) {
-      const std::array<Index, 3>& vertices = vertices_of(triangle);
-      for (std::size_t k = 0; k < 3; ++k) {
-        neighbors[end[vertices[k]]++] = vertices[(k + 1) % 3];
-        neighbors[end[vertices[k]]++] = vertices[(k + 2) % 3];
-      }
-    }
-    remove_duplicates();
-  }
-
-  std::vector<Index> begin;     ///< of the neighbors of every vertex, and the end of all
-  std::vector<Index> neighbors; ///< vertex by vertex
-
-private:
-  void remove_duplicates()
-  {
-    auto to = neighbors.begin();
-    auto from = neighbors.begin();
-    for (std::size_t vertex = 0; vertex + 1 < begin.size(); ++vertex) {
-      const auto end = neighbors.begin() + begin[vertex + 1];
-      std::sort(from, end);
-      begin[vertex] = Index(to - neighbors.begin());
-      to = std::unique_copy(from, end, to);
-      from = end;
-    }
-    begin.back() = Index(to - neighbors.begin());
-    neighbors.erase(to, neighbors.end());
+    reduce_rows([](Index* first, Index* last) {
+      std::sort(first, last);
+      return std::unique(first, last);
+    });
   }
 };
+
+} // namespace internal
 
 /// Points joined by edges and triangles, nearly a surface: an edge may have one triangle, two, or more, and the
 /// triangles around a vertex need not form one fan. Immutable. Every edge belongs to a triangle; a vertex may have
@@ -115,24 +97,24 @@ public:
 
   /// \name Halfedges
   /// @{
-  Index number_of_halfedges() const { return Index(m_targets.size()); }
+  Index number_of_halfedges() const { return Index(m_targets.number_of_values()); }
   /// The halfedges from `vertex`, counterclockwise.
   Halfedge_range outgoing(Index vertex) const
   {
-    return {boost::counting_iterator<Index>(m_begin[vertex]), boost::counting_iterator<Index>(m_begin[vertex + 1])};
+    return {boost::counting_iterator<Index>(m_targets.begin(vertex)),
+            boost::counting_iterator<Index>(m_targets.begin(vertex + 1))};
   }
-  Index origin(Index halfedge) const { return m_targets[m_twins[halfedge]]; }
-  Index target(Index halfedge) const { return m_targets[halfedge]; }
+  Index origin(Index halfedge) const { return target(m_twins[halfedge]); }
+  Index target(Index halfedge) const { return m_targets.values()[halfedge]; }
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
   /// The halfedge that stands for the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, m_twins[halfedge]); }
   /// The halfedge from `origin` to `target`, `no_index` if there is none.
   Index find_halfedge(Index origin, Index target) const
   {
-    const auto begin = m_targets.begin() + m_begin[origin];
-    const auto end = m_targets.begin() + m_begin[origin + 1];
-    const auto found = std::find(begin, end, target);
-    return found == end ? no_index : Index(found - m_targets.begin());
+    const auto targets = m_targets[origin];
+    const auto found = std::find(targets.begin(), targets.end(), target);
+    return found == targets.end() ? no_index : m_targets.begin(origin) + Index(found - targets.begin());
   }
   double length(Index halfedge) const { return m_lengths[halfedge]; }
   /// 0 if there are no edges.
@@ -156,22 +138,20 @@ public:
 private:
   void find_neighbors(const std::vector<std::array<Index, 3>>& triangles)
   {
-    Vertex_neighbors neighbors(
+    m_targets = internal::Vertex_neighbors(
         m_points.size(), triangles, [](const auto& triangle) -> auto& { return triangle; });
-    m_begin = std::move(neighbors.begin);
-    m_targets.reserve(neighbors.neighbors.size());
-    m_lengths.reserve(neighbors.neighbors.size());
+    m_lengths.reserve(m_targets.number_of_values());
     std::vector<std::pair<double, Index>> around;
     for (Index v = 0; v < number_of_vertices(); ++v) {
       around.clear();
-      for (Index i = m_begin[v]; i < m_begin[v + 1]; ++i) {
-        const Index first = neighbors.neighbors[m_begin[v]];
-        const Index neighbor = neighbors.neighbors[i];
-        around.emplace_back(i == m_begin[v] ? 0. : angle(v, first, neighbor), neighbor);
+      const auto targets = m_targets[v];
+      for (const Index& neighbor : targets) {
+        around.emplace_back(&neighbor == targets.begin() ? 0. : angle(v, *targets.begin(), neighbor), neighbor);
       }
       std::sort(around.begin(), around.end());
-      for (const auto& [direction, neighbor] : around) {
-        m_targets.push_back(neighbor);
+      for (std::size_t i = 0; i < around.size(); ++i) {
+        const Index neighbor = around[i].second;
+        targets.begin()[i] = neighbor;
         m_lengths.push_back((m_points[neighbor] - m_points[v]).norm());
       }
     }
@@ -191,14 +171,14 @@ private:
   void find_twins()
   {
     double sum = 0;
-    m_twins.resize(m_targets.size());
+    m_twins.resize(number_of_halfedges());
     for (Index v = 0; v < number_of_vertices(); ++v) {
       for (const Index h : outgoing(v)) {
-        m_twins[h] = find_halfedge(m_targets[h], v);
+        m_twins[h] = find_halfedge(target(h), v);
         sum += m_lengths[h];
       }
     }
-    m_mean_edge_length = m_targets.empty() ? 0 : sum / double(m_targets.size());
+    m_mean_edge_length = m_lengths.empty() ? 0 : sum / double(m_lengths.size());
   }
 
   void find_faces(const std::vector<std::array<Index, 3>>& triangles)
@@ -248,16 +228,39 @@ private:
 
   std::vector<Vector_3> m_points;
   std::vector<Vector_3> m_normals;
-  std::vector<double> m_areas;               // of every vertex
-  std::vector<Index> m_component;            // of every vertex
-  std::vector<Index> m_begin;                // of the halfedges from every vertex, and the end of all
-  std::vector<Index> m_targets;              // of every halfedge
-  std::vector<Index> m_twins;                // of every halfedge
-  std::vector<double> m_lengths;             // of every halfedge
-  std::vector<std::array<Index, 3>> m_faces; // their halfedges
+  std::vector<double> m_areas;                // of every vertex
+  std::vector<Index> m_component;             // of every vertex
+  internal::Compressed_rows<Index> m_targets; // of every halfedge, vertex by vertex
+  std::vector<Index> m_twins;                 // of every halfedge
+  std::vector<double> m_lengths;              // of every halfedge
+  std::vector<std::array<Index, 3>> m_faces;  // their halfedges
   Index m_number_of_components = 0;
   double m_mean_edge_length = 0;
 };
+
+namespace internal {
+
+/// Goes from `vertex` to the neighbor that is nearest to `point`, again and again until none is nearer.
+/// \param is_allowed whether to go on from its first argument to its second one
+template <class Predicate>
+Index descend_to_nearest(const Point_complex& complex, const Vector_3& point, Index vertex, const Predicate& is_allowed)
+{
+  double min_distance = (complex.point(vertex) - point).squaredNorm();
+  for (Index center = no_index; center != vertex;) {
+    center = vertex;
+    for (const Index h : complex.outgoing(center)) {
+      const Index neighbor = complex.target(h);
+      const double distance = (complex.point(neighbor) - point).squaredNorm();
+      if (distance < min_distance && is_allowed(center, neighbor)) {
+        min_distance = distance;
+        vertex = neighbor;
+      }
+    }
+  }
+  return vertex;
+}
+
+} // namespace internal
 
 /// A part with fewer of the points than this, relative to the largest part, is a fragment: noise, or the tip of a limb
 /// that lost its connection.

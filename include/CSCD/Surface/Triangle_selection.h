@@ -153,15 +153,14 @@ private:
 
   void lay_out_sectors()
   {
-    Vertex_neighbors neighbors(
+    const Vertex_neighbors neighbors(
         m_points.size(), m_triangles, [](const Local_triangle& triangle) -> auto& { return triangle.vertices; });
-    m_begin = std::move(neighbors.begin);
-    m_sectors.reserve(neighbors.neighbors.size());
+    m_sectors.reserve(neighbors.number_of_values());
     for (Index v = 0; v < m_points.size(); ++v) {
       const Vector_3 x = m_normals[v].unitOrthogonal();
       const Vector_3 y = m_normals[v].cross(x);
-      for (Index i = m_begin[v]; i < m_begin[v + 1]; ++i) {
-        const Index neighbor = neighbors.neighbors[i];
+      m_begin.push_back(Index(m_sectors.size()));
+      for (const Index neighbor : neighbors[v]) {
         const Vector_3 edge = m_points[neighbor] - m_points[v];
         m_sectors.push_back({neighbor, std::atan2(y.dot(edge), x.dot(edge)), false});
       }
@@ -169,6 +168,7 @@ private:
         return std::make_pair(a.begin, a.neighbor) < std::make_pair(b.begin, b.neighbor);
       });
     }
+    m_begin.push_back(Index(m_sectors.size()));
   }
 
   /// Calls `function(sector)` for those between the sides of the triangle at `vertex` until it returns false.

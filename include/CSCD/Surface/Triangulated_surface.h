@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -46,7 +46,7 @@ struct Has_hole_filling_faces : std::false_type
 
 template <class Triangulation>
 struct Has_hole_filling_faces<Triangulation,
-                          std::void_t<decltype(std::declval<const Triangulation&>().is_hole_filling(Index(0)))>>
+                              std::void_t<decltype(std::declval<const Triangulation&>().is_hole_filling(Index(0)))>>
     : std::true_type
 {
 };
@@ -63,42 +63,16 @@ bool is_hole_filling_face([[maybe_unused]] const Triangulation& triangulation, [
   }
 }
 
-/// An oriented 2-manifold of triangles with halfedges, with or without borders, immutable, in the coordinates of the
-/// input. A halfedge has no twin where the surface ends.
-class Open_triangulation : public Triangle_halfedges
+namespace internal {
+
+/// A point of a face: the sum of its corners, the origins of its halfedges in order, by barycentric weights.
+struct Face_point
 {
-public:
-  /// Takes over checked triangles; linear.
-  /// \pre `pairing` is that of the faces of `triangles` and has no conflict, and the faces of each vertex form one fan
-  Open_triangulation(Indexed_triangles&& triangles, Halfedge_pairing&& pairing) : m_points(std::move(triangles.points))
-  {
-    CGAL_precondition(pairing.conflict() == no_index);
-    CGAL_precondition(pairing.number_of_halfedges() == 3 * triangles.faces.size());
-    m_twin = std::move(pairing).twins();
-    m_origin.reserve(3 * triangles.faces.size());
-    for (const auto& face : triangles.faces) {
-      m_origin.insert(m_origin.end(), face.begin(), face.end());
-    }
-  }
-
-  Index number_of_vertices() const { return Index(m_points.size()); }
-  Index number_of_halfedges() const { return Index(m_origin.size()); }
-  Index number_of_faces() const { return Index(m_origin.size() / 3); }
-
-  Index origin(Index halfedge) const { return m_origin[halfedge]; }
-  Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
-  /// The oppositely directed halfedge of the same edge, `no_index` on a border.
-  Index twin(Index halfedge) const { return m_twin[halfedge]; }
-
-  const std::vector<Vector_3>& points() const { return m_points; }
-  const Vector_3& point(Index vertex) const { return m_points[vertex]; }
-  double length(Index halfedge) const { return (point(target(halfedge)) - point(origin(halfedge))).norm(); }
-
-private:
-  std::vector<Vector_3> m_points;
-  std::vector<Index> m_origin;
-  std::vector<Index> m_twin;
+  Index face = no_index;
+  std::array<double, 3> weights{};
 };
+
+} // namespace internal
 
 /// A point of a surface.
 struct Surface_point
@@ -115,8 +89,9 @@ struct Surface_hit
   double distance = 0; ///< from the origin of the ray
 };
 
-/// A closed, oriented 2-manifold of triangles with halfedges, immutable.
-/// The outgoing halfedges of a vertex are stored in counterclockwise order.
+/// An oriented 2-manifold of triangles with halfedges, with or without borders, immutable. A halfedge of a border has
+/// no twin. The outgoing halfedges of a vertex are stored in counterclockwise order; at a border, the first one of the
+/// fan comes first.
 class Triangulated_surface : public Triangle_halfedges
 {
 public:
@@ -130,23 +105,19 @@ public:
 
   Triangulated_surface() = default;
 
-  /// Compiles `triangles`; linear.
+  /// Compiles `triangles` to a closed surface; linear.
   /// Where they are no closed oriented manifold, `defect()` names the first violation and nothing else may be called.
   explicit Triangulated_surface(Indexed_triangles&& triangles)
-      : m_points(std::move(triangles.points)), m_first_hole_filling_face(Index(triangles.first_hole_filling_face))
+      : Triangulated_surface(std::move(triangles), Halfedge_pairing(triangles.faces, triangles.points.size()), true)
   {
-    m_origin.reserve(3 * triangles.faces.size());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      m_origin.insert(m_origin.end(), face.begin(), face.end());
-    }
-    pair_halfedges(triangles.faces);
-    std::vector<std::array<Index, 3>>().swap(triangles.faces);
-    if (!m_defect) {
-      order_rings();
-    }
-    if (!m_defect) {
-      measure_faces();
-    }
+  }
+
+  /// Compiles `triangles` to a surface with or without borders, after they have been checked; linear.
+  /// \pre `pairing` is that of the faces of `triangles` and has no conflict, and the faces of each vertex form one fan
+  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+      : Triangulated_surface(std::move(triangles), std::move(pairing), false)
+  {
+    CGAL_precondition(!m_defect);
   }
 
   /// \name Combinatorics
@@ -161,24 +132,23 @@ public:
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
   /// The corner of the halfedge's face that the halfedge does not touch.
   Index opposite_vertex(Index halfedge) const { return m_origin[previous(halfedge)]; }
+  /// The oppositely directed halfedge of the same edge, `no_index` on a border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
   /// The halfedge that stands for the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, m_twin[halfedge]); }
 
-  /// The next outgoing halfedge of the same origin, counterclockwise.
+  /// The next outgoing halfedge of the same origin, counterclockwise; `no_index` where a border comes before.
   Index next_around_origin(Index halfedge) const { return m_twin[previous(halfedge)]; }
-  /// The next outgoing halfedge of the same origin, clockwise.
+  /// The next outgoing halfedge of the same origin, clockwise. \pre `halfedge` is not on a border
   Index previous_around_origin(Index halfedge) const { return next(m_twin[halfedge]); }
 
   /// The sides of `face`, one after the other.
   static std::array<Index, 3> face_halfedges(Index face) { return {3 * face, 3 * face + 1, 3 * face + 2}; }
 
   /// The outgoing halfedges of `vertex`, counterclockwise.
-  CGAL::Iterator_range<const Index*> outgoing(Index vertex) const
-  {
-    return {m_ring.data() + m_ring_begin[vertex], m_ring.data() + m_ring_begin[vertex + 1]};
-  }
-  Index degree(Index vertex) const { return m_ring_begin[vertex + 1] - m_ring_begin[vertex]; }
+  CGAL::Iterator_range<const Index*> outgoing(Index vertex) const { return m_outgoing[vertex]; }
+  /// The number of outgoing halfedges of `vertex`.
+  Index degree(Index vertex) const { return m_outgoing.size(vertex); }
 
   /// The halfedge from `source` to `target`, or `no_index`; linear in the degree of `source`.
   Index find_halfedge(Index source, Index target) const
@@ -216,48 +186,51 @@ public:
   /// @}
 
 private:
-  /// Pairs the halfedges of `faces`, and finds the first that has no partner.
-  void pair_halfedges(const std::vector<std::array<Index, 3>>& faces)
+  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing, bool must_be_closed)
+      : m_points(std::move(triangles.points)), m_first_hole_filling_face(Index(triangles.first_hole_filling_face))
   {
-    Halfedge_pairing pairing(faces, m_points.size());
+    CGAL_precondition(pairing.number_of_halfedges() == 3 * triangles.faces.size());
+    m_origin.reserve(3 * triangles.faces.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      m_origin.insert(m_origin.end(), face.begin(), face.end());
+    }
+    std::vector<std::array<Index, 3>>().swap(triangles.faces);
     Index lone = pairing.conflict();
     m_twin = std::move(pairing).twins();
-    if (lone == no_index) {
+    if (lone == no_index && must_be_closed) {
       const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
       lone = border == m_twin.end() ? no_index : Index(border - m_twin.begin());
     }
     if (lone != no_index) {
       m_defect = {m_origin[lone], target(lone)};
+      return;
+    }
+    order_outgoing();
+    if (!m_defect) {
+      measure_faces();
     }
   }
 
-  void order_rings()
+  /// Sorts the outgoing halfedges of every vertex; finds the first vertex where they are not one fan.
+  void order_outgoing()
   {
-    const std::size_t n = m_points.size();
-    m_ring_begin.assign(n + 1, 0);
-    std::vector<Index> first(n, no_index);
-    for (Index h = 0; h < number_of_halfedges(); ++h) {
-      ++m_ring_begin[m_origin[h] + 1];
-      if (first[m_origin[h]] == no_index) {
-        first[m_origin[h]] = h;
+    m_outgoing = internal::Compressed_rows<Index>(m_points.size(), [this](const auto& add) {
+      for (Index h = 0; h < number_of_halfedges(); ++h) {
+        add(m_origin[h], h);
       }
-    }
-    std::partial_sum(m_ring_begin.begin(), m_ring_begin.end(), m_ring_begin.begin());
-    m_ring.resize(m_origin.size());
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      Index at = m_ring_begin[vertex];
-      const Index end = m_ring_begin[vertex + 1];
-      Index halfedge = first[vertex];
-      while (at != end) {
-        m_ring[at++] = halfedge;
-        halfedge = next_around_origin(halfedge);
-        if (halfedge == first[vertex]) {
-          break;
+    });
+    for (Index vertex = 0; vertex < number_of_vertices(); ++vertex) {
+      const auto row = m_outgoing[vertex];
+      const auto border = std::find_if(row.begin(), row.end(), [this](Index h) { return m_twin[h] == no_index; });
+      const Index first = row.empty() ? no_index : *(border == row.end() ? row.begin() : border);
+      Index at = first;
+      for (Index& halfedge : row) {
+        if (at == no_index || (at == first && &halfedge != row.begin())) {
+          m_defect = {vertex, no_index};
+          return;
         }
-      }
-      if (at != end) {
-        m_defect = {vertex, no_index};
-        return;
+        halfedge = at;
+        at = next_around_origin(at);
       }
     }
   }
@@ -289,8 +262,7 @@ private:
   std::vector<Vector_3> m_points;
   std::vector<Index> m_origin;
   std::vector<Index> m_twin;
-  std::vector<Index> m_ring_begin;
-  std::vector<Index> m_ring;
+  internal::Compressed_rows<Index> m_outgoing; // of every vertex
   std::vector<float> m_face_area;
   std::vector<float> m_vertex_area;
   std::vector<Eigen::Vector3f> m_vertex_normal;

@@ -54,10 +54,9 @@ private:
   void find_tree(const Vertex_neighbors& neighbors)
   {
     std::vector<std::pair<double, Edge>> edges; // by what the normals differ
-    edges.reserve(neighbors.neighbors.size() / 2);
+    edges.reserve(neighbors.number_of_values() / 2);
     for (Index a = 0; a < m_points.size(); ++a) {
-      for (Index i = neighbors.begin[a]; i < neighbors.begin[a + 1]; ++i) {
-        const Index b = neighbors.neighbors[i];
+      for (const Index b : neighbors[a]) {
         if (a < b) {
           edges.push_back({1 - std::abs(expected(a, b).dot(m_normals[b])), {a, b}});
         }

@@ -10,8 +10,7 @@
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/double.h>
@@ -19,9 +18,9 @@
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -50,6 +49,70 @@ struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
 template <class PointRange>
 using Point_descriptor =
     std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
+
+/// Calls `function(number, descriptor)` for every point of a range, in the order of iteration.
+template <class PointRange, class Function>
+void for_each_descriptor(const PointRange& points, const Function& function)
+{
+  std::size_t number = 0;
+  for ([[maybe_unused]] const auto& element : points) {
+    if constexpr (Is_range_of_indices<PointRange>::value) {
+      function(number++, element);
+    } else {
+      function(number, number);
+      ++number;
+    }
+  }
+}
+
+/// The numbers of the points of a range in the order of iteration, and the descriptors of numbers.
+template <class PointRange>
+class Point_numbering
+{
+public:
+  using Descriptor = Point_descriptor<PointRange>;
+
+  /// Linear.
+  explicit Point_numbering(const PointRange& points)
+  {
+    for_each_descriptor(points, [this](std::size_t number, const Descriptor& descriptor) {
+      m_size = number + 1;
+      if constexpr (Is_range_of_indices<PointRange>::value) {
+        m_descriptors.push_back(descriptor);
+        m_numbers.resize(std::max(m_numbers.size(), std::size_t(descriptor) + 1), no_index);
+        m_numbers[descriptor] = Index(number);
+      }
+    });
+  }
+
+  std::size_t size() const { return m_size; }
+
+  /// \pre `number < size()`
+  Descriptor descriptor(std::size_t number) const
+  {
+    if constexpr (Is_range_of_indices<PointRange>::value) {
+      return m_descriptors[number];
+    } else {
+      return number;
+    }
+  }
+
+  /// The number of a point, `no_index` if there is no such point; constant time.
+  Index number(const Descriptor& descriptor) const
+  {
+    if constexpr (Is_range_of_indices<PointRange>::value) {
+      return std::size_t(descriptor) < m_numbers.size() ? m_numbers[descriptor] : no_index;
+    } else {
+      return descriptor < m_size ? Index(descriptor) : no_index;
+    }
+  }
+
+private:
+  std::size_t m_size = 0;
+  // Only of a range of indices:
+  std::vector<Descriptor> m_descriptors; // of every number
+  std::vector<Index> m_numbers;          // of every index
+};
 
 /// The map from the elements of a range to points where none is given: that of a `CGAL::Point_set_3`, or the identity.
 template <class PointRange>
@@ -135,6 +198,20 @@ Point_cloud collect_points(const PointRange& range, const PointMap& point_map, c
   return cloud;
 }
 
+/// The same with the maps that `np` gives, else those of the range.
+template <class PointRange, class NamedParameters>
+Point_cloud collect_points_of(const PointRange& range, const NamedParameters& np)
+{
+  const auto map = point_map(range, np);
+  return with_normal_map(range, np, [&](const auto&... normal_map) {
+    if constexpr (sizeof...(normal_map) == 0) {
+      return collect_points(range, map, No_normals());
+    } else {
+      return collect_points(range, map, normal_map...);
+    }
+  });
+}
+
 /// For every vertex of a surface, the points of the input for which it stands, by what identifies them there.
 template <class PointRange>
 class Input_points
@@ -147,36 +224,21 @@ public:
 
   /// \param points the range of which `cloud` was made \param vertex_of_point of every point of the cloud
   Input_points(const PointRange& points, const Point_cloud& cloud, const std::vector<Index>& vertex_of_point,
-                  std::size_t number_of_vertices)
-      : m_begin(number_of_vertices + 1, 0), m_descriptors(cloud.input_point.size())
+               std::size_t number_of_vertices)
+      : m_descriptors(number_of_vertices, [&](const auto& add) {
+          for_each_descriptor(points, [&](std::size_t number, const Descriptor& descriptor) {
+            add(vertex_of_point[cloud.input_point[number]], descriptor);
+          });
+        })
   {
-    for (const Index point : cloud.input_point) {
-      ++m_begin[vertex_of_point[point] + 1];
-    }
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
-    std::size_t number = 0;
-    for ([[maybe_unused]] const auto& element : points) {
-      Descriptor& descriptor = m_descriptors[fill[vertex_of_point[cloud.input_point[number]]]++];
-      if constexpr (Is_range_of_indices<PointRange>::value) {
-        descriptor = element;
-      } else {
-        descriptor = number;
-      }
-      ++number;
-    }
   }
 
-  CGAL::Iterator_range<const Descriptor*> operator[](Index vertex) const
-  {
-    return {m_descriptors.data() + m_begin[vertex], m_descriptors.data() + m_begin[vertex + 1]};
-  }
+  CGAL::Iterator_range<const Descriptor*> operator[](Index vertex) const { return m_descriptors[vertex]; }
   /// The number of points of all vertices together.
-  std::size_t number_of_points() const { return m_descriptors.size(); }
+  std::size_t number_of_points() const { return m_descriptors.number_of_values(); }
 
 private:
-  std::vector<Index> m_begin; // of every vertex
-  std::vector<Descriptor> m_descriptors;
+  Compressed_rows<Descriptor> m_descriptors; // of every vertex
 };
 
 } // namespace CSCD::internal

@@ -28,8 +28,8 @@ namespace CSCD {
 /// The adapter of a point set to a `Point_solid`, of which no surface is made: what CSCD-PC works on, as published. A
 /// model of `SkeletonizationTraits`.
 ///
-/// Vertices are the points of the fragments that are not small; every point of the input belongs to one vertex: its own,
-/// that of an equal point, or the nearest.
+/// Vertices are the points of the fragments that are not small; every point of the input belongs to one vertex: its
+/// own, that of an equal point, or the nearest.
 /// \tparam PointRange a range over elements of any type, or a `CGAL::Point_set_3`
 /// \tparam PointMap a readable map from these elements to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
@@ -98,8 +98,10 @@ public:
     report.number_of_input_vertices = m_points.number_of_points();
     report.number_of_surface_components = m_surface->number_of_components();
     report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    report.add_warning(m_number_of_duplicates, "points at the place of others: they belong to the same nodes");
+    report.add_warning(m_number_of_duplicates, "point at the place of another: it belongs to the same node",
+                       "points at the place of others: they belong to the same nodes");
     report.add_warning(m_number_of_points_off_surface,
+                       "point in a small fragment or alone: it belongs to the node of the nearest",
                        "points in small fragments or alone: they belong to the nodes of the nearest");
   }
   /// @}

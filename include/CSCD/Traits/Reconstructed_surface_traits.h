@@ -121,12 +121,16 @@ public:
           " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
           "extract_tree_skeleton() is made for it");
     }
-    report.add_warning(m_report.number_of_duplicates, "points at the place of others: they belong to the same nodes");
-    report.add_warning(m_report.number_of_unused_points,
+    report.add_warning(m_report.number_of_duplicates, "point at the place of another: it belongs to the same node",
+                       "points at the place of others: they belong to the same nodes");
+    report.add_warning(m_report.number_of_unused_points, "point off the surface: it belongs to the node of the nearest",
                        "points off the surface: they belong to the nodes of the nearest");
-    report.add_warning(m_report.number_of_holes, "holes of the reconstructed surface: closed by faces without weight");
-    report.add_warning(m_report.joined_gaps.size(), "gaps between fragments of the reconstructed surface: bridged");
-    report.add_warning(m_report.cut_handles.size(), "handles too small for the spacing of the points: cut");
+    report.add_warning(m_report.number_of_holes, "hole of the reconstructed surface: closed by faces without weight",
+                       "holes of the reconstructed surface: closed by faces without weight");
+    report.add_warning(m_report.joined_gaps.size(), "gap between fragments of the reconstructed surface: bridged",
+                       "gaps between fragments of the reconstructed surface: bridged");
+    report.add_warning(m_report.cut_handles.size(), "handle too small for the spacing of the points: cut",
+                       "handles too small for the spacing of the points: cut");
   }
   /// @}
 

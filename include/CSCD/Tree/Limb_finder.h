@@ -143,8 +143,7 @@ private:
       } else {
         const Slice& joint = m_slices[l.joint];
         const double length = m_reach[l.slices.front()] - m_slices[l.slices.front()].begin;
-        is_given_up[limb] =
-            length < min_length * joint.spacing || length < min_length_in_radii * joint.radius ? 1 : 0;
+        is_given_up[limb] = length < min_length * joint.spacing || length < min_length_in_radii * joint.radius ? 1 : 0;
       }
     }
     for (Index limb = 0; limb < m_limbs.size(); ++limb) {

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -51,7 +52,7 @@ public:
   Index number_of_vertices() const { return Index(m_spacing.size()); }
   CGAL::Iterator_range<const Index*> neighbors(Index point) const
   {
-    return {m_neighbors.data() + m_begin[point], m_neighbors.data() + m_begin[point + 1]};
+    return m_neighbors[point];
   }
   /// The mean distance of the nearest points, a median over the neighborhood.
   double spacing(Index point) const { return m_spacing[point]; }
@@ -96,25 +97,18 @@ private:
 
   void index_edges()
   {
-    m_begin.assign(m_spacing.size() + 1, 0);
-    for (const auto& [a, b] : m_edges) {
-      ++m_begin[a + 1];
-      ++m_begin[b + 1];
-    }
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    std::vector<Index> fill(m_begin.begin(), m_begin.end() - 1);
-    m_neighbors.resize(2 * m_edges.size());
-    for (const auto& [a, b] : m_edges) {
-      m_neighbors[fill[a]++] = b;
-      m_neighbors[fill[b]++] = a;
-    }
+    m_neighbors = Compressed_rows<Index>(m_spacing.size(), [this](const auto& add) {
+      for (const auto& [a, b] : m_edges) {
+        add(a, b);
+        add(b, a);
+      }
+    });
   }
 
   std::vector<double> m_spacing;
   std::vector<Edge> m_edges; // bridges last
   std::size_t m_number_of_own_edges = 0;
-  std::vector<Index> m_begin;
-  std::vector<Index> m_neighbors;
+  Compressed_rows<Index> m_neighbors;
 };
 
 /// Distances along a neighbor graph, and the tree of the shortest paths.

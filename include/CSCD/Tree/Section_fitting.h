@@ -102,7 +102,7 @@ inline void measure_fit(const std::vector<Eigen::Vector2d>& points, double toler
 inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle)
 {
   constexpr double deviation_of_median = 1.4826; // a normal distribution's standard deviation, relative to its median
-  constexpr double min_deviation = 1e-6;       // relative to the radius: exact points have none
+  constexpr double min_deviation = 1e-6;         // relative to the radius: exact points have none
   std::vector<double> deviations(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     deviations[i] = std::abs((points[i] - circle.center).norm() - circle.radius);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Marks on indices that are all taken back in constant time.
+// Marks on indices that are all removed in constant time.
 
 #ifndef CSCD_INTERNAL_EPOCH_MARKS_H
 #define CSCD_INTERNAL_EPOCH_MARKS_H
@@ -17,16 +17,18 @@
 namespace CSCD::internal {
 
 /// A set of indices that is emptied in constant time, so that local work costs nothing of the size of the surface.
-class Epoch_marks
+/// \tparam Epoch an unsigned integer type that numbers the sets
+template <class Epoch>
+class Basic_epoch_marks
 {
 public:
-  explicit Epoch_marks(std::size_t size = 0) : m_epoch_of(size, 0) {}
+  explicit Basic_epoch_marks(std::size_t size = 0) : m_epoch_of(size, 0) {}
 
-  /// Takes all marks back.
+  /// Removes all marks; constant time, but for once in as many calls as there are epochs.
   void clear()
   {
-    if (m_epoch == std::numeric_limits<std::uint32_t>::max()) {
-      std::fill(m_epoch_of.begin(), m_epoch_of.end(), 0);
+    if (m_epoch == std::numeric_limits<Epoch>::max()) {
+      std::fill(m_epoch_of.begin(), m_epoch_of.end(), Epoch(0));
       m_epoch = 0;
     }
     ++m_epoch;
@@ -43,9 +45,11 @@ public:
   }
 
 private:
-  std::vector<std::uint32_t> m_epoch_of;
-  std::uint32_t m_epoch = 1;
+  std::vector<Epoch> m_epoch_of;
+  Epoch m_epoch = 1;
 };
+
+using Epoch_marks = Basic_epoch_marks<std::uint32_t>;
 
 } // namespace CSCD::internal
 

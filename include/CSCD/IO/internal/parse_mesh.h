@@ -1,0 +1,465 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads polygons from OFF, OBJ and STL.
+
+#ifndef CSCD_IO_INTERNAL_PARSE_MESH_H
+#define CSCD_IO_INTERNAL_PARSE_MESH_H
+
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/endian/conversion.hpp>
+#include <boost/functional/hash.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Hashes a point by its coordinates; equal points have equal hashes.
+struct Point_hash
+{
+  std::size_t operator()(const Vector_3& point) const
+  {
+    std::size_t seed = 0;
+    for (double coordinate : point) {
+      boost::hash_combine(seed, coordinate + 0.0); // turns -0 into 0, which is equal
+    }
+    return seed;
+  }
+};
+
+/// Merges points of exactly equal coordinates into the first of them; the others keep their order. Linear.
+/// \param[out] new_index for each old point, its new index
+/// \return the number of points that vanished
+/// \pre the points are finite
+inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector<Index>& new_index)
+{
+  std::unordered_map<Vector_3, Index, Point_hash> index_of;
+  index_of.reserve(points.size());
+  new_index.resize(points.size());
+  Index size = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto [place, is_new] = index_of.emplace(points[i], size);
+    new_index[i] = place->second;
+    if (is_new) {
+      points[size++] = points[i];
+    }
+  }
+  const std::size_t number_of_merged_points = points.size() - size;
+  points.resize(size);
+  return number_of_merged_points;
+}
+
+/// Reads ASCII OFF line by line; colours and texture coordinates are passed over.
+class Off_parser
+{
+public:
+  Off_parser(std::string_view text, const std::string& filename) : m_scanner(text, filename), m_filename(filename) {}
+
+  Polygon_soup parse()
+  {
+    read_keyword();
+    read_counts();
+    read_points();
+    read_polygons();
+    return std::move(m_soup);
+  }
+
+private:
+  static constexpr char comment = '#';
+  /// The fewest bytes that a line of a point takes (`0 0 0` and a line end), and of a polygon (`1 0`).
+  static constexpr std::size_t min_point_size = 6;
+  static constexpr std::size_t min_polygon_size = 4;
+
+  void read_keyword()
+  {
+    m_scanner.skip_blanks(comment);
+    std::string_view keyword = m_scanner.word();
+    const auto drop = [&keyword](std::string_view prefix) {
+      const bool found = keyword.substr(0, prefix.size()) == prefix;
+      keyword.remove_prefix(found ? prefix.size() : 0);
+      return found;
+    };
+    drop("ST");
+    drop("C");
+    m_has_normals = drop("N");
+    m_is_homogeneous = drop("4");
+    if (keyword != "OFF") {
+      m_scanner.fail("this is no OFF file of three-dimensional points: the keyword OFF is missing",
+                     "check the ending of the file name");
+    }
+  }
+
+  void read_counts()
+  {
+    if (!m_scanner.skip_blanks(comment)) {
+      m_scanner.fail_at_end("the number of vertices");
+    }
+    Text_scanner ahead = m_scanner;
+    if (ahead.word() == "BINARY") {
+      m_scanner.fail("binary OFF is not supported", "convert the file to ASCII OFF or to PLY");
+    }
+    m_number_of_points = m_scanner.count("the number of vertices");
+    check_number_of_points(m_number_of_points, m_filename);
+    if (!m_scanner.skip_blanks(comment)) {
+      m_scanner.fail_at_end("the number of faces");
+    }
+    m_number_of_polygons = m_scanner.count("the number of faces");
+    m_scanner.skip_line();
+  }
+
+  void read_points()
+  {
+    m_soup.points.reserve(std::min(m_number_of_points, m_scanner.remaining() / min_point_size + 1));
+    for (std::size_t i = 0; i < m_number_of_points; ++i) {
+      if (!m_scanner.skip_blanks(comment)) {
+        m_scanner.fail_at_end("vertex " + std::to_string(i) + " of " + std::to_string(m_number_of_points));
+      }
+      Vector_3 point = Vector_3::Zero();
+      for (double& coordinate : point) {
+        coordinate = next_coordinate();
+      }
+      if (m_is_homogeneous) {
+        divide(point, next_coordinate());
+      }
+      m_soup.points.push_back(point);
+      if (m_has_normals) {
+        read_normal();
+      }
+      m_scanner.skip_line();
+    }
+  }
+
+  /// Reads a normal; where one is incomplete, none is kept.
+  void read_normal()
+  {
+    Vector_3 normal = Vector_3::Zero();
+    for (double& coordinate : normal) {
+      if (!m_scanner.skip_blanks_in_line()) {
+        m_has_normals = false;
+        m_soup.normals.clear();
+        return;
+      }
+      coordinate = m_scanner.number();
+    }
+    m_soup.normals.push_back(normal);
+  }
+
+  double next_coordinate()
+  {
+    if (!m_scanner.skip_blanks_in_line()) {
+      m_scanner.fail("a vertex has too few coordinates", "correct this line or write the file again");
+    }
+    return m_scanner.coordinate();
+  }
+
+  void divide(Vector_3& point, double weight) const
+  {
+    if (weight != 0) {
+      point /= weight;
+    }
+    if (weight == 0 || !point.allFinite()) {
+      m_scanner.fail("a homogeneous vertex lies at infinity", "correct this line");
+    }
+  }
+
+  void read_polygons()
+  {
+    const std::size_t expected = std::min(m_number_of_polygons, m_scanner.remaining() / min_polygon_size + 1);
+    m_soup.corners.reserve(3 * expected);
+    m_soup.first_corner.reserve(expected + 1);
+    for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
+      if (!m_scanner.skip_blanks(comment)) {
+        m_scanner.fail_at_end("face " + std::to_string(i) + " of " + std::to_string(m_number_of_polygons));
+      }
+      const std::size_t size = m_scanner.count("the number of vertices of a face");
+      if (size < 3) {
+        m_scanner.fail("a face has fewer than three vertices", "remove it");
+      }
+      for (std::size_t k = 0; k < size; ++k) {
+        m_soup.corners.push_back(next_corner());
+      }
+      m_soup.end_polygon();
+      m_scanner.skip_line();
+    }
+  }
+
+  Index next_corner()
+  {
+    if (!m_scanner.skip_blanks_in_line()) {
+      m_scanner.fail("a face has fewer vertices than it announces", "correct this line or write the file again");
+    }
+    const std::size_t corner = m_scanner.count("the index of a vertex");
+    if (corner >= m_number_of_points) {
+      m_scanner.fail("a face names vertex " + std::to_string(corner) + ", but there are only " +
+                         std::to_string(m_number_of_points) + " (counted from 0)",
+                     "correct this line or write the file again");
+    }
+    return static_cast<Index>(corner);
+  }
+
+  Text_scanner m_scanner;
+  std::string m_filename;
+  Polygon_soup m_soup;
+  std::size_t m_number_of_points = 0;
+  std::size_t m_number_of_polygons = 0;
+  bool m_has_normals = false;
+  bool m_is_homogeneous = false;
+};
+
+/// Reads `text`, the content of an OFF file.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_off(std::string_view text, const std::string& filename)
+{
+  return Off_parser(text, filename).parse();
+}
+
+/// Reads the vertices and faces of Wavefront OBJ; all other statements are passed over.
+class Obj_parser
+{
+public:
+  Obj_parser(std::string_view text, const std::string& filename) : m_scanner(text, filename), m_filename(filename) {}
+
+  Polygon_soup parse()
+  {
+    while (m_scanner.skip_blanks('#')) {
+      const std::string_view statement = m_scanner.word();
+      if (statement == "v") {
+        read_point();
+      } else if (statement == "f") {
+        read_polygon();
+      }
+      m_scanner.skip_line();
+    }
+    check_number_of_points(m_soup.points.size(), m_filename);
+    check_corners();
+    return std::move(m_soup);
+  }
+
+private:
+  void read_point()
+  {
+    Vector_3 point = Vector_3::Zero();
+    for (double& coordinate : point) {
+      if (!m_scanner.skip_blanks_in_line()) {
+        m_scanner.fail("a vertex has too few coordinates", "correct this line or write the file again");
+      }
+      coordinate = m_scanner.coordinate();
+    }
+    m_soup.points.push_back(point);
+  }
+
+  void read_polygon()
+  {
+    const std::size_t first = m_soup.corners.size();
+    while (m_scanner.skip_blanks_in_line()) {
+      m_soup.corners.push_back(corner(m_scanner.integer("the index of a vertex")));
+      m_scanner.word(); // indices of texture coordinates and normals
+    }
+    if (m_soup.corners.size() - first < 3) {
+      m_scanner.fail("a face has fewer than three vertices", "remove it");
+    }
+    m_soup.end_polygon();
+  }
+
+  /// Indices count from 1, negative ones from the last vertex backwards.
+  Index corner(std::int64_t index) const
+  {
+    const auto size = static_cast<std::int64_t>(m_soup.points.size());
+    const std::int64_t corner = index > 0 ? index - 1 : size + index;
+    if (index == 0 || corner < 0 || corner >= static_cast<std::int64_t>(no_index)) {
+      m_scanner.fail("a face names vertex " + std::to_string(index) + ", which does not exist (they count from 1)",
+                     "correct this line or write the file again");
+    }
+    return static_cast<Index>(corner);
+  }
+
+  /// Faces may stand before their vertices, so that this is known only now.
+  void check_corners() const
+  {
+    if (m_soup.corners.empty()) {
+      return;
+    }
+    const Index last = *std::max_element(m_soup.corners.begin(), m_soup.corners.end());
+    if (last >= m_soup.points.size()) {
+      throw File_error(m_filename + ": a face names vertex " + std::to_string(std::size_t(last) + 1) +
+                       ", but there are only " + std::to_string(m_soup.points.size()) +
+                       "; the file may be truncated, fetch or write it again");
+    }
+  }
+
+  Text_scanner m_scanner;
+  std::string m_filename;
+  Polygon_soup m_soup;
+};
+
+/// Reads `text`, the content of an OBJ file.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_obj(std::string_view text, const std::string& filename)
+{
+  return Obj_parser(text, filename).parse();
+}
+
+/// Reads ASCII and binary STL. STL repeats a vertex in each of its triangles; these are made one here.
+class Stl_parser
+{
+public:
+  Stl_parser(std::string_view content, const std::string& filename) : m_content(content), m_filename(filename) {}
+
+  Polygon_soup parse()
+  {
+    if (is_binary()) {
+      read_binary();
+    } else {
+      read_text();
+    }
+    check_number_of_points(m_points.size(), m_filename);
+    return soup();
+  }
+
+private:
+  /// A binary file begins with a text without meaning, then the number of triangles, then the triangles: normal, three
+  /// vertices, and two more bytes.
+  static constexpr std::size_t text_size = 80;
+  static constexpr std::size_t header_size = text_size + sizeof(std::uint32_t);
+  static constexpr std::size_t normal_size = 3 * sizeof(float);
+  static constexpr std::size_t attribute_size = 2;
+  static constexpr std::size_t triangle_size = normal_size + 9 * sizeof(float) + attribute_size;
+
+  /// The text of a binary file may begin with `solid`, which an ASCII file must; the file's size decides then.
+  bool is_binary() const
+  {
+    constexpr std::string_view solid = "solid";
+    if (m_content.size() < header_size) {
+      return false;
+    }
+    Byte_scanner scanner(m_content.substr(text_size), boost::endian::order::little, m_filename);
+    const auto number_of_triangles = std::size_t(scanner.number<std::uint32_t>());
+    Text_scanner text(m_content, m_filename);
+    text.skip_blanks();
+    return m_content.size() == header_size + number_of_triangles * triangle_size || text.word() != solid;
+  }
+
+  void read_binary()
+  {
+    Byte_scanner scanner(m_content.substr(text_size), boost::endian::order::little, m_filename);
+    const auto number_of_triangles = std::size_t(scanner.number<std::uint32_t>());
+    if (number_of_triangles > scanner.remaining() / triangle_size) {
+      throw File_error(m_filename + ": neither ASCII STL nor binary STL: " + std::to_string(number_of_triangles) +
+                       " triangles are announced, there is room for " +
+                       std::to_string(scanner.remaining() / triangle_size) +
+                       "; check the ending of the file name, or fetch the file again");
+    }
+    m_points.reserve(3 * number_of_triangles);
+    for (std::size_t i = 0; i < number_of_triangles; ++i) {
+      scanner.skip(normal_size);
+      for (int corner = 0; corner < 3; ++corner) {
+        m_points.push_back(next_point(scanner, i));
+      }
+      scanner.skip(attribute_size);
+    }
+  }
+
+  Vector_3 next_point(Byte_scanner& scanner, std::size_t triangle) const
+  {
+    Vector_3 point = Vector_3::Zero();
+    for (double& coordinate : point) {
+      coordinate = double(scanner.number<float>());
+      if (!std::isfinite(coordinate)) {
+        throw File_error(m_filename + ": triangle " + std::to_string(triangle) +
+                         " has a coordinate that is not finite; remove the triangle or write the file again");
+      }
+    }
+    return point;
+  }
+
+  void read_text()
+  {
+    Text_scanner scanner(m_content, m_filename);
+    if (!scanner.skip_blanks() || scanner.word() != "solid") {
+      scanner.fail("neither ASCII STL nor binary STL: the keyword solid is missing",
+                   "check the ending of the file name");
+    }
+    bool is_complete = false;
+    while (scanner.skip_blanks()) {
+      const std::string_view word = scanner.word();
+      if (word == "facet") {
+        read_facet(scanner);
+      }
+      is_complete = word == "endsolid";
+      if (word == "solid" || word == "endsolid") {
+        scanner.skip_line(); // the name of the solid
+      }
+    }
+    if (!is_complete) {
+      scanner.fail_at_end("the keyword endsolid");
+    }
+  }
+
+  void read_facet(Text_scanner& scanner)
+  {
+    const std::size_t first = m_points.size();
+    while (scanner.skip_blanks()) {
+      const std::string_view word = scanner.word();
+      if (word == "vertex") {
+        read_vertex(scanner);
+      } else if (word == "endfacet") {
+        if (m_points.size() != first + 3) {
+          scanner.fail("a facet does not have three vertices", "correct it or write the file again");
+        }
+        return;
+      }
+    }
+    scanner.fail_at_end("the keyword endfacet");
+  }
+
+  void read_vertex(Text_scanner& scanner)
+  {
+    Vector_3 point = Vector_3::Zero();
+    for (double& coordinate : point) {
+      if (!scanner.skip_blanks()) {
+        scanner.fail_at_end("all coordinates of a vertex");
+      }
+      coordinate = scanner.coordinate();
+    }
+    m_points.push_back(point);
+  }
+
+  Polygon_soup soup()
+  {
+    Polygon_soup result;
+    merge_equal_points(m_points, result.corners);
+    result.points = std::move(m_points);
+    result.first_corner.reserve(result.corners.size() / 3 + 1);
+    for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
+      result.first_corner.push_back(end);
+    }
+    return result;
+  }
+
+  std::string_view m_content;
+  std::string m_filename;
+  std::vector<Vector_3> m_points;
+};
+
+/// Reads `content`, that of an STL file.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_stl(std::string_view content, const std::string& filename)
+{
+  return Stl_parser(content, filename).parse();
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_PARSE_MESH_H

@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of read_triangle_mesh.h.
+
+#ifndef CSCD_IO_READ_TRIANGLE_MESH_IMPL_H
+#define CSCD_IO_READ_TRIANGLE_MESH_IMPL_H
+
+#include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/parse_mesh.h>
+#include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <istream>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Cuts one polygon after the other into triangles.
+class Polygon_triangulator
+{
+public:
+  Polygon_triangulator(const Polygon_soup& soup, std::vector<std::array<Index, 3>>& triangles)
+      : m_soup(soup), m_triangles(triangles)
+  {
+  }
+
+  void triangulate(std::size_t polygon)
+  {
+    m_corners = m_soup.corners.data() + m_soup.first_corner[polygon];
+    m_size = m_soup.size_of_polygon(polygon);
+    if (m_size == 3) {
+      append(0, 1, 2);
+    } else if (!triangulate_as_fan() && !triangulate_by_cgal()) {
+      append_fan(0);
+    }
+  }
+
+private:
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+  /// Polygons of more corners than this are tried as a fan around their first corner only, as trying takes quadratic
+  /// time.
+  static constexpr std::size_t max_size_to_try_all_fans = 16;
+  /// Polygons of more corners than this are cut as a fan whatever their shape: CGAL's triangulation of a hole takes up
+  /// to cubic time where it is not planar.
+  static constexpr std::size_t max_size_for_cgal = 500;
+
+  void append(std::size_t i, std::size_t j, std::size_t k)
+  {
+    m_triangles.push_back({m_corners[i], m_corners[j], m_corners[k]});
+  }
+
+  void append_fan(std::size_t apex)
+  {
+    for (std::size_t i = 1; i + 1 < m_size; ++i) {
+      append(apex, (apex + i) % m_size, (apex + i + 1) % m_size);
+    }
+  }
+
+  /// Looks for a corner from which the polygon is seen whole, as it is from all corners of a convex one.
+  bool triangulate_as_fan()
+  {
+    const Vector_3 normal = twice_area_vector();
+    const std::size_t number_of_tries = m_size <= max_size_to_try_all_fans ? m_size : 1;
+    for (std::size_t apex = 0; apex < number_of_tries; ++apex) {
+      if (is_fan_unfolded(apex, normal)) {
+        append_fan(apex);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_fan_unfolded(std::size_t apex, const Vector_3& normal) const
+  {
+    for (std::size_t i = 1; i + 1 < m_size; ++i) {
+      const Vector_3 a = point((apex + i) % m_size) - point(apex);
+      const Vector_3 b = point((apex + i + 1) % m_size) - point(apex);
+      if (!(a.cross(b).dot(normal) > 0)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  Vector_3 twice_area_vector() const
+  {
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 1; i + 1 < m_size; ++i) {
+      sum += (point(i) - point(0)).cross(point(i + 1) - point(0));
+    }
+    return sum;
+  }
+
+  bool triangulate_by_cgal()
+  {
+    if (m_size > max_size_for_cgal) {
+      return false;
+    }
+    std::vector<Kernel::Point_3> points;
+    for (std::size_t i = 0; i < m_size; ++i) {
+      const Vector_3& p = point(i);
+      points.emplace_back(p.x(), p.y(), p.z());
+    }
+    std::vector<CGAL::Triple<int, int, int>> triangles;
+    CGAL::Polygon_mesh_processing::triangulate_hole_polyline(points, std::back_inserter(triangles));
+    if (triangles.size() != m_size - 2) {
+      return false;
+    }
+    for (const auto& t : triangles) {
+      append_in_order({std::size_t(t.first), std::size_t(t.second), std::size_t(t.third)});
+    }
+    return true;
+  }
+
+  /// The corners of a triangle in the order in which they stand in the polygon: this is its orientation.
+  void append_in_order(std::array<std::size_t, 3> corners)
+  {
+    std::sort(corners.begin(), corners.end());
+    append(corners[0], corners[1], corners[2]);
+  }
+
+  const Vector_3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
+
+  const Polygon_soup& m_soup;
+  std::vector<std::array<Index, 3>>& m_triangles;
+  const Index* m_corners = nullptr;
+  std::size_t m_size = 0;
+};
+
+/// Cuts all polygons into triangles, whose order is that of the polygons. The points stay.
+inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& soup)
+{
+  Indexed_triangles result;
+  result.faces.reserve(soup.corners.size() - 2 * soup.number_of_polygons());
+  Polygon_triangulator triangulator(soup, result.faces);
+  for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
+    triangulator.triangulate(polygon);
+  }
+  result.points = std::move(soup.points);
+  result.first_hole_filling_face = result.faces.size();
+  return result;
+}
+
+/// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
+inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles)
+{
+  const auto is_degenerate = [](const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
+    return std::nullopt;
+  }
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  if (pairing.conflict() != no_index || find_pinched_vertex(triangles, pairing) != no_index) {
+    return std::nullopt;
+  }
+  return pairing;
+}
+
+/// Triangles as CGAL's functions for soups want them.
+struct Cgal_soup
+{
+  using Point = CGAL::Simple_cartesian<double>::Point_3;
+  using Polygon = std::vector<std::size_t>;
+
+  explicit Cgal_soup(const Indexed_triangles& soup)
+  {
+    points.reserve(soup.points.size());
+    for (const Vector_3& p : soup.points) {
+      points.emplace_back(p.x(), p.y(), p.z());
+    }
+    polygons.reserve(soup.faces.size());
+    for (const std::array<Index, 3>& t : soup.faces) {
+      polygons.push_back({t[0], t[1], t[2]});
+    }
+  }
+
+  Indexed_triangles triangles() const
+  {
+    Indexed_triangles result;
+    result.points.reserve(points.size());
+    for (const Point& p : points) {
+      result.points.emplace_back(p.x(), p.y(), p.z());
+    }
+    result.faces.reserve(polygons.size());
+    for (const Polygon& t : polygons) {
+      result.faces.push_back({static_cast<Index>(t[0]), static_cast<Index>(t[1]), static_cast<Index>(t[2])});
+    }
+    result.first_hole_filling_face = result.faces.size();
+    return result;
+  }
+
+  std::vector<Point> points;
+  std::vector<Polygon> polygons;
+};
+
+/// Merges points of equal coordinates. \return their number
+inline std::size_t merge_equal_points(Indexed_triangles& soup)
+{
+  std::vector<Index> new_index;
+  const std::size_t number_of_merged_points = merge_equal_points(soup.points, new_index);
+  for (std::array<Index, 3>& triangle : soup.faces) {
+    for (Index& corner : triangle) {
+      corner = new_index[corner];
+    }
+  }
+  return number_of_merged_points;
+}
+
+/// Removes triangles that name a vertex twice, all but one of those of the same vertices, and points without triangle.
+inline void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
+{
+  namespace PMP = CGAL::Polygon_mesh_processing;
+  const auto is_degenerate = [](const Cgal_soup::Polygon& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
+  const std::size_t number_of_polygons = soup.polygons.size();
+  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate), soup.polygons.end());
+  PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
+  report.number_of_removed_faces += number_of_polygons - soup.polygons.size();
+  report.number_of_removed_points += PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
+}
+
+/// Turns triangles so that neighbors agree, and duplicates points where the surface is no manifold.
+inline void orient(Cgal_soup& soup, Mesh_repair_report& report)
+{
+  const std::size_t number_of_points = soup.points.size();
+  const std::vector<Cgal_soup::Polygon> old_polygons = soup.polygons;
+  CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
+  report.number_of_duplicated_points += soup.points.size() - number_of_points;
+  for (std::size_t i = 0; i < old_polygons.size(); ++i) {
+    // a turned triangle has its corners in reverse order; a corner of another index is a duplicated point
+    const bool is_turned = soup.points[soup.polygons[i][0]] != soup.points[old_polygons[i][0]] ||
+                           soup.points[soup.polygons[i][1]] != soup.points[old_polygons[i][1]];
+    report.number_of_turned_faces += is_turned ? 1 : 0;
+  }
+}
+
+/// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if that is
+/// not enough, removes useless faces and points, turns faces, and duplicates points where the surface is no manifold.
+/// \return the pairing of the halfedges, or nothing if it failed
+inline std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
+{
+  report.number_of_merged_points += merge_equal_points(soup);
+  std::optional<Halfedge_pairing> pairing = pair_manifold(soup);
+  if (!pairing) {
+    Cgal_soup cgal_soup(soup);
+    remove_useless_elements(cgal_soup, report);
+    orient(cgal_soup, report);
+    soup = cgal_soup.triangles();
+    pairing = pair_manifold(soup);
+  }
+  return pairing;
+}
+
+/// Reads the polygons of a file of which `content` is the content.
+/// \throw File_error if it is malformed or has no polygons
+inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format format, const std::string& filename)
+{
+  if (content.empty()) {
+    throw File_error(filename + ": the file is empty; fetch or write it again");
+  }
+  Polygon_soup soup = format == Mesh_format::off   ? parse_off(content, filename)
+                      : format == Mesh_format::obj ? parse_obj(content, filename)
+                      : format == Mesh_format::ply ? parse_ply(content, filename)
+                                                   : parse_stl(content, filename);
+  if (soup.number_of_polygons() == 0) {
+    throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
+  }
+  return soup;
+}
+
+/// The format of a mesh that `ending` names. \throw File_error if it names none; the message names all that can be read
+inline Mesh_format mesh_format_among_all(const std::string& ending)
+{
+  try {
+    return mesh_format(ending);
+  } catch (const File_error&) {
+    throw File_error(ending +
+                     ": the ending names no known format; use one of .off .obj .ply .stl for meshes, .xyz .pwn "
+                     ".pts .ply .off for points");
+  }
+}
+
+CSCD_INLINE Polygon_soup read_polygons(const std::string& filename)
+{
+  const Mesh_format format = mesh_format(filename);
+  return parse_polygon_soup(read_content(filename), format, filename);
+}
+
+CSCD_INLINE Polygon_soup read_polygons(std::istream& in, Mesh_format format, const std::string& name)
+{
+  return parse_polygon_soup(read_content(in, name), format, name);
+}
+
+CSCD_INLINE Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
+{
+  if (const std::optional<Point_format> points_only = find_point_format(ending)) {
+    return read_point_soup(in, *points_only, name);
+  }
+  const std::string content = read_content(in, name);
+  return parse_polygon_soup(content, mesh_format_among_all(ending), name);
+}
+
+CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename)
+{
+  Manifold_triangles result;
+  result.report.number_of_triangulated_polygons = polygons.number_of_polygons_larger_than_triangles();
+  result.triangles = triangulate_polygon_soup(std::move(polygons));
+  if (result.triangles.faces.size() > maximum_number_of_faces) {
+    throw Input_error(filename + ": the mesh has more than 2^26 triangles; simplify it first");
+  }
+  std::optional<Halfedge_pairing> pairing = pair_manifold(result.triangles);
+  if (!pairing || pairing->has_border()) {
+    pairing = repair_triangle_soup(result.triangles, result.report);
+  }
+  if (!pairing) {
+    throw Input_error(filename + ": the faces do not form a surface and could not be repaired; repair the mesh with a "
+                                 "modelling program");
+  }
+  if (!pairing->has_border()) {
+    Surface_components components(result.triangles, *pairing);
+    result.report.number_of_turned_components = orient_outwards(result.triangles, *pairing, components);
+  }
+  result.pairing = std::move(*pairing);
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_READ_TRIANGLE_MESH_IMPL_H

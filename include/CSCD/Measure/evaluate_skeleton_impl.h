@@ -1,0 +1,429 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of evaluate_skeleton.h.
+
+#ifndef CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
+#define CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
+
+#include <CSCD/Measure/Isosurface_tracker.h>
+#include <CSCD/Measure/Position_measurement.h>
+#include <CSCD/Measure/Segment_bvh.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Measure/reconstruction_fields.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/refine_large_faces.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
+/// Borders are bridged, so that there is a body; components that look inwards are turned.
+class Measured_body
+{
+public:
+  /// Near linear.
+  /// \throw Input_error if the triangles have no extent
+  Measured_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+  {
+    m_normalization = normalize_diagonal(triangles.points);
+    const std::size_t number_of_points = triangles.points.size();
+    m_number_of_borders = bridge_borders(triangles, pairing);
+    if (pairing.has_border()) {
+      pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    }
+    Surface_components components(triangles, pairing);
+    orient_outwards(triangles, pairing, components);
+    split_two_face_components(triangles, pairing, components);
+    m_number_of_components = components.number();
+    // What has near numbers should be near in space, for the queries' sake.
+    const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
+    m_points.reserve(number_of_points);
+    for (const Index vertex : order) {
+      if (vertex < number_of_points) {
+        m_points.push_back(triangles.points[vertex]);
+      }
+    }
+    renumber(triangles, order);
+    m_surface = Triangulated_surface(std::move(triangles));
+    CGAL_postcondition(!m_surface.defect());
+    m_queries.emplace(m_surface);
+  }
+  Measured_body(const Measured_body&) = delete;
+  Measured_body& operator=(const Measured_body&) = delete;
+  ~Measured_body() = default;
+
+  const Normalization& normalization() const { return m_normalization; }
+  /// The vertices that have a face, neighbors near each other.
+  const std::vector<Vector_3>& points() const { return m_points; }
+  const Solid_queries& queries() const { return *m_queries; }
+
+  std::size_t number_of_components() const { return m_number_of_components; }
+  std::size_t number_of_borders() const { return m_number_of_borders; }
+  /// The number of handles of the bridged surface, over all components.
+  std::size_t genus() const
+  {
+    // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
+    return (2 * m_number_of_components + m_surface.number_of_faces() / 2 - m_surface.number_of_vertices()) / 2;
+  }
+
+private:
+  Normalization m_normalization;
+  std::vector<Vector_3> m_points;
+  std::size_t m_number_of_components = 0;
+  std::size_t m_number_of_borders = 0;
+  Triangulated_surface m_surface;
+  std::optional<Solid_queries> m_queries;
+};
+
+/// The angle by which the path a, b, c turns at b, from 0 to pi; 0 where two of the points are equal.
+inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  const Vector_3 before = b - a;
+  const Vector_3 after = c - b;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
+}
+
+/// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
+/// edges that touch such nodes, half for each end, in local radii.
+inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<double>& radii,
+                            const std::vector<std::vector<Index>>& neighbors, Skeleton_counts& counts)
+{
+  double sum = 0;
+  double length = 0; // in radii
+  for (std::size_t v = 0; v < neighbors.size(); ++v) {
+    if (neighbors[v].size() != 2) {
+      continue;
+    }
+    const Vector_3& a = skeleton.points[neighbors[v][0]];
+    const Vector_3& b = skeleton.points[v];
+    const Vector_3& c = skeleton.points[neighbors[v][1]];
+    const double angle = turning_angle(a, b, c);
+    counts.max_turning = std::fmax(counts.max_turning, angle);
+    if (radii[v] > 0) {
+      sum += angle;
+      length += ((a - b).norm() + (c - b).norm()) / 2 / radii[v];
+    }
+  }
+  if (length > 0) {
+    counts.mean_turning = sum / length;
+  }
+}
+
+/// Counts nodes, edges, components, cycles, tips and junctions, and measures length and turning. Near linear.
+/// \param radii of the nodes, for the unit of the turning
+inline Skeleton_counts count_skeleton(const Indexed_skeleton& skeleton, const std::vector<double>& radii)
+{
+  Skeleton_counts counts;
+  counts.number_of_nodes = skeleton.number_of_nodes();
+  counts.number_of_edges = skeleton.edges.size();
+  counts.number_of_components = skeleton.number_of_nodes();
+  Disjoint_sets sets(skeleton.number_of_nodes());
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    counts.number_of_components -= sets.join(edge[0], edge[1]) ? 1 : 0;
+    counts.length += skeleton.length(edge);
+  }
+  counts.betti_number = counts.number_of_edges + counts.number_of_components - counts.number_of_nodes;
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  for (const std::vector<Index>& around : neighbors) {
+    counts.number_of_isolated_nodes += around.empty() ? 1 : 0;
+    counts.number_of_tips += around.size() == 1 ? 1 : 0;
+    counts.number_of_junctions += around.size() > 2 ? 1 : 0;
+  }
+  measure_turning(skeleton, radii, neighbors, counts);
+  return counts;
+}
+
+/// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
+/// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
+/// which a cell's faces follow each other has no say.
+template <class Distance>
+void measure_reverse(const Triangulated_surface& surface, const Distance& distance_to_input,
+                     Reconstruction_error& error)
+{
+  constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
+  const std::size_t number_of_faces = surface.number_of_faces();
+  const std::size_t number_of_samples = std::min(number_of_faces, enough_faces);
+  const double stretch = double(number_of_faces) / double(number_of_samples);
+  double total_area = 0;
+  double sum = 0;
+  error.reverse_maximum = 0;
+  double place = 0;
+  for (std::size_t i = 0; i < number_of_samples; ++i) {
+    const auto f = Index(std::min<double>((double(i) + place) * stretch, double(number_of_faces - 1)));
+    place += boost::math::double_constants::phi;
+    place -= std::floor(place);
+    const Vector_3 center = (surface.point(surface.origin(3 * f)) + surface.point(surface.target(3 * f)) +
+                             surface.point(surface.opposite_vertex(3 * f))) /
+                            3;
+    const double area = surface.face_vector(f).norm() / 2;
+    const double distance = distance_to_input(center);
+    total_area += area;
+    sum += area * distance;
+    error.reverse_maximum = std::max(error.reverse_maximum, distance);
+  }
+  error.reverse_mean = sum / total_area;
+}
+
+/// Measures the distances between `points`, those of the input, and the faces of `reconstruction`, both ways.
+/// O((p + f) log f) for p points and f faces.
+/// \param distance_to_input gives the distance of a point from the input
+template <class Distance>
+Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const std::vector<Vector_3>& points,
+                                            const Distance& distance_to_input)
+{
+  Reconstruction_error error;
+  error.unresolved_fraction = reconstruction.unresolved_fraction;
+  error.cell_size = reconstruction.cell_size;
+  error.number_of_faces = reconstruction.triangles.faces.size();
+  if (error.number_of_faces == 0) {
+    return error;
+  }
+  const Triangulated_surface surface(std::move(reconstruction.triangles));
+  CGAL_assertion(!surface.defect());
+  const Solid_queries queries(surface);
+  double sum = 0;
+  double sum_of_squares = 0;
+  error.maximum = 0;
+  Index near = no_index;
+  for (const Vector_3& point : points) {
+    const Surface_point nearest = queries.closest_point(point, near);
+    near = nearest.face;
+    const double square = (nearest.point - point).squaredNorm();
+    sum += std::sqrt(square);
+    sum_of_squares += square;
+    error.maximum = std::max(error.maximum, std::sqrt(square));
+  }
+  error.mean = sum / double(points.size());
+  error.mean_square = sum_of_squares / double(points.size());
+  measure_reverse(surface, distance_to_input, error);
+  return error;
+}
+
+/// The points of a cloud, and how far a point is from them.
+class Measured_cloud
+{
+public:
+  /// \throw Input_error if there are no points, or not finite ones, or all are equal
+  explicit Measured_cloud(std::vector<Vector_3> points) : m_points(std::move(points)), m_tree({})
+  {
+    if (m_points.empty()) {
+      throw Input_error("there are no points to measure the skeleton against: check how the input was read");
+    }
+    for (std::size_t i = 0; i < m_points.size(); ++i) {
+      if (!m_points[i].allFinite()) {
+        throw Input_error("point " + std::to_string(i) +
+                          " has a coordinate that is not finite: correct it or remove the point");
+      }
+    }
+    m_normalization = normalize_diagonal(m_points);
+    std::vector<Segment_bvh::Segment> segments;
+    segments.reserve(m_points.size());
+    for (const Vector_3& point : m_points) {
+      segments.push_back({point, point});
+    }
+    m_tree = Segment_bvh(std::move(segments));
+  }
+
+  const Normalization& normalization() const { return m_normalization; }
+  const std::vector<Vector_3>& points() const { return m_points; }
+  double distance(const Vector_3& point) const { return m_tree.nearest(point).distance; }
+
+private:
+  std::vector<Vector_3> m_points;
+  Normalization m_normalization;
+  Segment_bvh m_tree;
+};
+
+/// The distance of `point` from the input.
+/// \param near what the last call left; neighboring points are answered faster one after the other
+inline double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
+{
+  return cloud.distance(point);
+}
+
+inline double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
+{
+  const Surface_point nearest = body.queries().closest_point(point, near);
+  near = nearest.face;
+  return (nearest.point - point).norm();
+}
+
+/// A skeleton in the coordinates of a `Measured_body` or a `Measured_cloud`, with radii.
+template <class Measured>
+class Skeleton_evaluation
+{
+public:
+  /// \param measured is referred to
+  /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
+  ///        radii are asked for and it has none
+  Skeleton_evaluation(const Measured& measured, Indexed_skeleton skeleton, const Evaluation_parameters& parameters)
+      : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
+  {
+    if (m_resolution == 0 || m_resolution > maximum_resolution) {
+      throw Input_error("the resolution is not in [1, 10000]: 200 will do in most cases");
+    }
+    place_nodes();
+    if (parameters.uses_skeleton_radii) {
+      place_radii();
+    } else {
+      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton);
+    }
+  }
+
+  const Indexed_skeleton& skeleton() const { return m_skeleton; }
+
+  /// The surface that the skeleton describes, in common coordinates.
+  Field_surface reconstruct(Reconstruction_method method) const
+  {
+    const double cell_size = 1 / double(m_resolution);
+    return method == Reconstruction_method::convolution
+               ? triangulate_field(Convolution_field(m_skeleton), m_skeleton, cell_size)
+               : triangulate_field(Round_cone_field(m_skeleton), m_skeleton, cell_size);
+  }
+
+  /// All measures but those of the position.
+  Skeleton_measures measure() const
+  {
+    Index near = no_index;
+    const auto distance = [this, &near](const Vector_3& point) { return distance_to(m_measured, point, near); };
+    Skeleton_measures result;
+    result.number_of_points = m_measured.points().size();
+    result.diagonal = m_measured.normalization().unit;
+    result.counts = count_skeleton(m_skeleton, m_skeleton.radii);
+    result.convolution =
+        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points(), distance);
+    result.round_cones =
+        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points(), distance);
+    const Round_cone_field field(m_skeleton);
+    double sum = 0;
+    for (const Vector_3& point : m_measured.points()) {
+      sum += std::abs(field(point));
+    }
+    result.mean_distance_from_round_cones = sum / double(m_measured.points().size());
+    return result;
+  }
+
+private:
+  static constexpr std::size_t maximum_resolution = 10000;
+  /// Nodes farther than this from the center of the bounding box, and radii greater than this, in its diagonals, cannot
+  /// belong to the surface.
+  static constexpr double max_length = 2;
+
+  void place_nodes()
+  {
+    if (m_skeleton.number_of_nodes() == 0) {
+      throw Input_error("the skeleton has no nodes: there is nothing to measure");
+    }
+    for (std::size_t v = 0; v < m_skeleton.number_of_nodes(); ++v) {
+      Vector_3& point = m_skeleton.points[v];
+      if (!point.allFinite()) {
+        throw Input_error("node " + std::to_string(v) +
+                          " of the skeleton has a coordinate that is not finite: "
+                          "correct it or remove the node");
+      }
+      point = m_measured.normalization().from_input(point);
+      if (!(point.norm() <= max_length)) {
+        throw Input_error("node " + std::to_string(v) +
+                          " of the skeleton is far from the surface: check that both have the same unit and place");
+      }
+    }
+  }
+
+  void place_radii()
+  {
+    if (!m_skeleton.has_radii()) {
+      throw Input_error("the skeleton has no radii of its own: let them be estimated");
+    }
+    double sum = 0;
+    for (std::size_t v = 0; v < m_skeleton.radii.size(); ++v) {
+      double& radius = m_skeleton.radii[v];
+      radius /= m_measured.normalization().unit;
+      if (!(radius >= 0 && radius <= max_length)) {
+        throw Input_error("node " + std::to_string(v) +
+                          " of the skeleton has a radius that is negative, not finite or "
+                          "too large for the surface: let radii be estimated");
+      }
+      sum += radius;
+    }
+    if (!(sum > 0)) {
+      throw Input_error("all radii of the skeleton are 0: let them be estimated");
+    }
+  }
+
+  const Measured& m_measured;
+  Indexed_skeleton m_skeleton;
+  std::size_t m_resolution;
+};
+
+CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                                const Evaluation_parameters& parameters)
+{
+  if (!input.is_mesh) {
+    const Measured_cloud cloud(std::move(input.points));
+    return Skeleton_evaluation<Measured_cloud>(cloud, std::move(skeleton), parameters).measure();
+  }
+  const Measured_body body(std::move(input.triangles), std::move(input.pairing));
+  const Skeleton_evaluation<Measured_body> evaluation(body, std::move(skeleton), parameters);
+  Skeleton_measures result = evaluation.measure();
+  result.position = Position_measurement(body.queries(), evaluation.skeleton())();
+  result.position.number_of_surface_components = body.number_of_components();
+  result.position.genus = body.genus();
+  result.position.number_of_borders = body.number_of_borders();
+  return result;
+}
+
+/// Reconstructs a surface in the coordinates of `measured`.
+template <class Measured>
+Indexed_triangles reconstruct_surface(const Measured& measured, Indexed_skeleton&& skeleton,
+                                      const Evaluation_parameters& parameters, Reconstruction_method method)
+{
+  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
+  Indexed_triangles result = evaluation.reconstruct(method).triangles;
+  for (Vector_3& point : result.points) {
+    point = measured.normalization().to_input(point);
+  }
+  return result;
+}
+
+CSCD_INLINE Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
+                                                  const Evaluation_parameters& parameters, Reconstruction_method method)
+{
+  if (input.is_mesh) {
+    const Measured_body body(std::move(input.triangles), std::move(input.pairing));
+    return reconstruct_surface(body, std::move(skeleton), parameters, method);
+  }
+  const Measured_cloud cloud(std::move(input.points));
+  return reconstruct_surface(cloud, std::move(skeleton), parameters, method);
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H

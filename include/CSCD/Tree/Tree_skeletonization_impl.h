@@ -1,0 +1,503 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Tree_skeletonization.h.
+
+#ifndef CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
+#define CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
+
+#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Tree/Gap_bridging.h>
+#include <CSCD/Tree/Limb.h>
+#include <CSCD/Tree/Limb_finder.h>
+#include <CSCD/Tree/Neighbor_graph.h>
+#include <CSCD/Tree/Section_fitting.h>
+#include <CSCD/Tree/Slice_growth.h>
+#include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Tree/Tree_skeletonization.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+#include <CSCD/internal/counted.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Finds for each object the points from which distances are measured. Shortest paths from a single point would go
+/// round a thick trunk; from all around its foot, they go up.
+class Root_search
+{
+public:
+  Root_search(const std::vector<Vector_3>& points, const Neighbor_graph& graph, const Gap_bridging& bridging)
+      : m_points(points), m_graph(graph), m_bridging(bridging), m_members(bridging.number_of_objects()),
+        m_is_taken(points.size(), 0)
+  {
+    for (Index point = 0; point < points.size(); ++point) {
+      if (bridging.object(point) != no_index) {
+        m_members[bridging.object(point)].push_back(point);
+      }
+    }
+  }
+
+  /// \param root where one of the objects, the nearest, begins; all others begin at their lowest points
+  std::vector<std::vector<Index>> operator()(const std::optional<Vector_3>& root)
+  {
+    std::vector<std::vector<Index>> result;
+    for (const std::vector<Index>& members : m_members) {
+      result.push_back(foot(members));
+    }
+    if (root) {
+      Index nearest = no_index;
+      for (Index point = 0; point < m_points.size(); ++point) {
+        if (m_bridging.object(point) != no_index &&
+            (nearest == no_index ||
+             (m_points[point] - *root).squaredNorm() < (m_points[nearest] - *root).squaredNorm())) {
+          nearest = point;
+        }
+      }
+      result[m_bridging.object(nearest)] = {nearest};
+    }
+    return result;
+  }
+
+private:
+  /// How high above the lowest point the foot reaches, relative to the spacing there.
+  static constexpr double foot_height = 3;
+  /// How far from the lowest point it may reach, relative to the extent of the object: what is wider is no foot, but an
+  /// object that lies.
+  static constexpr double foot_width = 0.15;
+
+  /// How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
+  /// arc of a third of a circle may have its other parts on the opposite side.
+  static constexpr double widest_foot = 1.5;
+
+  /// The points that are lowest and connected with the lowest, if they can be the foot of a trunk; else the outermost
+  /// of them: an end of what lies.
+  std::vector<Index> foot(const std::vector<Index>& members)
+  {
+    Index lowest = members.front();
+    Vector_3 centroid = Vector_3::Zero();
+    for (Index point : members) {
+      lowest = m_points[point].z() < m_points[lowest].z() ? point : lowest;
+      centroid += m_points[point] / double(members.size());
+    }
+    double extent = 0;
+    for (Index point : members) {
+      extent = std::max(extent, 2 * (m_points[point] - centroid).norm());
+    }
+    std::vector<Index> result{lowest};
+    m_is_taken[lowest] = 1;
+    const double top = m_points[lowest].z() + foot_height * m_graph.spacing(lowest);
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      for (Index neighbor : m_graph.neighbors(result[i])) {
+        if (m_is_taken[neighbor] == 0 && m_points[neighbor].z() <= top) {
+          m_is_taken[neighbor] = 1;
+          result.push_back(neighbor);
+        }
+      }
+    }
+    add_beside(members, lowest, top, result);
+    std::sort(result.begin(), result.end());
+    const auto is_far = [&](Index point) { return (m_points[point] - m_points[lowest]).norm() > foot_width * extent; };
+    if (std::any_of(result.begin(), result.end(), is_far)) {
+      return {*std::max_element(result.begin(), result.end(), [&](Index a, Index b) {
+        return (m_points[a] - centroid).squaredNorm() < (m_points[b] - centroid).squaredNorm();
+      })};
+    }
+    return result;
+  }
+
+  /// Adds points that are as low as a foot and not far from it: other parts of it, of which no more was seen.
+  void add_beside(const std::vector<Index>& members, Index lowest, double top, std::vector<Index>& foot)
+  {
+    double width = 0;
+    for (Index point : foot) {
+      width = std::max(width, (m_points[point] - m_points[lowest]).norm());
+    }
+    for (Index point : members) {
+      if (m_is_taken[point] == 0 && m_points[point].z() <= top &&
+          (m_points[point] - m_points[lowest]).norm() <= widest_foot * width) {
+        m_is_taken[point] = 1;
+        foot.push_back(point);
+      }
+    }
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const Neighbor_graph& m_graph;
+  const Gap_bridging& m_bridging;
+  std::vector<std::vector<Index>> m_members; // of every object
+  std::vector<char> m_is_taken;
+};
+
+/// Makes a node of each section of a limb, one where a trunk begins, and one at the tip of each limb.
+class Tree_nodes
+{
+public:
+  Tree_nodes(const std::vector<Vector_3>& points, const std::vector<Slice>& slices,
+             const std::vector<Section>& sections, const std::vector<Limb>& limbs)
+      : m_points(points), m_slices(slices), m_sections(sections), m_node_of_slice(slices.size(), no_index)
+  {
+    for (const Limb& limb : limbs) {
+      add(limb);
+    }
+    find_strahler_orders();
+  }
+
+  /// Parents first, and each branch in one piece.
+  const std::vector<Tree_node>& nodes() const { return m_nodes; }
+  /// One for each limb; lengths are in the unit of the points, objects are not named.
+  const std::vector<Tree_branch>& branches() const { return m_branches; }
+  /// The node of a slice of a limb.
+  Index node(Index slice) const { return m_node_of_slice[slice]; }
+  /// How many sections had which outcome.
+  const std::array<std::size_t, number_of_circle_outcomes>& number_of_outcomes() const { return m_number_of_outcomes; }
+
+private:
+  /// The least distance of an end from the next center, relative to the spacing of the points.
+  static constexpr double min_end = 0.1;
+  /// How far along its parent a joint is moved, relative to the radius of the parent.
+  static constexpr double farthest_move = 3;
+  /// The nodes from which the line of a branch is told.
+  static constexpr std::size_t line_nodes = 4;
+
+  void add(const Limb& limb)
+  {
+    Tree_branch branch;
+    if (limb.joint != no_index) {
+      branch.parent = limb.parent;
+      branch.order = m_branches[limb.parent].order + 1;
+      branch.nodes.push_back(m_node_of_slice[limb.joint]);
+    } else {
+      add_end(limb.slices.front(), -1, branch);
+    }
+    for (Index slice : limb.slices) {
+      const Section& section = m_sections[slice];
+      add_node(section.center, section.radius, branch);
+      m_node_of_slice[slice] = Index(m_nodes.size() - 1);
+      branch.number_of_circles += section.is_circle() ? 1 : 0;
+      ++m_number_of_outcomes[std::size_t(section.outcome)];
+    }
+    branch.number_of_sections = limb.slices.size();
+    add_end(limb.slices.back(), 1, branch);
+    if (limb.joint != no_index) {
+      move_joint(branch);
+    }
+    branch.radius_at_base = m_sections[limb.slices.front()].radius;
+    branch.radius_at_tip = m_nodes[branch.nodes.back()].radius;
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      branch.length += (m_nodes[branch.nodes[i]].position - m_nodes[branch.nodes[i - 1]].position).norm();
+    }
+    m_branches.push_back(std::move(branch));
+  }
+
+  void add_node(const Vector_3& position, double radius, Tree_branch& branch)
+  {
+    m_nodes.push_back({position, radius, branch.nodes.empty() ? no_index : Index(branch.nodes.back())});
+    branch.nodes.push_back(m_nodes.size() - 1);
+  }
+
+  /// Adds a node where the axis leaves the points of a slice, backward or forward.
+  void add_end(Index slice, int sense, Tree_branch& branch)
+  {
+    const Section& section = m_sections[slice];
+    double farthest = 0;
+    for (Index point : m_slices[slice].points) {
+      farthest = std::max(farthest, sense * (m_points[point] - section.center).dot(section.direction));
+    }
+    if (farthest > min_end * m_slices[slice].spacing) {
+      add_node(section.center + sense * farthest * section.direction, section.radius, branch);
+    }
+  }
+
+  /// Moves the joint of a branch along its parent to where the line of its first nodes points: slices of limbs fall
+  /// apart in the crotch, beyond the place where their axes meet.
+  void move_joint(Tree_branch& branch)
+  {
+    const Vector_3 base = m_nodes[branch.nodes[1]].position;
+    const Vector_3 far = m_nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
+    if (far == base) {
+      return;
+    }
+    const Vector_3 direction = (far - base).normalized();
+    const Tree_branch& parent = m_branches[branch.parent];
+    const Tree_node& old_joint = m_nodes[branch.nodes.front()];
+    double least = std::numeric_limits<double>::max();
+    std::size_t joint = branch.nodes.front();
+    // The first node of a branch belongs to another one.
+    for (std::size_t i = parent.parent == no_branch ? 0 : 1; i < parent.nodes.size(); ++i) {
+      const Vector_3& place = m_nodes[parent.nodes[i]].position;
+      if ((place - old_joint.position).norm() > farthest_move * old_joint.radius) {
+        continue;
+      }
+      const Vector_3 d = place - base;
+      const double distance = d.cross(direction).norm() + std::max(0., d.dot(direction));
+      if (distance < least) {
+        least = distance;
+        joint = parent.nodes[i];
+      }
+    }
+    branch.nodes.front() = joint;
+    m_nodes[branch.nodes[1]].parent = Index(joint);
+  }
+
+  /// Horton's orders as of Strahler, from tips to bases.
+  void find_strahler_orders()
+  {
+    std::vector<std::size_t> order_at_node(m_nodes.size(), 0); // the highest of the branches that begin there
+    for (std::size_t b = m_branches.size(); b-- > 0;) {
+      Tree_branch& branch = m_branches[b];
+      branch.strahler_order = 1;
+      for (std::size_t i = branch.nodes.size(); i-- > (branch.parent == no_branch ? 0u : 1u);) {
+        const std::size_t joining = order_at_node[branch.nodes[i]];
+        branch.strahler_order =
+            joining == branch.strahler_order ? joining + 1 : std::max(joining, branch.strahler_order);
+      }
+      if (branch.parent != no_branch) {
+        // Two of an order that begin at one node are one of the next.
+        std::size_t& order = order_at_node[branch.nodes.front()];
+        order = order == branch.strahler_order ? order + 1 : std::max(order, branch.strahler_order);
+      }
+    }
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const std::vector<Slice>& m_slices;
+  const std::vector<Section>& m_sections;
+  std::vector<Index> m_node_of_slice;
+  std::vector<Tree_node> m_nodes;
+  std::vector<Tree_branch> m_branches;
+  std::array<std::size_t, number_of_circle_outcomes> m_number_of_outcomes{};
+};
+
+/// Makes the skeletons of the objects in a cloud, step by step.
+class Tree_skeletonization
+{
+public:
+  /// O(n log n).
+  /// \param points different points, at least one
+  /// \param root where one of the objects begins; all others begin at their lowest points
+  Tree_skeletonization(const std::vector<Vector_3>& points, const std::optional<Vector_3>& root)
+      : m_points(points), m_graph(points), m_bridging(points, m_graph), m_distances(points, m_graph)
+  {
+    m_roots = Root_search(m_points, m_graph, m_bridging)(root);
+    measure_distances();
+    Slice_growth growth(m_points, m_graph, m_distances);
+    for (const std::vector<Index>& roots : m_roots) {
+      growth.grow(roots, m_slices);
+    }
+    Limb_finder finder(m_slices);
+    finder();
+    m_limbs = finder.limbs();
+    const std::vector<Index> host = fit_sections(finder);
+    const Tree_nodes tree_nodes(m_points, m_slices, m_sections, m_limbs);
+    m_nodes = tree_nodes.nodes();
+    m_branches = tree_nodes.branches();
+    m_number_of_outcomes = tree_nodes.number_of_outcomes();
+    assign_points(tree_nodes, host);
+    name_objects();
+  }
+
+  const std::vector<Tree_node>& nodes() const { return m_nodes; }
+  /// The node of every point.
+  const std::vector<Index>& node_of_points() const { return m_node_of_point; }
+  const std::vector<Tree_branch>& branches() const { return m_branches; }
+  /// The gaps that were bridged, the shortest first.
+  const std::vector<Point_gap>& gaps() const { return m_gaps; }
+  Index number_of_objects() const { return m_bridging.number_of_objects(); }
+  bool is_debris(Index point) const { return m_bridging.object(point) == no_index; }
+  const std::array<std::size_t, number_of_circle_outcomes>& number_of_outcomes() const { return m_number_of_outcomes; }
+  /// The median of the spacing of the points.
+  double spacing() const
+  {
+    std::vector<double> spacings;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      spacings.push_back(m_graph.spacing(point));
+    }
+    const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
+    std::nth_element(spacings.begin(), middle, spacings.end());
+    return *middle;
+  }
+
+private:
+  /// Measures twice: the first time, to see by which bridge each piece is entered.
+  void measure_distances()
+  {
+    measure_over(m_bridging.bridges());
+    if (!m_bridging.bridges().empty()) {
+      m_gaps = m_bridging.entries(m_distances);
+      measure_over(m_gaps);
+    }
+  }
+
+  void measure_over(const std::vector<Point_gap>& gaps)
+  {
+    std::vector<Neighbor_graph::Edge> bridges;
+    bridges.reserve(gaps.size());
+    for (const Point_gap& gap : gaps) {
+      bridges.emplace_back(gap.a, gap.b);
+    }
+    m_graph.set_bridges(bridges);
+    for (const std::vector<Index>& roots : m_roots) {
+      m_distances.measure_from(roots);
+    }
+  }
+
+  /// \return for every slice the one that has its points
+  std::vector<Index> fit_sections(const Limb_finder& finder)
+  {
+    Section_fitting fitting(m_points, m_slices);
+    const auto fit = [&] {
+      for (const Limb& limb : m_limbs) {
+        fitting.fit(limb);
+      }
+    };
+    fit();
+    fitting.estimate_noise();
+    const std::vector<Index> absorbing = Limb_base_absorption(m_slices, fitting.sections(), m_limbs)();
+    fit();
+    limit_by_pipe_model(fitting);
+    m_sections = fitting.sections();
+    std::vector<Index> host;
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      host.push_back(absorbing[finder.host(slice)]);
+    }
+    return host;
+  }
+
+  /// Where no circle tells the radius, the scatter of the points, leaves among them, is no less than it. By the pipe
+  /// model, the area of a section is proportional to the length of all that it carries: so much the parent tells.
+  void limit_by_pipe_model(Section_fitting& fitting) const
+  {
+    std::vector<double> carried(m_slices.size(), 0);
+    const auto center = [&](Index slice) -> const Vector_3& { return fitting.sections()[slice].center; };
+    for (std::size_t limb = m_limbs.size(); limb-- > 0;) {
+      const std::vector<Index>& slices = m_limbs[limb].slices;
+      for (std::size_t i = slices.size(); i-- > 0;) {
+        const Index before = i > 0 ? slices[i - 1] : m_limbs[limb].joint;
+        if (before != no_index) {
+          carried[before] += carried[slices[i]] + (center(slices[i]) - center(before)).norm();
+        }
+      }
+    }
+    for (const Limb& limb : m_limbs) {
+      if (limb.joint != no_index && carried[limb.joint] > 0) {
+        fitting.limit_radii(limb, fitting.sections()[limb.joint].radius / std::sqrt(carried[limb.joint]), carried);
+      }
+    }
+  }
+
+  void assign_points(const Tree_nodes& tree_nodes, const std::vector<Index>& host)
+  {
+    m_node_of_point.assign(m_points.size(), no_index);
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      for (Index point : m_slices[slice].points) {
+        m_node_of_point[point] = tree_nodes.node(host[slice]);
+      }
+    }
+    assign_to_nearest(m_points, m_node_of_point);
+  }
+
+  /// Limbs stand in the order of their slices, trunks in that of the objects.
+  void name_objects()
+  {
+    std::size_t number_of_trunks = 0;
+    for (Tree_branch& branch : m_branches) {
+      branch.object = branch.parent == no_branch ? number_of_trunks++ : m_branches[branch.parent].object;
+    }
+  }
+
+  const std::vector<Vector_3>& m_points;
+  Neighbor_graph m_graph;
+  Gap_bridging m_bridging;
+  Root_distances m_distances;
+  std::vector<std::vector<Index>> m_roots; // of every object
+  std::vector<Point_gap> m_gaps;
+  std::vector<Slice> m_slices;
+  std::vector<Limb> m_limbs;
+  std::vector<Section> m_sections; // of every slice
+  std::vector<Tree_node> m_nodes;
+  std::vector<Tree_branch> m_branches;
+  std::array<std::size_t, number_of_circle_outcomes> m_number_of_outcomes{};
+  std::vector<Index> m_node_of_point;
+};
+
+/// What the user should know of a scan and its skeleton, one sentence each.
+inline std::vector<std::string> tree_warnings(const Tree_report& report)
+{
+  std::vector<std::string> result;
+  if (report.number_of_duplicates > 0) {
+    result.push_back(counted(report.number_of_duplicates, "point at the place of another: it belongs to the same node",
+                             "points at the place of others: they belong to the same nodes"));
+  }
+  if (report.number_of_debris > 0) {
+    result.push_back(counted(report.number_of_debris, "point of no object: it belongs to the node of the nearest",
+                             "points of no object: they belong to the nodes of the nearest"));
+  }
+  if (!report.gaps.empty()) {
+    result.push_back(counted(report.gaps.size(), "gap") + " between pieces of the scan: bridged");
+  }
+  std::size_t number_of_sections = 0;
+  for (std::size_t number : report.number_of_sections) {
+    number_of_sections += number;
+  }
+  const std::size_t number_without_circle =
+      number_of_sections - report.number_of_sections[std::size_t(Circle_outcome::fitted)];
+  if (number_without_circle > 0) {
+    result.push_back(std::to_string(number_without_circle) + " of " + counted(number_of_sections, "section") +
+                     " of branches without a circle: their radii are rough");
+  }
+  return result;
+}
+
+/// Everything but number of points, time and warnings.
+inline Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
+{
+  Tree_report report;
+  report.number_of_points = cloud.input_point.size();
+  report.number_of_duplicates = cloud.number_of_duplicates();
+  for (Index point : cloud.input_point) {
+    report.number_of_debris += skeletonization.is_debris(point) ? 1 : 0;
+  }
+  const Normalization& normalization = cloud.normalization;
+  report.number_of_objects = skeletonization.number_of_objects();
+  report.spacing = normalization.unit * skeletonization.spacing();
+  report.number_of_sections = skeletonization.number_of_outcomes();
+  report.number_of_nodes = skeletonization.nodes().size();
+  report.number_of_edges = report.number_of_nodes - report.number_of_objects;
+  report.branches = skeletonization.branches();
+  for (Tree_branch& branch : report.branches) {
+    branch.length *= normalization.unit;
+    branch.radius_at_base *= normalization.unit;
+    branch.radius_at_tip *= normalization.unit;
+  }
+  const auto coordinates = [&](Index point) -> std::array<double, 3> {
+    const Vector_3 p = normalization.to_input(cloud.points[point]);
+    return {p.x(), p.y(), p.z()};
+  };
+  for (const Point_gap& gap : skeletonization.gaps()) {
+    report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
+  }
+  report.warnings = tree_warnings(report);
+  return report;
+}
+
+CSCD_INLINE Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
+{
+  const Tree_skeletonization skeletonization(cloud.points, root);
+  return {skeletonization.nodes(), skeletonization.node_of_points(), make_tree_report(skeletonization, cloud)};
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
