@@ -39,8 +39,11 @@ public:
   class Packing
   {
   public:
+    /// Takes the packing over.
     explicit Packing(std::unique_ptr<const internal::Separator_packing> packing);
+    /// Moves.
     Packing(Packing&& other) noexcept;
+    /// Moves.
     Packing& operator=(Packing&& other) noexcept;
     ~Packing();
 

@@ -27,6 +27,7 @@ enum class Shortening_rule
 /// What a user may set about the search for separators from distance fields.
 struct Field_search_settings
 {
+  /// Which cut point is the target.
   Target_rule target_rule = Target_rule::nearest_in_space;
   /// By default edge flips on meshes and the variational flow among points, where edges cannot be flipped.
   std::optional<Shortening_rule> shortening_rule;

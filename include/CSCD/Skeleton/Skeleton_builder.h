@@ -23,8 +23,10 @@ namespace CSCD {
 class Skeleton_builder
 {
 public:
+  /// A node of the skeleton.
   struct Node
   {
+    /// In the coordinates of the surface.
     Vector_3 position = Vector_3::Zero();
     /// Radius of the body around the node.
     double radius = 0;
@@ -34,9 +36,11 @@ public:
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
+    /// Whether the node was merged into another one.
     bool is_removed = false;
   };
 
+  /// Adds a node without edges. \return its number
   Index add_node(const Vector_3& position, double radius)
   {
     m_nodes.emplace_back();
@@ -45,6 +49,7 @@ public:
     return Index(m_nodes.size() - 1);
   }
 
+  /// Adds an edge.
   void add_edge(Index a, Index b)
   {
     m_nodes[a].neighbors.push_back(b);
@@ -98,15 +103,21 @@ public:
     remove(node, into);
   }
 
+  /// The number of nodes.
   Index size() const { return Index(m_nodes.size()); }
+  /// The node of number `node`.
   Node& operator[](Index node) { return m_nodes[node]; }
+  /// The node of number `node`.
   const Node& operator[](Index node) const { return m_nodes[node]; }
+  /// The number of edges at `node`.
   std::size_t degree(Index node) const { return m_nodes[node].neighbors.size(); }
 
   /// Whether `node` is inside a branch.
   bool is_regular(Index node) const { return degree(node) == 2; }
+  /// Whether `node` has three edges or more.
   bool is_junction(Index node) const { return degree(node) >= 3; }
 
+  /// The length of the edge from `a` to `b`.
   double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
 
   /// Drops the removed nodes; the others are renumbered in order.

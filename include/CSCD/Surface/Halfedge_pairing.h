@@ -36,6 +36,7 @@ public:
     pair(faces, number_of_points);
   }
 
+  /// The number of halfedges, three a face.
   Index number_of_halfedges() const { return Index(m_twin.size()); }
   /// The oppositely directed halfedge of the same edge; `no_index` on a border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
@@ -44,6 +45,7 @@ public:
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
   Index conflict() const { return m_conflict; }
+  /// Whether any halfedge has no twin.
   bool has_border() const { return m_has_border; }
 
 private:

@@ -21,15 +21,20 @@ namespace CSCD {
 /// Triangulations are derived from this.
 struct Triangle_halfedges
 {
+  /// The halfedge after `halfedge` in its face.
   static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  /// The halfedge before `halfedge` in its face.
   static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  /// The face of `halfedge`.
   static Index face(Index halfedge) { return halfedge / 3; }
 };
 
 /// Points and triangles, counterclockwise seen from outside.
 struct Indexed_triangles
 {
+  /// The positions of the vertices.
   std::vector<Vector_3> points;
+  /// The vertices of each face, counterclockwise seen from outside.
   std::vector<std::array<Index, 3>> faces;
   /// The faces from this one on only bridge borders: they close the surface but carry no area.
   std::size_t first_hole_filling_face = 0;

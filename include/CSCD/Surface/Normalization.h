@@ -25,7 +25,9 @@ struct Normalization
   Vector_3 origin = Vector_3::Zero(); ///< in the coordinates of the input
   double unit = 1;                    ///< in the unit of the input, positive
 
+  /// The point of the input that `point` is.
   Vector_3 to_input(const Vector_3& point) const { return origin + unit * point; }
+  /// The normalized point that `point` of the input is.
   Vector_3 from_input(const Vector_3& point) const { return (point - origin) / unit; }
 
   /// The normalization that first applies this one and then `second`.
@@ -74,9 +76,10 @@ inline Normalization normalize_area(Indexed_triangles& triangles)
 
 /// Extents outside these bounds lose digits when they are halved or divided by; in the unit of the input.
 inline constexpr double min_extent = 1e-290;
+/// The greatest extent.
 inline constexpr double max_extent = 1e290;
 
-/// Moves the centre of the bounding box of `points` to the origin and scales its longest side to 2.
+/// Moves the center of the bounding box of `points` to the origin and scales its longest side to 2.
 /// The result depends on the set of points alone, not on their order. Linear.
 /// \pre `points` is not empty and all coordinates are finite
 /// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
@@ -103,7 +106,7 @@ inline Normalization normalize_extent(std::vector<Vector_3>& points)
   return result;
 }
 
-/// Moves the centre of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
+/// Moves the center of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
 /// \pre `points` is not empty and all coordinates are finite
 /// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
 inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
@@ -113,7 +116,7 @@ inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
   for (const Vector_3& point : points) {
     greatest = greatest.cwiseMax(point);
   }
-  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centred already
+  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centerd already
   for (Vector_3& point : points) {
     point = to_diagonal.from_input(point);
   }

@@ -28,9 +28,13 @@ public:
   /// \pre the points are not all equal, and their extent is about 1
   explicit Canonical_pose(const std::vector<Vector_3>& points);
 
+  /// The place of `point` in the pose.
   Vector_3 operator()(const Vector_3& point) const { return m_scale * (m_rotation * (point - m_centroid)); }
+  /// `direction` in the pose.
   Vector_3 turn(const Vector_3& direction) const { return m_rotation * direction; }
+  /// The direction that is `direction` in the pose.
   Vector_3 turn_back(const Vector_3& direction) const { return m_rotation.transpose() * direction; }
+  /// Lengths in the pose, relative to those of the points.
   double scale() const { return m_scale; }
 
 private:
@@ -48,12 +52,15 @@ inline constexpr std::size_t minimum_number_of_points = 4;
 /// Points at different places in the cube [-1, 1]^3, in an order that does not depend on that of the input.
 struct Point_cloud
 {
+  /// The points, all different.
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;  ///< of unit length, zero where unknown; empty if the input has none
   std::vector<Index> input_point; ///< for every point of the input, the point that stands for it
+  /// From the coordinates of the input to those of the points.
   Normalization normalization;
   Canonical_pose pose; ///< of the points
 
+  /// The number of points of the input that are at the place of an earlier one.
   std::size_t number_of_duplicates() const { return input_point.size() - points.size(); }
 };
 

@@ -62,6 +62,7 @@ public:
 class Point_complex
 {
 public:
+  /// Consecutive halfedges.
   using Halfedge_range = boost::iterator_range<boost::counting_iterator<Index>>;
 
   Point_complex() = default;
@@ -83,8 +84,11 @@ public:
 
   /// \name Vertices
   /// @{
+  /// The number of vertices.
   Index number_of_vertices() const { return Index(m_points.size()); }
+  /// All positions.
   const std::vector<Vector_3>& points() const { return m_points; }
+  /// The position of `vertex`.
   const Vector_3& point(Index vertex) const { return m_points[vertex]; }
   /// The normal at `vertex`, of unit length: it agrees with those of the neighbors, and points outwards.
   const Vector_3& normal(Index vertex) const { return m_normals[vertex]; }
@@ -92,11 +96,13 @@ public:
   double vertex_area(Index vertex) const { return m_areas[vertex]; }
   /// Vertices joined by edges are in one component; a vertex without edges is one by itself.
   Index number_of_components() const { return m_number_of_components; }
+  /// The connected component of `vertex`.
   Index component(Index vertex) const { return m_component[vertex]; }
   /// @}
 
   /// \name Halfedges
   /// @{
+  /// The number of halfedges.
   Index number_of_halfedges() const { return Index(m_targets.number_of_values()); }
   /// The halfedges from `vertex`, counterclockwise.
   Halfedge_range outgoing(Index vertex) const
@@ -104,8 +110,11 @@ public:
     return {boost::counting_iterator<Index>(m_targets.begin(vertex)),
             boost::counting_iterator<Index>(m_targets.begin(vertex + 1))};
   }
+  /// The vertex from which `halfedge` starts.
   Index origin(Index halfedge) const { return target(m_twins[halfedge]); }
+  /// The vertex at which `halfedge` ends.
   Index target(Index halfedge) const { return m_targets.values()[halfedge]; }
+  /// The halfedge from the target of `halfedge` to its origin.
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
   /// The halfedge that stands for the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, m_twins[halfedge]); }
@@ -116,6 +125,7 @@ public:
     const auto found = std::find(targets.begin(), targets.end(), target);
     return found == targets.end() ? no_index : m_targets.begin(origin) + Index(found - targets.begin());
   }
+  /// The length of `halfedge`.
   double length(Index halfedge) const { return m_lengths[halfedge]; }
   /// 0 if there are no edges.
   double mean_edge_length() const { return m_mean_edge_length; }
@@ -123,6 +133,7 @@ public:
 
   /// \name Triangles
   /// @{
+  /// The number of faces.
   Index number_of_faces() const { return Index(m_faces.size()); }
   /// The halfedges around face `face`, counterclockwise seen from outside: from its first vertex to the second, from
   /// there to the third, and back.

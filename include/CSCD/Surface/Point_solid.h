@@ -40,6 +40,7 @@ public:
 
   /// The triangles between the points, in the coordinates of the cloud.
   const Point_complex& triangulation() const { return m_complex; }
+  /// The number of connected components.
   std::size_t number_of_components() const { return m_complex.number_of_components(); }
   /// For every point of the cloud its vertex, or that of the nearest point that has one.
   const std::vector<Index>& vertex_of_point() const { return m_vertex_of_point; }

@@ -20,6 +20,7 @@ namespace CSCD {
 /// One level of detail.
 struct Surface_level
 {
+  /// Builds the fans of `level_surface`; linear.
   explicit Surface_level(Triangulated_surface&& level_surface) : surface(std::move(level_surface)), corners(surface) {}
 
   /// The vertex of the finest level that `vertex` of this level is.
@@ -27,7 +28,9 @@ struct Surface_level
   /// The vertex of this level that stands for `vertex` of the finest level.
   Index from_finest(Index vertex) const { return level_vertex.empty() ? vertex : level_vertex[vertex]; }
 
+  /// The triangles of the level.
   Triangulated_surface surface;
+  /// The triangles around each vertex, as fronts read them.
   Vertex_fan_table corners;
   std::vector<Index> finest_vertex; ///< empty on the finest level
   std::vector<Index> level_vertex;  ///< empty on the finest level
@@ -47,9 +50,13 @@ public:
     }
   }
 
+  /// The number of levels.
   Index size() const { return Index(m_levels.size()); }
+  /// The level of index `level`.
   const Surface_level& operator[](Index level) const { return m_levels[level]; }
+  /// The level of index 0.
   const Surface_level& finest() const { return m_levels.front(); }
+  /// The last level.
   const Surface_level& coarsest() const { return m_levels.back(); }
   /// The index of the coarsest level.
   Index top() const { return size() - 1; }

@@ -48,11 +48,13 @@ public:
 
   /// The finest level.
   const Triangulated_surface& triangulation() const;
+  /// All levels of detail.
   const Surface_levels& levels() const { return *m_levels; }
   /// The vertex of the triangles as they were given that `vertex` is; `no_index` for an inserted one.
   Index input_vertex(Index vertex) const { return m_input_vertex[vertex]; }
   /// The connected component of `vertex`; O(log c) for c components.
   Index component(Index vertex) const;
+  /// The number of connected components.
   std::size_t number_of_components() const { return m_component_begin.size() - 1; }
   /// The number of handles, over all components.
   std::size_t genus() const;
@@ -81,7 +83,9 @@ public:
 
   /// \name Changes to the input
   /// @{
+  /// The number of borders of the input, which faces without area now close.
   std::size_t number_of_bridged_borders() const { return m_number_of_bridged_borders; }
+  /// The number of vertices that are not of the input.
   std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
   /// The number of input faces with (nearly) no area; they are kept.
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }

@@ -31,6 +31,7 @@ namespace CSCD {
 /// of the halfedge's twin.
 struct Edge_crossing
 {
+  /// The halfedge that is crossed.
   Index halfedge;
   /// In (0, 1): from the origin of `halfedge` to its target.
   double position;
@@ -77,14 +78,18 @@ struct Face_point
 /// A point of a surface.
 struct Surface_point
 {
+  /// Its place.
   Vector_3 point = Vector_3::Zero();
+  /// The face that it is on.
   Index face = no_index;
 };
 
 /// Where a ray first meets a surface.
 struct Surface_hit
 {
+  /// The face that it is on.
   Index face = no_index;
+  /// Its place.
   Vector_3 point = Vector_3::Zero();
   double distance = 0; ///< from the origin of the ray
 };
@@ -100,6 +105,7 @@ public:
   {
     Index vertex = no_index; ///< the vertex, or the origin of the edge; `no_index` where there is no defect
     Index target = no_index; ///< the target of the edge, `no_index` for a vertex
+    /// Whether there is a defect.
     explicit operator bool() const { return vertex != no_index; }
   };
 
@@ -122,13 +128,19 @@ public:
 
   /// \name Combinatorics
   /// @{
+  /// Where the triangles are no surface, if anywhere.
   const Defect& defect() const { return m_defect; }
 
+  /// The number of vertices.
   Index number_of_vertices() const { return Index(m_points.size()); }
+  /// The number of halfedges.
   Index number_of_halfedges() const { return Index(m_origin.size()); }
+  /// The number of faces.
   Index number_of_faces() const { return Index(m_origin.size() / 3); }
 
+  /// The vertex from which `halfedge` starts.
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
+  /// The vertex at which `halfedge` ends.
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
   /// The corner of the halfedge's face that the halfedge does not touch.
   Index opposite_vertex(Index halfedge) const { return m_origin[previous(halfedge)]; }
@@ -164,8 +176,11 @@ public:
 
   /// \name Geometry
   /// @{
+  /// All positions.
   const std::vector<Vector_3>& points() const { return m_points; }
+  /// The position of `vertex`.
   const Vector_3& point(Index vertex) const { return m_points[vertex]; }
+  /// The length of `halfedge`.
   double length(Index halfedge) const { return (point(target(halfedge)) - point(origin(halfedge))).norm(); }
 
   /// Area of the face; 0 for faces that bridge a border.
@@ -180,8 +195,11 @@ public:
     const Vector_3& a = point(origin(3 * face));
     return (point(origin(3 * face + 1)) - a).cross(point(origin(3 * face + 2)) - a);
   }
+  /// From this face on, faces only close borders.
   bool is_hole_filling(Index face) const { return face >= m_first_hole_filling_face; }
+  /// From this face on, faces only close borders.
   Index first_hole_filling_face() const { return m_first_hole_filling_face; }
+  /// The area of all faces that do not only close borders.
   double total_area() const { return m_total_area; }
   /// @}
 

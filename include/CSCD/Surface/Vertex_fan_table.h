@@ -58,6 +58,7 @@ public:
     return {m_corners.data() + m_begin[vertex], m_corners.data() + m_begin[vertex + 1] - 1};
   }
 
+  /// The mean length of the edges.
   double mean_length() const { return m_mean_length; }
 
 private:
