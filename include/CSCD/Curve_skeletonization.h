@@ -70,7 +70,7 @@ public:
     traits.describe_input(m_report);
     m_number_of_input_warnings = m_report.warnings.size();
   }
-  /// The object would refer to traits that are gone.
+  /// Temporary traits are refused: the object would refer to them.
   template <class... Arguments>
   explicit Curve_skeletonization(const Traits&& traits, Arguments&&...) = delete;
 
@@ -96,7 +96,7 @@ public:
   }
   /// The number of threads for `CGAL::Parallel_tag`.
   unsigned number_of_threads() const { return m_number_of_threads; }
-  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, stands for as many as TBB allows.
+  /// Sets the number of threads for `CGAL::Parallel_tag`; 0, the default, means as many as TBB allows.
   Curve_skeletonization& set_number_of_threads(unsigned number)
   {
     m_number_of_threads = number;
@@ -159,8 +159,8 @@ public:
     check_curve_skeleton_graph<OutputSkeleton>();
     OutputSkeleton result;
     run_stage(Skeletonization_stage::build_skeleton, [&] {
-      result = make_graph<OutputSkeleton>(
-          m_policies.build_skeleton(m_traits.surface(), std::as_const(m_separators), std::as_const(*m_packing), m_report));
+      result = make_graph<OutputSkeleton>(m_policies.build_skeleton(m_traits.surface(), std::as_const(m_separators),
+                                                                    std::as_const(*m_packing), m_report));
     });
     skeleton = std::move(result);
   }
@@ -205,7 +205,6 @@ public:
   /// @}
 
 private:
-
   template <class Stage>
   void run_stage(Skeletonization_stage stage, const Stage& run)
   {
@@ -223,9 +222,8 @@ private:
   {
     m_report.warnings.resize(m_number_of_input_warnings);
     if (m_report.genus && m_report.betti_number != *m_report.genus) {
-      m_report.warnings.push_back("the skeleton has " +
-                                  internal::counted(m_report.betti_number, "independent cycle") + ", the surface " +
-                                  internal::counted(*m_report.genus, "handle"));
+      m_report.warnings.push_back("the skeleton has " + internal::counted(m_report.betti_number, "independent cycle") +
+                                  ", the surface " + internal::counted(*m_report.genus, "handle"));
     }
     const std::size_t nodes = m_report.number_of_nodes_outside;
     const std::size_t edges = m_report.number_of_edges_outside;

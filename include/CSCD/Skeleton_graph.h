@@ -22,19 +22,20 @@ namespace CSCD {
 /// The members `point` and `vertices` are spelled as in CGAL's `Mean_curvature_flow_skeletonization`, so that code
 /// written for its skeletons reads ours.
 /// \tparam Point the point type of the input
-/// \tparam InputDescriptor what identifies an input site: a `vertex_descriptor` of the mesh, or the index of a point
+/// \tparam InputDescriptor what identifies a vertex or point of the input: a `vertex_descriptor` of the mesh, or the index of a point
 template <class Point, class InputDescriptor>
 struct Skeleton_vertex
 {
   /// Position, in the coordinates of the input.
   Point point{};
-  /// The input sites that belong to this node; over all nodes, every input site stands in exactly one of these lists.
+  /// The vertices or points of the input that belong to this node: over all nodes, each is in exactly one of these
+  /// lists, which may be empty.
   std::vector<InputDescriptor> vertices{};
   /// Mean distance from the curve to the surface around this node, in the unit of the input.
   double radius = 0;
 };
 
-/// A curve skeleton: nodes with position, radius and sites; its edges are straight segments.
+/// A curve skeleton: nodes with position, radius and input vertices; its edges are straight segments.
 template <class Point, class InputDescriptor>
 using Skeleton_graph =
     boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Skeleton_vertex<Point, InputDescriptor>>;

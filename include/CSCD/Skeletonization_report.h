@@ -24,10 +24,10 @@ enum class Cut_loop_outcome
   no_cut_point,         ///< the source has no cut point outside of its neighborhood
   distance_below_chord, ///< the distance is less than that in space, which only an estimate can be
   one_direction,        ///< all fronts arrive from one side
-  not_connected,        ///< no way leads to the source
-  meets_at_once,        ///< the ways to the source join at the target or next to it: nothing is enclosed
-  long_stem,            ///< the ways to the source join far from it: the curve is not that of this source
-  narrow                ///< the ways to the source stay close together: they go around a bump
+  not_connected,        ///< no path leads to the source
+  meets_at_once,        ///< the paths to the source join at the target or next to it: nothing is enclosed
+  long_stem,            ///< the paths to the source join far from it: the curve is not that of this source
+  narrow                ///< the paths to the source stay close together: they go around a bump
 };
 
 /// Number of values of `Cut_loop_outcome`.
@@ -53,7 +53,7 @@ struct Reconstruction_report
   std::size_t number_of_unused_points = 0; ///< points that are no vertices: they belong to the node of the nearest
   std::size_t number_of_border_edges = 0;  ///< edges at holes of the surface
   std::size_t number_of_holes = 0;         ///< holes that were closed
-  std::vector<Reconstruction_repair> cut_handles; ///< handles that are too small to be believed
+  std::vector<Reconstruction_repair> cut_handles; ///< handles that are too small for the sampling to prove them
   std::vector<Reconstruction_repair> joined_gaps; ///< gaps between the fragments of one body
 };
 
@@ -109,7 +109,7 @@ struct Skeletonization_report
   std::size_t number_of_threads = 1;
   /// Wall-clock seconds of each stage.
   std::array<double, number_of_skeletonization_stages> seconds{};
-  /// What the user should know: one sentence each.
+  /// One sentence each.
   std::vector<std::string> warnings;
 
   /// Adds the warning "`count` `many`", or "1 `one`", unless `count` is 0.

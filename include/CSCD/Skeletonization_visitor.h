@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stages of a skeletonization and the visitor that hears of them.
+// The stages of a skeletonization and the visitor that is informed of them.
 
 #ifndef CSCD_SKELETONIZATION_VISITOR_H
 #define CSCD_SKELETONIZATION_VISITOR_H
@@ -17,7 +17,7 @@ enum class Skeletonization_stage
   compile_surface, ///< input checked and compiled into flat arrays and coarse levels
   find_separators, ///< one separator sought for each source
   pack_separators, ///< separators weighed, pruned and packed; surface cut along the packed ones
-  build_skeleton   ///< nodes placed, skeleton refined, sites assigned
+  build_skeleton   ///< nodes placed, skeleton refined, vertices assigned
 };
 
 /// Number of values of `Skeletonization_stage`.
@@ -31,7 +31,7 @@ inline const char* name(Skeletonization_stage stage)
   return names[static_cast<std::size_t>(stage)];
 }
 
-/// The visitor that hears nothing and never stops the work; the default model of `SkeletonizationVisitor`.
+/// The visitor that does nothing and never stops the work; the default model of `SkeletonizationVisitor`.
 /// All functions are called from the thread that started the skeletonization, in a sequence that does not depend on
 /// the number of threads.
 struct Default_skeletonization_visitor

@@ -29,7 +29,7 @@ struct File_error : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// A visitor asked the computation to stop. Outputs are as they were before the call.
+/// A visitor stopped the computation. Outputs are as they were before the call.
 struct Cancelled_error : std::runtime_error
 {
   Cancelled_error() : std::runtime_error("skeletonization cancelled by its visitor") {}

@@ -122,7 +122,7 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
 ///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{hears of progress and may stop the work}
+///     \cgalParamDescription{is informed of progress and may stop the work}
 ///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
 ///     \cgalParamDefault{`Default_skeletonization_visitor`}
 ///   \cgalParamNEnd

@@ -8,8 +8,8 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Surface/Point_solid.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/concepts.h>
@@ -22,10 +22,10 @@
 namespace CSCD {
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
-/// A closed surface is made of the points first: see `Reconstructed_surface_traits`; what was mended is in the report. The skeleton
-/// is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same, and points
-/// off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to call, for any
-/// number of threads and any order of the points. O(n log n).
+/// A closed surface is made of the points first: see `Reconstructed_surface_traits`; what was mended is in the report.
+/// The skeleton is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same,
+/// and points off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to
+/// call, for any number of threads and any order of the points. O(n log n).
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
@@ -73,13 +73,13 @@ namespace CSCD {
 ///     \cgalParamDefault{`Length_and_planarity_cost`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
-///     \cgalParamDescription{hears of progress and may stop the work}
+///     \cgalParamDescription{is informed of progress and may stop the work}
 ///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
 ///     \cgalParamDefault{`Default_skeletonization_visitor`}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return counts, timings and warnings; `reconstruction` tells how the surface was made
+/// \return counts, timings and warnings; `reconstruction` says how the surface was made
 /// \throw Input_error if no surface can be made of `points`; the message names the point and the remedy
 /// \throw Cancelled_error if the visitor stops the work
 template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class Skeleton,
@@ -95,9 +95,9 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   const auto point_map = internal::point_map(points, np);
   const auto policies = internal::skeletonization_policies(np);
   using Point_map = std::decay_t<decltype(point_map)>;
-  using Traits = std::conditional_t<is_skeletonization_policies_v<std::decay_t<decltype(policies)>, Point_solid>,
-                                    Point_set_traits<PointRange, Point_map>,
-                                    Reconstructed_surface_traits<PointRange, Point_map>>;
+  using Traits =
+      std::conditional_t<is_skeletonization_policies_v<std::decay_t<decltype(policies)>, Point_solid>,
+                         Point_set_traits<PointRange, Point_map>, Reconstructed_surface_traits<PointRange, Point_map>>;
   const auto make_traits = [&] {
     return internal::with_normal_map(
         points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });

@@ -10,8 +10,8 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -104,13 +104,14 @@ private:
   static constexpr std::size_t max_open_debris = 800;
   /// ... and without, when they look whole.
   static constexpr std::size_t max_closed_debris = 100;
-  /// The least length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
+  /// The minimal length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
   static constexpr double min_border = 3;
   /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
   static constexpr double min_border_in_reaches = 4;
   /// Border vertices among which the other end of such a gap is sought.
   static constexpr Index border_neighbors = 48;
-  /// Volumes below this, relative to the area to the power 3/2, do not tell which side is out: a half ball has 0.13.
+  /// Volumes below this, relative to the area to the power 3/2, do not show which side is outside: a half ball has
+  /// 0.13.
   static constexpr double reliable_volume = 0.02;
 
   struct Candidate
@@ -481,7 +482,7 @@ private:
   std::vector<char> m_has_border;            // of every fragment, before any face was opened
   std::vector<char> m_is_turned;             // of every fragment
   std::vector<char> m_is_visited;
-  std::vector<char> m_is_removed;  // of every face
+  std::vector<char> m_is_removed; // of every face
   Compressed_rows<Index> m_faces_of_vertex;
   std::vector<std::array<Index, 3>> m_bands;
 };

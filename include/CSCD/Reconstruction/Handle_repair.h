@@ -37,7 +37,7 @@ inline std::vector<Index> cut_along_loops(Indexed_triangles& triangles, const Tr
       originals.push_back(loop[i]);
       const Index forward = surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]);
       const Index before = loop[(i + loop.size() - 1) % loop.size()];
-      // Clockwise from the way out to the way in lie the faces to the right.
+      // Clockwise from the outgoing to the incoming edge lie the faces to the right.
       Index h = forward;
       do {
         h = surface.previous_around_origin(h);

@@ -182,7 +182,7 @@ public:
   }
 
 private:
-  /// The least cosine of the angle between a triangle and the surface at its corners, if that is known.
+  /// The minimal cosine of the angle between a triangle and the surface at its corners, if that is known.
   static constexpr double min_cosine = 0.1;
 
   void collect_facets()

@@ -18,10 +18,10 @@
 
 namespace CSCD::internal {
 
-/// A closed surface through points.
+/// The result of a reconstruction: a closed surface through points.
 struct Reconstructed_surface
 {
-  Indexed_triangles triangles; ///< a closed manifold, looking outwards; faces that only close holes are bridging
+  Indexed_triangles triangles; ///< a closed manifold, looking outwards
   Halfedge_pairing pairing;    ///< of the triangles
   /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
   std::vector<Index> point_of_vertex;

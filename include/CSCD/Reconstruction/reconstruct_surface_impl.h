@@ -72,7 +72,8 @@ private:
   static constexpr double max_border_edges = 0.6;
   void triangulate()
   {
-    // What the front does must not hang on the pose, nor, among equal triangles, on the addresses of their points.
+    // The result of the front must not depend on the pose, nor, among equal triangles, on the addresses of their
+    // points.
     std::vector<Vector_3> posed(m_sampling.points().size());
     std::vector<Front_limit> limits(m_sampling.points().size());
     for (Index point = 0; point < m_sampling.points().size(); ++point) {

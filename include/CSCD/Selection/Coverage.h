@@ -211,7 +211,7 @@ public:
                        m_candidates.end());
   }
 
-  /// The part of the vertices that has been gone through, in [0, 1].
+  /// The part of the vertices that has been visited, in [0, 1].
   double progress() const { return m_candidates.empty() ? 1. : double(m_next) / double(m_candidates.size()); }
 
 private:

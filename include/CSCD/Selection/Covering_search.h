@@ -158,7 +158,7 @@ private:
   static constexpr double first_pass_share = 0.75;
   /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
   static constexpr double unexplored_distance = 0.6;
-  /// How many times as many separators are asked for there.
+  /// The factor by which more separators are sought there.
   static constexpr unsigned exploration_factor = 3;
 
   /// The separators that would be packed so far, less those of bumps.

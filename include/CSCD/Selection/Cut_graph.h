@@ -98,10 +98,10 @@ private:
     Index chord;
     Index interval;       ///< the set of the boundary just before the chord begins
     double taken_outside; ///< part of the face that chords before this one have cut off from the same region
-    double begin_place;   ///< where the chord begins, on the way around the face
+    double begin_place;   ///< where the chord begins, in the order around the face
   };
 
-  /// Numbers the clusters by their least vertex, and sums up what cannot be cut.
+  /// Numbers the clusters by their first vertex, and sums up what cannot be cut.
   void gather()
   {
     std::vector<Index> front;
@@ -267,7 +267,7 @@ private:
     std::sort(m_ends.begin(), m_ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
   }
 
-  /// The place of an edge point on the way around `face`, in [0, 3): side plus position along it.
+  /// The place of an edge point in the order around `face`, in [0, 3): side plus position along it.
   double boundary_place(const Separator_arrangement& arrangement, Index point, Index face) const
   {
     const Separator_arrangement::Edge_point& edge_point = arrangement.points()[point];
@@ -275,8 +275,8 @@ private:
     return arrangement.side(edge_point.edge, face) + (is_reversed ? 1 - edge_point.position : edge_point.position);
   }
 
-  /// The part of a face's area that a chord between places `low` < `high` cuts off on the side of the way from `low` to
-  /// `high`: the polygon of the two points and the corners between them, in barycentric coordinates.
+  /// The part of a face's area that a chord between places `low` < `high` cuts off on the side of the boundary from
+  /// `low` to `high`: the polygon of the two points and the corners between them, in barycentric coordinates.
   static double cut_off_part(double low, double high)
   {
     const auto barycentric = [](double place) {
@@ -302,7 +302,7 @@ private:
     return std::abs(doubled);
   }
 
-  /// Numbers the pieces by their least vertex, and labels all sets.
+  /// Numbers the pieces by their first vertex, and labels all sets.
   void label_pieces()
   {
     m_label.assign(m_sets.size(), no_index);

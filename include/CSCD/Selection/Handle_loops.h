@@ -74,7 +74,7 @@ private:
   struct Chord_end
   {
     Index point;
-    bool is_left_after; ///< whether the left side of the separator comes after it on the way around the face
+    bool is_left_after; ///< whether the left side of the separator comes after it in the order around the face
   };
 
   bool is_crossed(Index halfedge) const { return m_is_crossed[m_surface.edge(halfedge)] != 0; }
@@ -114,7 +114,7 @@ private:
   }
 
   /// Collects the ends of the chords of `face` in their order around it. A chord leaves the face with its left side
-  /// after it on this way, and enters with its right side.
+  /// after it in this order, and enters with its right side.
   void collect_ends(Index face)
   {
     m_ends.clear();

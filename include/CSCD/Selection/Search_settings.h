@@ -17,7 +17,7 @@ struct Search_settings
 {
   /// Seed of the order in which sources are tried.
   unsigned random_seed = 0;
-  /// Number of threads; 0 stands for as many as TBB allows.
+  /// Number of threads; 0 means as many as TBB allows.
   unsigned number_of_threads = 1;
   /// Bounds the number of sources.
   std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From many separators to few: packs disjoint ones and prunes branches that are mere bumps.
+// From many separators to few: packs disjoint ones and prunes branches that are only bumps.
 
 #ifndef CSCD_SELECTION_SEPARATOR_PACKING_H
 #define CSCD_SELECTION_SEPARATOR_PACKING_H

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells the branches of a cut graph that stand on a limb from those on a mere bump.
+// Distinguishes the branches of a cut graph on a limb from those on a bump.
 
 #ifndef CSCD_SELECTION_SPURIOUS_BRANCHES_H
 #define CSCD_SELECTION_SPURIOUS_BRANCHES_H
@@ -20,7 +20,8 @@ class Spurious_branches
 {
 public:
   /// Seeks them in `cut_graph`, the surface cut along the separators `packed` of the list `separators`; linear.
-  Spurious_branches(const Cut_graph& cut_graph, const std::vector<Separator>& separators, const std::vector<Index>& packed)
+  Spurious_branches(const Cut_graph& cut_graph, const std::vector<Separator>& separators,
+                    const std::vector<Index>& packed)
       : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed)
   {
     for (Index piece = 0; piece < cut_graph.pieces().size(); ++piece) {

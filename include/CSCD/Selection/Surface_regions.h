@@ -23,7 +23,7 @@ class Surface_regions
 public:
   /// The size of the level that is precise enough for the centroids of regions.
   static constexpr Index precise_size = 60000;
-  /// The size of the level that is precise enough to tell near from far.
+  /// The size of the level that is precise enough to decide what is nearest.
   static constexpr Index rough_size = 16000;
 
   /// Computes the regions of the separators `packed` of the list `separators`, on the finest level of at most

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sees to it that every handle is cut.
+// Adds separators until every handle is cut.
 
 #ifndef CSCD_SELECTION_CUT_HANDLES_H
 #define CSCD_SELECTION_CUT_HANDLES_H
 
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Handle_loops.h>
 #include <CSCD/Selection/Separator_arrangement.h>
@@ -14,6 +13,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -195,7 +195,8 @@ private:
 };
 
 /// Cuts the handles that `packing` leaves uncut; see `Handle_cutting`. \return their number
-inline std::size_t cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators, Separator_packing& packing)
+inline std::size_t cut_handles(const Triangulated_solid& solid, std::vector<Separator>& separators,
+                               Separator_packing& packing)
 {
   return Handle_cutting(solid, separators, packing)();
 }

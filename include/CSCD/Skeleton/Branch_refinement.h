@@ -6,9 +6,9 @@
 #ifndef CSCD_SKELETON_BRANCH_REFINEMENT_H
 #define CSCD_SKELETON_BRANCH_REFINEMENT_H
 
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -22,7 +22,7 @@
 namespace CSCD::internal {
 
 /// Divides long edges of branches and moves the new nodes to the middle of the section of the body that is
-/// perpendicular to the branch there. A node for which there is no trustworthy section is taken out again.
+/// perpendicular to the branch there. A node without a reliable section is removed again.
 class Branch_refinement
 {
 public:
@@ -85,7 +85,7 @@ private:
     for (int i = 1; i < parts; ++i) {
       const double along = double(i) / parts;
       last = m_builder.split_edge(last, b, (1 - along) * from.position + along * to.position,
-                                (1 - along) * from.radius + along * to.radius);
+                                  (1 - along) * from.radius + along * to.radius);
       m_inserted.push_back(last);
     }
   }

@@ -6,12 +6,12 @@
 #ifndef CSCD_SKELETON_NODE_PLACEMENT_H
 #define CSCD_SKELETON_NODE_PLACEMENT_H
 
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Surface_regions.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
@@ -41,10 +41,7 @@ public:
   }
 
   /// The vertices of `piece`; none in a piece that is smaller than the triangles of the level.
-  CGAL::Iterator_range<const Index*> vertices(Index piece) const
-  {
-    return m_vertices[piece];
-  }
+  CGAL::Iterator_range<const Index*> vertices(Index piece) const { return m_vertices[piece]; }
   bool is_empty(Index piece) const { return m_vertices.size(piece) == 0; }
 
   /// A sum of points by area.
@@ -103,8 +100,8 @@ private:
 class Node_placement
 {
 public:
-  Node_placement(const Triangulated_solid& solid, const std::vector<Separator>& separators, const std::vector<Index>& packed,
-                 const Cut_graph& cut_graph)
+  Node_placement(const Triangulated_solid& solid, const std::vector<Separator>& separators,
+                 const std::vector<Index>& packed, const Cut_graph& cut_graph)
       : m_solid(solid), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
         m_regions(solid.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions)
   {
@@ -134,7 +131,7 @@ private:
   static constexpr double min_tip_height = 0.7;
   /// ... and the tip stays this far below the surface ...
   static constexpr double tip_depth = 0.75;
-  /// ... and this far from the node that it hangs on, likewise.
+  /// ... and this far from the node that it is joined to, likewise.
   static constexpr double min_tip_length = 0.3;
   /// The direction of a tip is that to the vertices beyond this part of the height of the piece.
   static constexpr double far_part = 0.6;
@@ -202,7 +199,7 @@ private:
     extend(builder, base, piece, (far.sum / far.weight - builder[base].position).normalized(), radius);
   }
 
-  /// Hangs a tip on `node`, in `direction`, if `piece` extends far enough.
+  /// Joins a tip to `node`, in `direction`, if `piece` extends far enough.
   void extend(Skeleton_builder& builder, Index node, Index piece, const Vector_3& direction, double radius)
   {
     const double length = m_pieces.extent(piece, builder[node].position, direction) - tip_depth * radius;

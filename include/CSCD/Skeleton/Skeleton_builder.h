@@ -19,7 +19,7 @@
 namespace CSCD {
 
 /// Nodes and edges that can be inserted, merged and removed, in the normalized frame of the traits object.
-/// Parallel edges and loops may occur on the way.
+/// Parallel edges and loops may occur in between.
 class Skeleton_builder
 {
 public:
@@ -30,9 +30,9 @@ public:
     Vector_3 position = Vector_3::Zero();
     /// Radius of the body around the node.
     double radius = 0;
-    /// Positions of the packed separators that the node stands for.
+    /// Positions of the packed separators that the node represents.
     std::vector<Index> separators;
-    /// The pieces of the cut surface that the node stands for.
+    /// The pieces of the cut surface that the node represents.
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
@@ -154,7 +154,7 @@ public:
   }
 
 private:
-  /// Marks `node`, which none of its neighbors knows any more, as removed; what it stood for goes to `heir`.
+  /// Marks `node`, to which no neighbor refers any more, as removed; what it represented goes to `heir`.
   void remove(Index node, Index heir)
   {
     append(m_nodes[heir].separators, m_nodes[node].separators);
@@ -188,7 +188,7 @@ struct Embedded_skeleton
 {
   /// Nodes and edges; none is removed.
   Skeleton_builder graph;
-  /// For each site, the node to which it belongs.
+  /// For each vertex of the surface, the node to which it belongs.
   std::vector<Index> node_of_vertex;
   /// For each node, the radius of the body around it.
   std::vector<double> radius;

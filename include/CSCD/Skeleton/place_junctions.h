@@ -6,8 +6,8 @@
 #ifndef CSCD_SKELETON_PLACE_JUNCTIONS_H
 #define CSCD_SKELETON_PLACE_JUNCTIONS_H
 
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  /// Junctions are merged if the path between them is shorter than this, relative to the least radius on the path.
+  /// Junctions are merged if the path between them is shorter than this, relative to the minimal radius on the path.
   static constexpr double max_length = 1;
   /// A path of more nodes than this is never that short.
   static constexpr std::size_t max_path_nodes = 4;
@@ -140,7 +140,8 @@ inline Ball inscribed_ball(const Triangulated_solid& solid, const Vector_3& star
   return ball;
 }
 
-/// Moves every junction of `builder` to the center of an inscribed ball nearby, at most by the largest radius around it.
+/// Moves every junction of `builder` to the center of an inscribed ball nearby, at most by the maximal radius around
+/// it.
 inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& builder)
 {
   for (Index node = 0; node < builder.size(); ++node) {

@@ -43,7 +43,7 @@ struct Quadric_fit
   double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
 };
 
-/// The principal axes of `neighbors` around their mean with that of least extent, the normal of their plane, first.
+/// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
 /// \param unit what offsets are measured in
 template <class Neighbors>
 Eigen::Matrix3d principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
@@ -170,7 +170,7 @@ private:
   static constexpr Index spacing_neighbors = 6;
   /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
   static constexpr double outlier_reach = 4;
-  /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
+  /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
   /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
   /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.

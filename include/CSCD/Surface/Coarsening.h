@@ -71,7 +71,7 @@ private:
   static constexpr Index max_degree = 20;
   /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
   static constexpr Index max_degree_after = 16;
-  /// Squared cosine of the largest turn of a face's normal in a collapse, about 78 degrees.
+  /// Squared cosine of the maximal turn of a face's normal in a collapse, about 78 degrees.
   static constexpr double min_squared_cosine = 0.04;
   /// Weight of the turn of the normals against the squared length in the cost of a collapse.
   static constexpr double turn_weight = 3;
@@ -106,7 +106,7 @@ private:
     }
   }
 
-  /// Faces without weight stay as they are, so that they remain known on every level.
+  /// Faces without weight stay as they are, so that every level has them.
   void freeze_bridges()
   {
     for (Index h = 3 * m_fine.first_hole_filling_face(); h < m_fine.number_of_halfedges(); ++h) {
@@ -177,10 +177,10 @@ private:
     return best;
   }
 
-  /// The squared cosine of the largest turn of a normal when the center moves along incident edge `side`; -1 if one turns by
-  /// 90 degrees or more.
+  /// The squared cosine of the maximal turn of a normal when the center moves along incident edge `side`; -1 if one
+  /// turns by 90 degrees or more.
   static double least_turn_squared_cosine(const std::array<Vector_3, max_degree>& incident_edge,
-                                     const std::array<Vector_3, max_degree>& face_vector, Index degree, Index side)
+                                          const std::array<Vector_3, max_degree>& face_vector, Index degree, Index side)
   {
     double least = 1;
     for (Index j = 1; j + 1 < degree; ++j) {
@@ -279,7 +279,7 @@ private:
     }
   }
 
-  /// Appends the faces of which `vertex` is the least corner.
+  /// Appends the faces of which `vertex` is the smallest corner.
   void append_faces_of(Index vertex, std::vector<std::array<Index, 3>>& faces,
                        std::vector<std::array<Index, 3>>& bridging) const
   {

@@ -17,7 +17,7 @@ namespace CSCD::internal {
 /// Where they break the triangle inequality, it is as if the apex lay on the line of the longest side.
 struct Flat_triangle
 {
-  double base;  ///< from the corner that is asked for
+  double base;  ///< from the given corner
   double next;  ///< the opposite side of that corner
   double right; ///< back to the corner
 
@@ -66,11 +66,11 @@ double corner_angle(const Triangulation& triangulation, Index halfedge)
   return flat_triangle(triangulation, halfedge).angle();
 }
 
-/// By how much two sides of a triangle shall at least be longer than the third one, relative to the mean length of
+/// By how much two sides of a triangle have to be longer, at least, than the third one, relative to the mean length of
 /// edges (Sharp, Crane: A Laplacian for nonmanifold triangle meshes, 2020, section 4.5).
 inline constexpr double min_slack = 1e-5;
 
-/// The least length that, added to all edges of the first `number_of_faces` faces of `triangulation`, keeps their
+/// The minimal length that, added to all edges of the first `number_of_faces` faces of `triangulation`, keeps their
 /// triangles clear of the degenerate by `min_slack`; 0 for all but degenerate input. Linear.
 template <class Triangulation>
 double mollifying_length(const Triangulation& triangulation, Index number_of_faces)

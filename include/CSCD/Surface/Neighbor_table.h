@@ -86,26 +86,26 @@ private:
   Search::Tree m_tree;
 };
 
-/// Gives the points that have no site that of the nearest one that has; O(n log n).
-/// \param sites of every point, `no_index` where there is none
+/// Assigns the points without a vertex that of the nearest point with one; O(n log n).
+/// \param vertices of every point, `no_index` where there is none
 /// \pre some point has one
-inline void assign_to_nearest(const std::vector<Vector_3>& points, std::vector<Index>& sites)
+inline void assign_to_nearest(const std::vector<Vector_3>& points, std::vector<Index>& vertices)
 {
   std::vector<Index> used;
   std::vector<Vector_3> used_points;
-  for (Index point = 0; point < sites.size(); ++point) {
-    if (sites[point] != no_index) {
+  for (Index point = 0; point < vertices.size(); ++point) {
+    if (vertices[point] != no_index) {
       used.push_back(point);
       used_points.push_back(points[point]);
     }
   }
-  if (used.size() == sites.size()) {
+  if (used.size() == vertices.size()) {
     return;
   }
   const Point_tree tree(used_points);
-  for (Index point = 0; point < sites.size(); ++point) {
-    if (sites[point] == no_index) {
-      sites[point] = sites[used[tree.nearest(points[point])]];
+  for (Index point = 0; point < vertices.size(); ++point) {
+    if (vertices[point] == no_index) {
+      vertices[point] = vertices[used[tree.nearest(points[point])]];
     }
   }
 }

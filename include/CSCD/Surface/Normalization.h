@@ -43,14 +43,11 @@ Point to_input_point(const Normalization& normalization, const Vector_3& point)
   return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
 }
 
-/// Least area of a surface, relative to the square of its extent: below it lies what rounding leaves of collinear
-/// points.
+/// Minimal area of a surface, relative to the square of its extent: rounding leaves smaller areas of collinear points.
 inline constexpr double min_relative_area = 1e-12;
 
-/// Moves the area-weighted centroid of `triangles` to the origin and scales the area, hole-filling faces not counted, to 1.
-/// Linear.
-/// \pre the extent of the points is about 1
-/// \throw Input_error if the area vanishes
+/// Moves the area-weighted centroid of `triangles` to the origin and scales the area, hole-filling faces not counted,
+/// to 1. Linear. \pre the extent of the points is about 1 \throw Input_error if the area vanishes
 inline Normalization normalize_area(Indexed_triangles& triangles)
 {
   double area = 0;
@@ -74,15 +71,16 @@ inline Normalization normalize_area(Indexed_triangles& triangles)
   return result;
 }
 
-/// Extents outside these bounds lose digits when they are halved or divided by; in the unit of the input.
+/// The minimal extent, in the unit of the input. Extents outside the bounds lose digits when they are halved or divided
+/// by.
 inline constexpr double min_extent = 1e-290;
-/// The greatest extent.
+/// The maximal extent, likewise.
 inline constexpr double max_extent = 1e290;
 
 /// Moves the center of the bounding box of `points` to the origin and scales its longest side to 2.
 /// The result depends on the set of points alone, not on their order. Linear.
 /// \pre `points` is not empty and all coordinates are finite
-/// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
+/// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
 inline Normalization normalize_extent(std::vector<Vector_3>& points)
 {
   Vector_3 least = points.front();
@@ -108,7 +106,7 @@ inline Normalization normalize_extent(std::vector<Vector_3>& points)
 
 /// Moves the center of the bounding box of `points` to the origin and scales its diagonal to 1; linear.
 /// \pre `points` is not empty and all coordinates are finite
-/// \throw Input_error if all points are equal, or their extent is beyond what can be computed with
+/// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
 inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
 {
   const Normalization to_cube = normalize_extent(points);
@@ -116,7 +114,7 @@ inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
   for (const Vector_3& point : points) {
     greatest = greatest.cwiseMax(point);
   }
-  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centerd already
+  const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centered already
   for (Vector_3& point : points) {
     point = to_diagonal.from_input(point);
   }

@@ -55,7 +55,7 @@ struct Point_cloud
   /// The points, all different.
   std::vector<Vector_3> points;
   std::vector<Vector_3> normals;  ///< of unit length, zero where unknown; empty if the input has none
-  std::vector<Index> input_point; ///< for every point of the input, the point that stands for it
+  std::vector<Index> input_point; ///< for every point of the input, the point that represents it
   /// From the coordinates of the input to those of the points.
   Normalization normalization;
   Canonical_pose pose; ///< of the points

@@ -142,9 +142,8 @@ CSCD_INLINE void check_extent(const Point_cloud& cloud)
   };
   const Vector_3 first = farthest_from(points.front());
   const Vector_3 axis = (farthest_from(first) - first).normalized();
-  const bool is_line = std::all_of(points.begin(), points.end(), [&](const Vector_3& p) {
-    return (p - first).cross(axis).norm() <= min_thickness;
-  });
+  const bool is_line = std::all_of(points.begin(), points.end(),
+                                   [&](const Vector_3& p) { return (p - first).cross(axis).norm() <= min_thickness; });
   if (is_line) {
     throw Input_error("all points are on one line: a surface needs points around a body; check how the input was "
                       "written");

@@ -84,6 +84,7 @@ public:
 
   /// \name Vertices
   /// @{
+
   /// The number of vertices.
   Index number_of_vertices() const { return Index(m_points.size()); }
   /// All positions.
@@ -102,6 +103,7 @@ public:
 
   /// \name Halfedges
   /// @{
+
   /// The number of halfedges.
   Index number_of_halfedges() const { return Index(m_targets.number_of_values()); }
   /// The halfedges from `vertex`, counterclockwise.
@@ -116,7 +118,7 @@ public:
   Index target(Index halfedge) const { return m_targets.values()[halfedge]; }
   /// The halfedge from the target of `halfedge` to its origin.
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
-  /// The halfedge that stands for the edge: the smaller one of the two.
+  /// The halfedge that represents the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, m_twins[halfedge]); }
   /// The halfedge from `origin` to `target`, `no_index` if there is none.
   Index find_halfedge(Index origin, Index target) const
@@ -133,6 +135,7 @@ public:
 
   /// \name Triangles
   /// @{
+
   /// The number of faces.
   Index number_of_faces() const { return Index(m_faces.size()); }
   /// The halfedges around face `face`, counterclockwise seen from outside: from its first vertex to the second, from

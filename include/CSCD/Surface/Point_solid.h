@@ -27,8 +27,8 @@ class Point_solid_queries;
 /// clouds of which no surface is made.
 ///
 /// Triangles are Delaunay in the tangent planes (supplement, appendix G.2); neighborhoods do not lead over to another
-/// sheet. They are nearly a surface, and need not be one: no hole is closed, nothing is cut. All members are const and
-/// may be called by several threads at once.
+/// sheet. They are nearly a surface, and need not be one: only gaps of a few edges are closed, no handle is cut. All
+/// members are const and may be called by several threads at once.
 class Point_solid
 {
 public:

@@ -223,7 +223,7 @@ private:
 };
 
 /// The body that oriented points enclose, by their winding number: what `Solid_queries` is for surfaces, as well as
-/// points can tell. Lines are followed in steps of half the spacing. Const and thread safe.
+/// points allow. Lines are followed in steps of half the spacing. Const and thread safe.
 class Point_solid_queries
 {
 public:

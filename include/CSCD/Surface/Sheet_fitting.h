@@ -60,7 +60,7 @@ private:
   static constexpr std::array<Index, 3> sizes{7, 10, 16};
   /// The sine of the angle between the plane and the edges to neighbors on the same sheet.
   static constexpr double max_slope = 0.5;
-  /// Fewer neighbors do not tell more than the plane.
+  /// Fewer neighbors do not determine more than a plane.
   static constexpr std::size_t min_sheet = 5;
 
   /// The normal of that neighborhood that is the thinnest in relation to its width.

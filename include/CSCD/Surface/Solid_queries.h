@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is asked of the body that a closed surface bounds: whether it holds a point, and where its surface is met.
+// Queries on the body that a closed surface bounds: whether it contains a point, and where lines meet its surface.
 
 #ifndef CSCD_SURFACE_SOLID_QUERIES_H
 #define CSCD_SURFACE_SOLID_QUERIES_H
@@ -22,7 +22,7 @@
 namespace CSCD::internal {
 
 /// A bounding volume hierarchy over the faces of a closed surface. Hole-filling faces count: they close the body.
-/// All queries are const and may be asked by several threads at once; each is O(log n) for well-shaped surfaces.
+/// All queries are const and may be called by several threads at once; each is O(log n) for well-shaped surfaces.
 class Solid_queries
 {
 public:
@@ -48,17 +48,17 @@ public:
   explicit Solid_queries(Triangulated_surface&&) = delete;
 
   /// Whether the body holds `point`: by the parity of the crossings along one ray, which is exact on a closed surface,
-  /// so that further rays could not tell more. Where the surface cuts itself, a part inside both sheets is outside.
+  /// so that further rays would not help. Where the surface intersects itself, a part inside both sheets is outside.
   bool is_inside(const Vector_3& point) const
   {
-    // Any direction will do; faces of designed parts like to lie across or along the axes.
+    // Any direction will do; faces of designed parts are often perpendicular or parallel to the axes.
     Parity_counter counter{*this, Ray(point, Vector_3(0.8523, 0.4127, 0.3211)), false};
     Eigen::BVIntersect(m_tree, counter);
     return counter.is_odd;
   }
 
   /// The point of the surface that is nearest to `point`.
-  /// \param near a face that may be near, such as that of the answer for a neighbour of `point`: it saves time
+  /// \param near a face that may be near, such as that of the answer for a neighbor of `point`: it saves time
   Surface_point closest_point(const Vector_3& point, Index near = no_index) const
   {
     Distance_minimizer minimizer{*this, point, {}, {}};
@@ -83,12 +83,13 @@ public:
   }
 
   /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
-  /// `point` through there leaves the body again. None where the body is too thin to tell, or the surface cuts itself.
-  /// \pre `point` is not inside the body
+  /// `point` through there leaves the body again. None where the body is too thin to decide, or the surface intersects
+  /// itself. \pre `point` is not inside the body
   std::optional<Vector_3> middle_behind(const Vector_3& point) const
   {
     const Surface_point nearest = closest_point(point);
-    // On an edge or at a vertex no face stands for the surface; but very near to it, the line is lost to rounding.
+    // On an edge or at a vertex no single face represents the surface; but very near to it, the line is lost to
+    // rounding.
     const Vector_3 through = nearest.point - point;
     const Vector_3 inward =
         (through.norm() > m_offset ? through : Vector_3(-m_surface.face_vector(nearest.face))).normalized();

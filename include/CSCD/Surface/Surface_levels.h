@@ -25,7 +25,7 @@ struct Surface_level
 
   /// The vertex of the finest level that `vertex` of this level is.
   Index to_finest(Index vertex) const { return finest_vertex.empty() ? vertex : finest_vertex[vertex]; }
-  /// The vertex of this level that stands for `vertex` of the finest level.
+  /// The vertex of this level that represents `vertex` of the finest level.
   Index from_finest(Index vertex) const { return level_vertex.empty() ? vertex : level_vertex[vertex]; }
 
   /// The triangles of the level.
@@ -74,7 +74,7 @@ public:
 private:
   /// Vertices at which coarsening ends: below, a limb is too few edges around for its front.
   static constexpr Index coarsest_size = 6000;
-  /// A pass that keeps a larger part of the vertices than this is not worth a level.
+  /// A pass that keeps a larger part of the vertices than this does not justify a level.
   static constexpr double min_reduction = 0.8;
 
   bool add_level()

@@ -30,8 +30,8 @@ class Solid_queries;
 /// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
 /// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
 ///
-/// Coordinates are normalized (unit area, centroid at the origin) and vertices are in a canonical order, so that results
-/// depend on the shape alone. All members are const and may be called by several threads at once.
+/// Coordinates are normalized (unit area, centroid at the origin) and vertices are in a canonical order, so that
+/// results depend on the shape alone. All members are const and may be called by several threads at once.
 class Triangulated_solid
 {
 public:
@@ -83,6 +83,7 @@ public:
 
   /// \name Changes to the input
   /// @{
+
   /// The number of borders of the input, which faces without area now close.
   std::size_t number_of_bridged_borders() const { return m_number_of_bridged_borders; }
   /// The number of vertices that are not of the input.

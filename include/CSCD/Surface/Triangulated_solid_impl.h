@@ -85,7 +85,8 @@ CSCD_INLINE void Triangulated_solid::crossings(const Vector_3& from, const Vecto
 
 CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
 {
-  std::call_once(m_queries_built, [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
+  std::call_once(m_queries_built,
+                 [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
   return *m_queries;
 }
 

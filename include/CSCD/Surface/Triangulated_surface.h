@@ -128,6 +128,7 @@ public:
 
   /// \name Combinatorics
   /// @{
+
   /// Where the triangles are no surface, if anywhere.
   const Defect& defect() const { return m_defect; }
 
@@ -176,6 +177,7 @@ public:
 
   /// \name Geometry
   /// @{
+
   /// All positions.
   const std::vector<Vector_3>& points() const { return m_points; }
   /// The position of `vertex`.

@@ -47,7 +47,7 @@ public:
     take_normals();
     std::vector<std::array<Index, 3>> triangles = select_triangles();
     orient_normals(m_points, m_normals, triangles);
-    // Once orientations are known, they tell more sheets apart.
+    // Oriented normals separate more sheets.
     m_is_oriented = true;
     triangles = select_triangles();
     orient_normals(m_points, m_normals, triangles);
@@ -68,13 +68,13 @@ private:
   /// The size of neighborhoods: around a point on the border of a hole in a random sample, the points on the other side
   /// are among them.
   static constexpr Index number_of_neighbors = 24;
-  /// How far points are moved, to tell triangles alone, relative to the reach of their neighborhoods: far more than
-  /// rounding, far less than matters.
+  /// How far points are moved, for the choice of triangles only, relative to the reach of their neighborhoods: far more
+  /// than rounding, far less than matters.
   static constexpr double jitter = 1e-6;
 
   /// The squared radius of a triangle's circumcircle, relative to that of the neighborhood: in a circle that is much
-  /// larger there may be points that nobody looked at, and an empty one is a hole. Neither half nor twice as much makes
-  /// a difference: of 104 clouds, the skeletons of 71, 70 and 69 have the right topology with 1, 2 and 4.
+  /// larger there may be points outside the neighborhood, and an empty one is a hole. Neither half nor twice as much
+  /// makes a difference: of 104 clouds, the skeletons of 71, 70 and 69 have the right topology with 1, 2 and 4.
   static constexpr double max_circle = 2;
   /// The sine of the angle between an edge and the tangent plane of an end: an edge that is steeper at both ends leads
   /// to another sheet.
@@ -83,9 +83,9 @@ private:
   static constexpr double min_doubtful_slope = 0.25;
   /// By how much the cosine between the normals may exceed that on a circular arc.
   static constexpr double arc_tolerance = 0.2;
-  /// The least cosine between oriented normals, of which one is carried over along an arc.
+  /// The minimal cosine between oriented normals, of which one is carried over along an arc.
   static constexpr double min_agreement = 0;
-  /// The part of the points whose deviation tells the noise: where limbs are thin, quadrics deviate without noise.
+  /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
   /// Heights over a tangent plane that noise makes, relative to its deviation.
   static constexpr double noise_height = 3;

@@ -104,7 +104,7 @@ private:
   std::vector<Index> m_stack;
 };
 
-/// Turns `normals` so that they agree with those of neighbors, starting from the least vertex of each component of
+/// Turns `normals` so that they agree with those of neighbors, starting from the first vertex of each component of
 /// `triangles`: along a spanning tree of the edges at which they differ least from what an arc would have (after H.
 /// Hoppe et al., "Surface reconstruction from unorganized points", 1992; S. König, S. Gumhold, "Consistent propagation
 /// of normal orientations in point clouds", 2009), but of edges of triangles only, which do not lead from one sheet to

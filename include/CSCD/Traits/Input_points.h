@@ -151,7 +151,7 @@ auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]]
   }
 }
 
-/// Stands for a map to normals where there are none.
+/// In the place of a map to normals where there are none.
 struct No_normals
 {
 };

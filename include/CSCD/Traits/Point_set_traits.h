@@ -76,14 +76,14 @@ public:
     m_points = {points, cloud, m_surface->vertex_of_point(), number_of_vertices};
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  /// The descriptors would refer to a range that is gone.
+  /// A temporary range is refused: the descriptors would refer to it.
   explicit Point_set_traits(PointRange&&) = delete;
   Point_set_traits(PointRange&&, const PointMap&) = delete;
 
   /// The points with the triangles that join them.
   const Point_solid& surface() const { return *m_surface; }
 
-  /// \name The way back to the input
+  /// \name Back to the input
   /// @{
 
   /// The points of the input that belong to `vertex`.

@@ -82,7 +82,7 @@ public:
                 m_surface->triangulation().number_of_vertices()};
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
-  /// The descriptors would refer to a range that is gone.
+  /// A temporary range is refused: the descriptors would refer to it.
   explicit Reconstructed_surface_traits(PointRange&&) = delete;
   Reconstructed_surface_traits(PointRange&&, const PointMap&) = delete;
 
@@ -97,7 +97,7 @@ public:
     return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
   }
 
-  /// \name The way back to the input
+  /// \name Back to the input
   /// @{
 
   /// The points of the input that belong to `vertex`; none for an inserted vertex.

@@ -66,14 +66,14 @@ public:
   }
   /// The same, with the point map of `mesh`.
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
-  /// The descriptors would refer to a mesh that is gone.
+  /// A temporary mesh is refused: the descriptors would refer to it.
   explicit Triangle_mesh_traits(TriangleMesh&&) = delete;
   Triangle_mesh_traits(TriangleMesh&&, const VertexPointMap&) = delete;
 
   /// The surface of the mesh.
   const Triangulated_solid& surface() const { return *m_surface; }
 
-  /// \name The way back to the input
+  /// \name Back to the input
   /// @{
 
   /// The vertices of the input that `vertex` is: one, or none for an inserted vertex.

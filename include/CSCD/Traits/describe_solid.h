@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the adapters to triangulated solids report alike.
+// The counts that all adapters to triangulated solids report.
 
 #ifndef CSCD_TRAITS_DESCRIBE_SOLID_H
 #define CSCD_TRAITS_DESCRIBE_SOLID_H

@@ -30,15 +30,15 @@ class TriangleMesh
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// Whether `T` looks like a `FaceListGraph`; may be asked of any type.
-// boost::graph_traits is not asked: it fails hard on what is no graph.
+/// Whether `T` looks like a `FaceListGraph`; valid for any type.
+// boost::graph_traits is not used: on what is no graph it is a hard error.
 template <class T>
 inline constexpr bool is_triangle_mesh_v = CSCD_IS_VALID(const T&, *std::begin(faces(t)));
 
-/// Whether `T` is a range of points, or of elements with points, and no mesh; may be asked of any type.
+/// Whether `T` is a range of points, or of elements with points, and no mesh; valid for any type.
 template <class T>
-inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) && CSCD_IS_VALID(const T&, std::end(t)) &&
-                                         !is_triangle_mesh_v<T>;
+inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) &&
+                                         CSCD_IS_VALID(const T&, std::end(t)) && !is_triangle_mesh_v<T>;
 
 /// refuses at compile time a type that is no `FaceListGraph`.
 template <class T>

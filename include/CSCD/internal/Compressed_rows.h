@@ -57,7 +57,7 @@ public:
 
   /// The values of all rows.
   const std::vector<Value>& values() const& { return m_values; }
-  /// Gives up the values of all rows.
+  /// Moves the values of all rows out.
   std::vector<Value> values() && { return std::move(m_values); }
 
   /// Shortens every row to what `reduce(first, last)` leaves of it, which returns the new end; linear in the calls.

@@ -16,9 +16,9 @@
 
 namespace CSCD::internal {
 
-/// The least distances at which vertices have been reached, and those from which one has yet to go on. What is next to
-/// a vertex, and how far, is known to the caller: so it can stop at any distance and at any border, and keep what else
-/// belongs to the shortest paths. Boost's algorithm initializes every vertex of its graph; this one is emptied in
+/// The minimal distances at which vertices have been reached, and those from which one has yet to go on. What is next
+/// to a vertex, and how far, is known to the caller: so it can stop at any distance and at any border, and keep what
+/// else belongs to the shortest paths. Boost's algorithm initializes every vertex of its graph; this one is emptied in
 /// constant time, so that local work costs nothing of the size of the surface.
 class Dijkstra_search
 {
@@ -36,7 +36,7 @@ public:
   }
 
   /// Takes note that `vertex` can be reached at `distance`, not less than that of the vertex that was passed last.
-  /// \return whether no way as short was known
+  /// \return whether no path as short was known
   bool reach(Index vertex, float distance)
   {
     if (m_reached.mark(vertex)) {
@@ -64,7 +64,7 @@ public:
   }
 
   bool is_reached(Index vertex) const { return m_reached.is_marked(vertex); }
-  /// The least distance at which `vertex` was reached.
+  /// The minimal distance at which `vertex` was reached.
   /// \pre `is_reached(vertex)`
   float distance(Index vertex) const { return m_distance[vertex]; }
 

@@ -43,7 +43,7 @@ public:
   /// Lowers the key of `vertex`, which must be in the heap.
   void decrease(Index vertex, float key) { move_up(m_position[vertex], {key, vertex}); }
 
-  /// Removes and returns the entry of least key.
+  /// Removes and returns the entry of minimal key.
   Entry pop()
   {
     const Entry least = m_entries.front();

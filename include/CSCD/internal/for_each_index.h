@@ -63,7 +63,7 @@ private:
 };
 
 /// Runs a function on indices, each time with a working object that belongs to the running thread: by TBB where it is
-/// linked and more than one thread is asked for.
+/// linked and more than one thread is requested.
 template <class Worker>
 class For_each_index
 {
@@ -105,7 +105,10 @@ public:
     }
   }
 
-  unsigned number_of_threads() const { return m_number_of_threads; }
+  unsigned number_of_threads() const
+  {
+    return m_number_of_threads;
+  }
 
 private:
 #ifdef CGAL_LINKED_WITH_TBB
