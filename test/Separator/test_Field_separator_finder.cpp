@@ -10,11 +10,11 @@
 #include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Field_search_settings.h>
+#include <CSCD/Separator/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Separator/Field_separator_finder.h>
-#include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
@@ -26,13 +26,13 @@
 namespace {
 
 using CSCD::Cut_loop_outcome;
+using CSCD::Index;
 using CSCD::Search_outcome;
 using CSCD::Shortening_outcome;
 using CSCD::Target_rule;
-using CSCD::internal::Field_search_result;
-using CSCD::Index;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Field_search_result;
 using CSCD::test::pi;
 
 /// A surface with all that separators are found with.
@@ -165,7 +165,7 @@ TEST(Sampled_search, counts_loops_that_are_held)
 {
   for (const bool is_cone : {true, false}) {
     const Searched_triangulation solid(is_cone ? CSCD::test::tapered_tube(8, 0.3, 1.5, 32)
-                                              : CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat));
+                                               : CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat));
     CSCD::Skeletonization_report report;
     CSCD::Search_settings settings;
     const std::vector<CSCD::Separator> separators =

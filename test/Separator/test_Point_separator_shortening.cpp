@@ -8,13 +8,13 @@
 #include "Separator/halfedges_along.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Point_complex.h>
-#include <CSCD/Surface/Point_neighborhoods.h>
 #include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Surface_projection.h>
-#include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Surface/Point_neighborhoods.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
@@ -28,16 +28,16 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Point_neighborhoods;
-using CSCD::internal::Complex_trace;
-using CSCD::internal::Moving_least_squares_projection;
+using CSCD::Separator;
+using CSCD::Shortening_outcome;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Complex_trace;
+using CSCD::internal::Moving_least_squares_projection;
+using CSCD::internal::Point_neighborhoods;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 
@@ -95,7 +95,7 @@ TEST(Point_separator_shortening, finds_the_meridians_of_a_torus)
   struct Case
   {
     std::size_t number_of_points;
-    double noise;         // relative to the mean distance of the nearest points
+    double noise;     // relative to the mean distance of the nearest points
     double max_error; // of the length, relative
   };
   for (const Case& c : {Case{1000, 0, 0.01}, Case{4000, 0, 0.004}, Case{4000, 0.3, 0.03}, Case{4000, 0.8, 0.06}}) {

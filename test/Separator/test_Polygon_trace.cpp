@@ -7,8 +7,8 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Curve_trace.h>
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -19,12 +19,12 @@
 namespace {
 
 using CSCD::Edge_crossing;
-using CSCD::internal::Polygon_trace;
-using CSCD::internal::Solid_queries;
-using CSCD::internal::Closest_point_projection;
-using CSCD::internal::Projected_point;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Closest_point_projection;
+using CSCD::internal::Polygon_trace;
+using CSCD::internal::Projected_point;
+using CSCD::internal::Solid_queries;
 using CSCD::test::pi;
 
 TEST(Polygon_trace, follows_a_circle_around_a_tube)

@@ -7,9 +7,9 @@
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -22,8 +22,8 @@
 
 namespace {
 
-using CSCD::Shortening_outcome;
 using CSCD::Index;
+using CSCD::Shortening_outcome;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::test::pi;

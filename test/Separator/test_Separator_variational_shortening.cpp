@@ -10,13 +10,13 @@
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -28,17 +28,17 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Solid_queries;
-using CSCD::internal::Closest_point_projection;
-using CSCD::internal::Polygon_trace;
-using CSCD::internal::Projected_point;
+using CSCD::Separator;
+using CSCD::Shortening_outcome;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Closest_point_projection;
+using CSCD::internal::Polygon_trace;
+using CSCD::internal::Projected_point;
+using CSCD::internal::Solid_queries;
 using CSCD::test::pi;
 
 double length_of_crossings(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
