@@ -21,7 +21,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
-#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +28,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -88,9 +88,11 @@ double left_angle(const Triangulated_surface& surface, const Surface_path& path,
     angle += angle_between(direction, point - center);
     direction = point - center;
   };
-  CSCD::internal::push_off_vertex(surface, before, path.points[i], after, [&](const Edge_crossing& incident_edge) {
+  std::vector<Edge_crossing> incident_edges;
+  CSCD::internal::push_off_vertex(surface, before, path.points[i], after, incident_edges);
+  for (const Edge_crossing& incident_edge : incident_edges) {
     turn_to(surface.point(surface.target(incident_edge.halfedge)));
-  });
+  }
   turn_to(CSCD::internal::crossing_point(surface, after));
   return angle;
 }
@@ -523,9 +525,10 @@ TEST(Edge_flip_shortening, gives_the_same_on_several_threads_and_with_used_objec
     curves.push_back(halfedges(surface, loop));
   }
   std::vector<Surface_path> paths(curves.size());
-  CSCD::internal::For_each_index<CGAL::Parallel_if_available_tag, Edge_flip_shortening> for_each(
-      [&surface] { return Edge_flip_shortening(surface); }, 0);
-  for_each(Index(curves.size()), [&](Index i, Edge_flip_shortening& shorten) { shorten(curves[i], true, paths[i]); });
+  using Worker = std::unique_ptr<Edge_flip_shortening>;
+  CSCD::internal::For_each_index<Worker> for_each([&surface] { return std::make_unique<Edge_flip_shortening>(surface); },
+                                                  0);
+  for_each(Index(curves.size()), [&](Index i, Worker& shorten) { (*shorten)(curves[i], true, paths[i]); });
   for (std::size_t i = 0; i < curves.size(); ++i) {
     Edge_flip_shortening shorten(surface);
     Surface_path path;
@@ -584,7 +587,7 @@ TEST(Edge_flip_shortening, goes_along_borders)
   // The vertices within the hole go: numbers are found by place.
   CSCD::test::remove_triangles(shape, is_removed);
   auto triangles = CSCD::test::to_indexed_triangles(shape);
-  const auto pairing = CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex; });
+  const auto pairing = CSCD::check_manifold(triangles, [](Index vertex) { return vertex; });
   ASSERT_EQ(CSCD::internal::bridge_borders(triangles, pairing), 2u);
   const Triangulated_surface surface(std::move(triangles));
   const auto vertex_at = [&](double x, double y) { return CSCD::test::nearest_vertex(surface, Vector_3(x, y, 0)); };

@@ -4,31 +4,31 @@
 // The finder of local separators on bodies whose limbs are known.
 
 #include "Separator/is_closed_curve.h"
-#include "archetypes/Multiresolution_traits_archetype.h"
+#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
-#include <set>
 
 namespace {
 
 using CSCD::Search_outcome;
 using CSCD::Search_result;
 using CSCD::Index;
-using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
-using Finder = CSCD::Local_separator_finder<Levels_traits>;
+using CSCD::Surface_levels;
+using Finder = CSCD::Local_separator_finder;
 
 TEST(Local_separator_finder, finds_simple_curves_around_limbs)
 {
   const CSCD::test::Shape shape = CSCD::test::y_tube(0.12);
-  const Levels_traits traits(shape);
-  const auto& surface = traits.levels().finest().surface;
-  Finder find(traits);
+  const Surface_levels levels = CSCD::test::to_levels(shape);
+  const auto& surface = levels.finest().surface;
+  Finder find(levels);
   CSCD::internal::Separator_arrangement arrangement(surface);
   Search_result result;
   std::size_t found = 0;
@@ -57,31 +57,29 @@ TEST(Local_separator_finder, finds_simple_curves_around_limbs)
 
 TEST(Local_separator_finder, finds_separators_on_any_level)
 {
-  const Levels_traits traits(CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1));
-  ASSERT_GE(traits.levels().size(), 2u);
-  Finder find(traits);
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1));
+  ASSERT_GE(levels.size(), 2u);
+  Finder find(levels);
   Search_result result;
-  std::set<Index> levels;
-  for (Index hint = 0; hint < traits.levels().size() + 3; ++hint) {
+  for (Index hint = 0; hint < levels.size() + 3; ++hint) {
     for (Index source = 5; source < 7000; source += 499) {
       find(source, hint, result);
       ASSERT_EQ(result.outcome, Search_outcome::found) << "source " << source << ", level " << hint;
-      EXPECT_TRUE(CSCD::test::is_closed_curve(traits.levels().finest().surface, result.separator.crossings));
+      EXPECT_TRUE(CSCD::test::is_closed_curve(levels.finest().surface, result.separator.crossings));
       EXPECT_NEAR(result.separator.radius(), 1, 0.1);
-      EXPECT_LT(result.level, traits.levels().size());
-      levels.insert(result.level);
+      EXPECT_LT(result.level, levels.size());
     }
   }
 }
 
 TEST(Local_separator_finder, gives_the_same_when_it_is_used_again)
 {
-  const Levels_traits traits(CSCD::test::hand(0.12));
-  Finder used(traits);
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::hand(0.12));
+  Finder used(levels);
   Search_result first;
   Search_result second;
-  for (Index source = 0; source < traits.levels().finest().surface.number_of_vertices(); source += 101) {
-    Finder fresh(traits);
+  for (Index source = 0; source < levels.finest().surface.number_of_vertices(); source += 101) {
+    Finder fresh(levels);
     used(source, 0, first);
     fresh(source, 0, second);
     ASSERT_EQ(first.outcome, second.outcome);
@@ -97,8 +95,8 @@ TEST(Local_separator_finder, gives_the_same_when_it_is_used_again)
 
 TEST(Local_separator_finder, finds_nothing_to_separate_on_a_sphere_but_great_circles)
 {
-  const Levels_traits traits(CSCD::test::sphere(4));
-  Finder find(traits);
+  const Surface_levels levels = CSCD::test::to_levels(CSCD::test::sphere(4));
+  Finder find(levels);
   Search_result result;
   for (Index source = 0; source < 2562; source += 50) {
     find(source, 0, result);

@@ -5,13 +5,16 @@
 
 #include "Point_cloud/edge_ways.h"
 #include "Point_cloud/to_point_complex.h"
+#include "Separator/halfedges_along.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
+#include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Separator_shortening.h>
+#include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Point_neighborhoods.h>
-#include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
@@ -25,15 +28,16 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Point_neighborhoods;
-using CSCD::internal::Point_separator_shortening;
+using CSCD::Separator;
+using CSCD::Shortening_outcome;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Complex_trace;
+using CSCD::internal::Moving_least_squares_projection;
+using CSCD::internal::Point_neighborhoods;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 
@@ -44,7 +48,7 @@ struct Fixture
       : complex(CSCD::test::to_point_complex(
             CSCD::test::shaken(CSCD::test::sampled(shape, number_of_points, 1),
                                noise * CSCD::test::mean_spacing(shape, number_of_points), 2))),
-        neighborhoods(complex), shortening(complex, neighborhoods)
+        neighborhoods(complex), shortening(complex, Moving_least_squares_projection(complex, neighborhoods))
   {
   }
   Fixture(const Fixture&) = delete;
@@ -53,12 +57,12 @@ struct Fixture
   /// Shortens `loop` in the ball around its first vertex.
   Shortening_outcome shorten(const Vertex_loop& loop, Separator& separator)
   {
-    return shortening.shorten_vertex_loop(loop, loop.front(), separator);
+    return shortening(CSCD::test::halfedges_along(complex, loop), loop.front(), separator);
   }
 
   Point_complex complex;
   Point_neighborhoods neighborhoods;
-  Point_separator_shortening shortening;
+  CSCD::internal::Separator_variational_shortening<Moving_least_squares_projection, Complex_trace> shortening;
 };
 
 /// Places on a circle around the x axis, or a curve that sways about it.
@@ -91,7 +95,7 @@ TEST(Point_separator_shortening, finds_the_meridians_of_a_torus)
   struct Case
   {
     std::size_t number_of_points;
-    double noise;         // relative to the mean distance of the nearest points
+    double noise;     // relative to the mean distance of the nearest points
     double max_error; // of the length, relative
   };
   for (const Case& c : {Case{1000, 0, 0.01}, Case{4000, 0, 0.004}, Case{4000, 0.3, 0.03}, Case{4000, 0.8, 0.06}}) {
@@ -110,7 +114,7 @@ TEST(Point_separator_shortening, finds_the_meridians_of_a_torus)
       EXPECT_NEAR(separator.area, pi, 2.5 * c.max_error * pi);
       EXPECT_LT(separator.planarity, c.noise > 0 ? 0.01 : 0.002);
       EXPECT_NEAR(std::abs(separator.normal.z()), 0, 0.1);
-      EXPECT_NEAR(CSCD::internal::measure_polygon(separator.points).length, separator.length, 1e-12);
+      EXPECT_NEAR(CSCD::internal::measure_polygon(*separator.points).length, separator.length, 1e-12);
       EXPECT_TRUE(CSCD::test::separates(fixture.complex, separator.crossings, [&](Index vertex) {
         return fixture.complex.point(vertex).dot(separator.center) > 0; // not around the torus
       }));
@@ -183,7 +187,7 @@ TEST(Point_separator_shortening, holds_curves_in_the_ball)
   }
   Separator separator;
   EXPECT_EQ(fixture.shorten(loop, separator), Shortening_outcome::held);
-  for (const Vector_3& point : separator.points) {
+  for (const Vector_3& point : *separator.points) {
     EXPECT_LT((point - source).norm(), 1.03 * radius);
   }
   EXPECT_GT(separator.center.x(), 3.5);

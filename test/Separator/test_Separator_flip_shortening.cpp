@@ -3,12 +3,13 @@
 //
 // Separators made by edge flips are closed curves off the vertices, and have the measures of the geodesic.
 
+#include "Separator/halfedges_along.h"
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -21,8 +22,8 @@
 
 namespace {
 
-using CSCD::Shortening_outcome;
 using CSCD::Index;
+using CSCD::Shortening_outcome;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::test::pi;
@@ -40,7 +41,7 @@ TEST(Separator_flip_shortening, cuts_a_tube_across)
     loop.push_back((k < 8 ? 6 : 7) * around + k);
   }
   loop.push_back(7 * around);
-  EXPECT_EQ(shorten.shorten_vertex_loop(loop, loop.front(), separator), Shortening_outcome::straight);
+  EXPECT_EQ(shorten(CSCD::test::halfedges_along(surface, loop), loop.front(), separator), Shortening_outcome::straight);
   EXPECT_TRUE(CSCD::test::is_closed_curve(surface, separator.crossings));
   EXPECT_NEAR(separator.length, around * 2 * std::sin(pi / around), 1e-9);
   EXPECT_NEAR(std::fabs(separator.normal.x()), 1, 1e-9);
@@ -65,8 +66,7 @@ TEST(Separator_flip_shortening, leaves_the_separator_alone_where_there_is_none)
   for (const Index h : surface.outgoing(100)) {
     ring.push_back(Triangulated_surface::next(h));
   }
-  EXPECT_EQ(shorten.shorten(ring, 100, separator), Shortening_outcome::collapsed);
-  EXPECT_EQ(shorten.shorten_vertex_loop({0, 1, 2}, 0, separator), Shortening_outcome::collapsed) << "no edges";
+  EXPECT_EQ(shorten(ring, 100, separator), Shortening_outcome::collapsed);
   EXPECT_EQ(separator.length, 7);
   EXPECT_TRUE(separator.crossings.empty());
 }
@@ -78,13 +78,13 @@ TEST(push_off_vertices, finds_the_left_side_where_both_ways_lie_in_one_face)
   for (const Index incident_edge : surface.outgoing(vertex)) {
     const Index opposite = Triangulated_surface::next(incident_edge);
     const auto number_of_incident_edges = [&](double in, double out) {
-      Index number = 0;
+      std::vector<CSCD::Edge_crossing> crossings;
       CSCD::internal::push_off_vertex(surface, {surface.twin(opposite), 1 - in}, {incident_edge, 0.}, {opposite, out},
-                                      [&](const CSCD::Edge_crossing& crossing) {
-                                        EXPECT_EQ(surface.origin(crossing.halfedge), vertex);
-                                        ++number;
-                                      });
-      return number;
+                                      crossings);
+      for (const CSCD::Edge_crossing& crossing : crossings) {
+        EXPECT_EQ(surface.origin(crossing.halfedge), vertex);
+      }
+      return crossings.size();
     };
     EXPECT_EQ(number_of_incident_edges(0.3, 0.7), surface.degree(vertex));
     EXPECT_EQ(number_of_incident_edges(0.7, 0.3), 0u);

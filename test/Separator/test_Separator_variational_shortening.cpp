@@ -3,19 +3,20 @@
 //
 // Separators made by the variational flow, beside those made by edge flips.
 
+#include "Separator/halfedges_along.h"
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Curve_trace.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -27,15 +28,17 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Solid_queries;
-using CSCD::Surface_point;
+using CSCD::Separator;
+using CSCD::Shortening_outcome;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Closest_point_projection;
+using CSCD::internal::Polygon_trace;
+using CSCD::internal::Projected_point;
+using CSCD::internal::Solid_queries;
 using CSCD::test::pi;
 
 double length_of_crossings(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)
@@ -52,10 +55,11 @@ TEST(Polygon_trace, joins_points_over_the_surface)
   const CSCD::internal::Polygon_trace trace(surface);
   for (const std::size_t number_of_points : {16u, 40u, 200u, 1000u}) {
     SCOPED_TRACE(number_of_points);
-    std::vector<Surface_point> points;
+    std::vector<Projected_point> points;
     for (std::size_t i = 0; i < number_of_points; ++i) {
       const double angle = 2 * pi * double(i) / double(number_of_points);
-      points.push_back(queries.closest_point({3 + std::cos(angle), 0.2 * std::sin(2 * angle), std::sin(angle)}));
+      points.push_back(Closest_point_projection(surface, queries)(
+          {3 + std::cos(angle), 0.2 * std::sin(2 * angle), std::sin(angle)}, CSCD::no_index));
     }
     std::vector<Edge_crossing> crossings;
     ASSERT_TRUE(trace(points, crossings));
@@ -72,7 +76,9 @@ TEST(Polygon_trace, refuses_what_crosses_nothing)
   const Vector_3 a = surface.point(surface.origin(0));
   const Vector_3 b = surface.point(surface.origin(1));
   const Vector_3 c = surface.point(surface.origin(2));
-  EXPECT_FALSE(trace({{(2 * a + b + c) / 4, 0}, {(a + 2 * b + c) / 4, 0}, {(a + b + 2 * c) / 4, 0}}, crossings));
+  const Vector_3 up(0, 0, 1);
+  EXPECT_FALSE(
+      trace({{(2 * a + b + c) / 4, up, 0}, {(a + 2 * b + c) / 4, up, 0}, {(a + b + 2 * c) / 4, up, 0}}, crossings));
   EXPECT_FALSE(trace({}, crossings));
 }
 
@@ -82,7 +88,8 @@ std::size_t compare_with_flips(const Triangulated_surface& surface, Index stride
   const Solid_queries queries(surface);
   const CSCD::Vertex_fan_table corners(surface);
   CSCD::internal::Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
-  CSCD::internal::Separator_variational_shortening shortening(surface, queries);
+  CSCD::internal::Separator_variational_shortening<Closest_point_projection, Polygon_trace> shortening(
+      surface, Closest_point_projection(surface, queries));
   CSCD::internal::Separator_flip_shortening flip_shortening(surface);
   std::size_t number = 0;
   for (Index source = 0; source < surface.number_of_vertices(); source += stride) {
@@ -94,8 +101,9 @@ std::size_t compare_with_flips(const Triangulated_surface& surface, Index stride
     }
     Separator separator;
     Separator flipped;
-    if (loop.size() < 3 || shortening.shorten_vertex_loop(loop, source, separator) == Shortening_outcome::collapsed ||
-        flip_shortening.shorten_vertex_loop(loop, source, flipped) == Shortening_outcome::collapsed) {
+    const std::vector<Index> halfedges = CSCD::test::halfedges_along(surface, loop);
+    if (loop.size() < 3 || shortening(halfedges, source, separator) == Shortening_outcome::collapsed ||
+        flip_shortening(halfedges, source, flipped) == Shortening_outcome::collapsed) {
       continue;
     }
     EXPECT_TRUE(CSCD::test::is_closed_curve(surface, separator.crossings)) << "source " << source;

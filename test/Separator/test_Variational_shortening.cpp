@@ -209,13 +209,20 @@ TEST(Variational_shortening, does_the_same_at_any_scale_and_anywhere)
   }
 }
 
+/// To a unit sphere without triangles.
+struct Projection_to_sphere
+{
+  static constexpr bool needs_site = false;
+
+  Projected_point operator()(const Vector_3& point, CSCD::Index) const
+  {
+    return {point.normalized(), point.normalized(), 0};
+  }
+};
+
 TEST(Variational_shortening, needs_nothing_but_a_projection)
 {
-  // A unit sphere without triangles, of which the ball keeps a part: the curve slides to the rim and no further.
-  const auto projection = [](const Vector_3& point, CSCD::Index) {
-    return Projected_point{point.normalized(), point.normalized(), 0};
-  };
-  Variational_shortening<decltype(projection)> shorten(projection);
+  Variational_shortening<Projection_to_sphere> shorten{Projection_to_sphere()};
   std::vector<Vector_3> points;
   for (int i = 0; i < 100; ++i) {
     const double angle = 2 * pi * i / 100;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A range of points is no mesh: the refusal is one sentence of ours, not an error inside Boost.
-// expected error: CSCD: TriangleMesh requires num_halfedges(g), as CGAL's FaceListGraph
+// expected error: CSCD: TriangleMesh requires faces(g), as CGAL's FaceListGraph
 
-#include <CSCD/concepts.h>
+#include <CSCD/Traits/input_concepts.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -2,24 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Policies that cannot pack separators are refused.
-// expected error: CSCD: SkeletonizationPolicies requires p.pack_separators(t, separators, report) const, a P::Packing
+// expected error: CSCD: SkeletonizationPolicies requires p.pack_separators(s, separators, report) const, a P::Packing
 
 #include <CSCD/concepts.h>
 
 #include <vector>
 
-struct Traits
+struct Surface
 {
 };
 
 struct Policies
 {
-  template <class ConcurrencyTag, class Progress>
-  std::vector<CSCD::Separator> find_separators(const Traits& traits, const CSCD::Search_settings& settings,
-                                               CSCD::Skeletonization_report& report, const Progress& progress) const;
+  struct Packing
+  {
+    const std::vector<CSCD::Index>& packed() const;
+  };
+  std::vector<CSCD::Separator> find_separators(const Surface& surface, const CSCD::Search_settings& settings,
+                                               CSCD::Skeletonization_report& report,
+                                               const CSCD::Progress& progress) const;
 };
 
 int main()
 {
-  CSCD::check_skeletonization_policies<Policies, Traits>();
+  CSCD::check_skeletonization_policies<Policies, Surface>();
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A graph whose nodes cannot hold the sites of the input is refused as a skeleton.
-// expected error: CSCD: CurveSkeletonGraph requires g[v].vertices, a range of sites
+// A graph whose nodes cannot hold what identifies the vertices of the input is refused as a skeleton.
+// expected error: CSCD: CurveSkeletonGraph requires g[v].vertices, a range of input descriptors
 
 #include <CSCD/concepts.h>
 
