@@ -8,7 +8,6 @@
 
 #include "commands.h"
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/compare_skeletons.h>
 
 #include <ostream>
 
