@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Every vertex of the mesh belongs to one node of the skeleton, and nodes form branches: colours the mesh by branch and
+// Every vertex of the mesh belongs to one node of the skeleton, and nodes form branches: colors the mesh by branch and
 // writes it as branches.ply. Junctions belong to no branch and stay grey.
 
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -27,7 +27,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Skeleton = CSCD::Skeleton_graph<Point, Vertex>;
 
-/// Colours that differ well, however many are asked for: hues turn by the golden angle.
+/// Colors that differ well, whatever their number: hues turn by the golden angle.
 CGAL::IO::Color branch_color(std::size_t branch)
 {
   constexpr double golden_angle = 137.508;
@@ -68,7 +68,7 @@ try {
     std::cerr << "branches.ply: cannot be written\n";
     return 1;
   }
-  std::cout << "branches.ply: the mesh in " << number_of_branches << " colours\n";
+  std::cout << "branches.ply: the mesh in " << number_of_branches << " colors\n";
 } catch (const std::exception& error) {
   std::cerr << error.what() << '\n';
   return 1;

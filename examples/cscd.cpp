@@ -36,7 +36,7 @@ constexpr const char* skeletonize_examples =
 )";
 
 constexpr const char* evaluate_examples =
-    R"(  cscd evaluate bunny.off bunny.graph                how good a skeleton is, whoever made it
+    R"(  cscd evaluate bunny.off bunny.graph                how good a skeleton is, made by any program
 )";
 
 constexpr const char* compare_examples =
@@ -92,7 +92,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
       ->type_name("OUT")
       ->allow_extra_args(false);
-  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
+  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
       ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
@@ -130,7 +130,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--html", options.html, "file for a page that shows surface and skeleton, or -")
       ->check(check_name)
       ->type_name("FILE");
-  command->add_flag("-q,--quiet", options.is_quiet, "say nothing but errors");
+  command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
 }
 
 void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
@@ -141,7 +141,7 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
       ->add_option("SKELETON", options.skeleton,
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
-  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
+  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
       ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
   command
       ->add_option("--radii", options.radii,
@@ -163,7 +163,7 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
       ->check(check_name)
       ->type_name("FILE");
   command->add_flag("--json", options.is_json, "write all measures as JSON");
-  command->add_flag("-q,--quiet", options.is_quiet, "do not say what was repaired");
+  command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
 }
 
 void add_compare(CLI::App& app, cscd::Compare_options& options)

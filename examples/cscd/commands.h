@@ -48,7 +48,7 @@ struct Skeletonize_options
   std::vector<double> root;            ///< of a tree: where its trunk begins, three coordinates; or empty
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
-  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 lets the method decide
+  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
   std::string report;                        ///< file name for the report as JSON, `standard_stream`, or empty
   std::string html;                          ///< likewise for the viewer page
   bool is_quiet = false;

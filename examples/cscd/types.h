@@ -44,7 +44,7 @@ struct Skeletonization_result : Run_report
 
 /// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
 /// was repaired to standard error unless `is_quiet`.
-/// \param format of the input, or empty if its ending says it
+/// \param format of the input, or empty for that of its ending
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet);
 

@@ -81,8 +81,8 @@ struct Skeleton_measures
   double diagonal = 0;              ///< of the bounding box of the input, in its unit
   Skeleton_counts counts;           ///< of the skeleton alone
   Position_measures position;       ///< undefined if the input is a point cloud
-  Reconstruction_error convolution; ///< of the convolution surface, if it was asked for
-  Reconstruction_error round_cones; ///< of the union of round cones, if it was asked for
+  Reconstruction_error convolution; ///< of the convolution surface
+  Reconstruction_error round_cones; ///< of the union of round cones
   /// The mean of |signed distance| of the input's points from the round cones, without triangulation: exact outside, a
   /// lower bound inside. Relative to the diagonal.
   double mean_distance_from_round_cones = undefined_measure;

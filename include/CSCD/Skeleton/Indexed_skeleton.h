@@ -34,7 +34,7 @@ struct Indexed_skeleton
   double length(const std::array<Index, 2>& edge) const { return (points[edge[1]] - points[edge[0]]).norm(); }
 };
 
-/// The neighbours of the nodes of `skeleton`, in the order of its edges. An edge from a node to itself counts twice.
+/// The neighbors of the nodes of `skeleton`, in the order of its edges. An edge from a node to itself counts twice.
 inline std::vector<std::vector<Index>> node_neighbors(const Indexed_skeleton& skeleton)
 {
   std::vector<std::vector<Index>> neighbors(skeleton.number_of_nodes());
