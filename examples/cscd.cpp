@@ -3,13 +3,7 @@
 //
 // The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
-#include "cscd/Compare_options.h"
-#include "cscd/Evaluate_options.h"
-#include "cscd/Skeletonize_options.h"
-#include "cscd/Usage_error.h"
-#include "cscd/compare.h"
-#include "cscd/evaluate.h"
-#include "cscd/skeletonize.h"
+#include "cscd/commands.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
@@ -32,34 +26,62 @@ enum Exit_status
   internal_failure = 3
 };
 
-constexpr const char* examples = R"(Examples:
-  cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
+constexpr const char* skeletonize_examples =
+    R"(  cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
   cscd skeletonize bunny.off --html bunny.html       a page to look at it
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
-  cscd evaluate bunny.off bunny.graph                how good a skeleton is, whoever made it
-  cscd compare bunny.graph other.swc                 how alike two skeletons are
+)";
 
+constexpr const char* evaluate_examples =
+    R"(  cscd evaluate bunny.off bunny.graph                how good a skeleton is, made by any program
+)";
+
+constexpr const char* compare_examples =
+    R"(  cscd compare bunny.graph other.swc                 how alike two skeletons are
 )";
 
 constexpr const char* explanations = R"(
-Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PTS, PLY or OFF without faces. What has to be
-repaired is said on standard error.
+Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
+to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
 Skeletons to measure: .graph .json .obj .ply .polylines.txt .swc.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
-/// Puts the examples before the rest of the help.
+/// Puts the examples of a command, or of all, before the rest of its help.
 class Examples_first : public CLI::Formatter
 {
 public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
   {
-    return examples + CLI::Formatter::make_help(app, name, mode);
+    const std::string command = app->get_parent() != nullptr ? app->get_name() : "";
+    std::string examples = "Examples:\n";
+    for (const auto& [its_command, its_examples] :
+         {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
+          std::pair("compare", compare_examples)}) {
+      if (command.empty() || command == its_command) {
+        examples += its_examples;
+      }
+    }
+    return examples + "\n" + CLI::Formatter::make_help(app, name, mode);
   }
 };
+
+/// Refuses what is no integer that is at least 1. CLI11's own check names bounds of 300 digits.
+std::string check_count(const std::string& text)
+{
+  const bool is_count =
+      text.find_first_not_of("0123456789") == std::string::npos && text.find_first_not_of('0') != std::string::npos;
+  return is_count ? "" : "must be an integer that is at least 1, not " + text;
+}
+
+/// Refuses an empty name.
+std::string check_name(const std::string& text)
+{
+  return text.empty() ? "must not be empty" : "";
+}
 
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 {
@@ -70,8 +92,8 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
       ->type_name("OUT")
       ->allow_extra_args(false);
-  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
+  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();
@@ -82,8 +104,9 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
       ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
   command
-      ->add_option("--shape", options.shape,
-                   "what points sample: the surface of a body, or trees and other thin things; auto looks at them")
+      ->add_option(
+          "--shape", options.shape,
+          "what points sample: the surface of a body, or trees and other thin shapes; auto decides by the points")
       ->check(CLI::IsMember({cscd::automatic_shape, cscd::surface_shape, cscd::tree_shape}))
       ->capture_default_str();
   command->add_option("--root", options.root, "where the trunk of a tree begins; by default at its lowest points")
@@ -92,18 +115,22 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->type_name("X,Y,Z");
   command->add_option("--seed", options.seed, "seed of the random choice of sources")->capture_default_str();
   command->add_option("--threads", options.number_of_threads, "number of threads; the skeleton does not depend on it")
-      ->check(CLI::PositiveNumber)
+      ->check(check_count)
       ->type_name("N");
   command
       ->add_option(
           "--separators", options.maximum_number_of_sources,
-          "greatest number of points from which separators are sought; the shape decides if not given, or 3000 "
-          "are for the published method")
-      ->check(CLI::PositiveNumber)
+          "greatest number of points from which separators are sought; by default the shape decides, or 3000 with the "
+          "published method")
+      ->check(check_count)
       ->type_name("N");
-  command->add_option("--report", options.report, "file for counts, timings and warnings as JSON")->type_name("FILE");
-  command->add_option("--html", options.html, "file for a page that shows surface and skeleton")->type_name("FILE");
-  command->add_flag("-q,--quiet", options.is_quiet, "say nothing but errors");
+  command->add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command->add_option("--html", options.html, "file for a page that shows surface and skeleton, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
 }
 
 void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
@@ -114,8 +141,8 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
       ->add_option("SKELETON", options.skeleton,
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
-  command->add_option("--format", options.format, "format of INPUT instead of what its ending says, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pts"}));
+  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
   command
       ->add_option("--radii", options.radii,
                    "radii of the reconstructed surfaces: estimated from the input, or the skeleton's own")
@@ -130,11 +157,13 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
   command
       ->add_option("--convolution-surface", options.convolution_surface,
                    "file for the convolution surface as a mesh: .off .obj .ply .stl")
+      ->check(check_name)
       ->type_name("FILE");
   command->add_option("--round-cones", options.round_cones, "file for the union of round cones as a mesh")
+      ->check(check_name)
       ->type_name("FILE");
   command->add_flag("--json", options.is_json, "write all measures as JSON");
-  command->add_flag("-q,--quiet", options.is_quiet, "do not say what was repaired");
+  command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
 }
 
 void add_compare(CLI::App& app, cscd::Compare_options& options)
@@ -146,7 +175,9 @@ void add_compare(CLI::App& app, cscd::Compare_options& options)
       ->add_option("--match-distance", options.match_distance,
                    "up to which tips, junctions and branches count as the same, relative to the diagonal of the "
                    "bounding box")
-      ->check(CLI::NonNegativeNumber)
+      ->check([](const std::string& text) {
+        return !text.empty() && text.front() == '-' ? "must not be negative" : std::string();
+      })
       ->type_name("D")
       ->capture_default_str();
   command->add_flag("--json", options.is_json, "write all figures as JSON");
@@ -156,7 +187,7 @@ void add_compare(CLI::App& app, cscd::Compare_options& options)
 void complain(std::string message)
 {
   std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "cscd: " << message << std::endl;
+  std::cerr << "cscd: " << cscd::printable(message) << std::endl;
 }
 
 int run(int argc, char** argv)

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the program cscd and the examples, skeletonizes a real mesh and
+# Installs what is missing (Debian, Ubuntu), builds the program cscd, skeletonizes a real mesh and
 # a real point set, and names the files to open. Takes no arguments; may be run again.
 
 set -euo pipefail
@@ -27,7 +27,7 @@ if [[ ! -e $build_dir/CMakeCache.txt ]]; then
   configure+=(-DCSCD_BUILD_TESTS=OFF -DCSCD_BUILD_BENCHMARKS=OFF)
 fi
 "${configure[@]}" >/dev/null
-cmake --build "$build_dir" --parallel "$(number_of_jobs)" --target cscd_examples
+cmake --build "$build_dir" --parallel "$(number_of_jobs)" --target cscd
 
 echo "Skeletonizing $mesh"
 mkdir -p "$output_dir"
@@ -48,5 +48,5 @@ Done. Look at
   $output_dir/elephant.obj     the skeleton as polylines, for Blender or MeshLab
   $output_dir/elephant.json    counts and timings
   $output_dir/kitten.html      the points, the surface made of them, and its skeleton
-  $build_dir/bin               the program cscd and the examples
+  $build_dir/bin/cscd          the program; the target cscd_examples builds the small examples, too
 END

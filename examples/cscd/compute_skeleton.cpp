@@ -1,18 +1,240 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation.
+// The computation of the skeleton: of meshes, of points on the surface made of them or by their neighborhoods, and of
+// scans of trees.
 
 #include "compute_skeleton.h"
 
-#include "Progress_visitor.h"
-#include "compute_mesh_skeleton.h"
-#include "compute_point_cloud_skeleton.h"
-#include "compute_point_skeleton.h"
-#include "compute_tree_skeleton.h"
+#include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Local_policies.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Published_policies.h>
+#include <CSCD/Separator/Field_search_settings.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Point_set_traits.h>
+#include <CSCD/Traits/Reconstructed_surface_traits.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/extract_tree_skeleton.h>
+
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <cstddef>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace cscd {
+
+namespace {
+
+/// The numbers of points, as a range, with the map that gives the points.
+class Numbered_points
+{
+public:
+  using Numbers = std::vector<std::size_t>;
+  using Point_map = CGAL::Pointer_property_map<Point>::const_type;
+  using Normal_map = CGAL::Pointer_property_map<Vector>::const_type;
+  /// A skeleton whose nodes hold numbers of points.
+  using Skeleton = CSCD::Skeleton_graph<Point, std::size_t>;
+
+  /// \param points, normals are referred to; there may be no normals
+  Numbered_points(const std::vector<Point>& points, const std::vector<Vector>& normals)
+      : m_numbers(points.size()), m_points(points), m_normals(normals)
+  {
+    std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
+  }
+
+  /// Makes surface traits of the points, and of the normals if there are any.
+  template <class Traits>
+  Traits make_traits() const
+  {
+    const Point_map point_map = CGAL::make_property_map(m_points);
+    return m_normals.empty() ? Traits(m_numbers, point_map)
+                             : Traits(m_numbers, point_map, Normal_map(CGAL::make_property_map(m_normals)));
+  }
+
+  /// The surface of `traits`, which were made of these points; its first vertices are the points, the others were
+  /// inserted. Triangles at which it would not be a surface are left out.
+  template <class Traits>
+  Mesh make_mesh(const Traits& traits) const
+  {
+    Mesh mesh;
+    for (const Point& point : m_points) {
+      mesh.add_vertex(point);
+    }
+    const auto& triangulation = traits.surface().triangulation();
+    std::vector<Mesh::Vertex_index> mesh_vertex;
+    for (CSCD::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
+      const auto numbers = traits.descriptors(vertex);
+      mesh_vertex.push_back(numbers.begin() == numbers.end()
+                                ? mesh.add_vertex(traits.to_input_point(triangulation.point(vertex)))
+                                : Mesh::Vertex_index(static_cast<Mesh::size_type>(*numbers.begin())));
+    }
+    for (CSCD::Index face = 0; face < triangulation.number_of_faces(); ++face) {
+      const auto [a, b, c] = triangulation.face_halfedges(face);
+      mesh.add_face(mesh_vertex[triangulation.origin(a)], mesh_vertex[triangulation.origin(b)],
+                    mesh_vertex[triangulation.origin(c)]);
+    }
+    return mesh;
+  }
+
+private:
+  Numbers m_numbers;
+  const std::vector<Point>& m_points;
+  const std::vector<Vector>& m_normals;
+};
+
+/// The same skeleton with numbers of points as vertices of a mesh.
+Skeleton convert_skeleton(const CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
+{
+  Skeleton result;
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    auto& converted = result[add_vertex(result)];
+    converted.point = skeleton[node].point;
+    converted.radius = skeleton[node].radius;
+    for (std::size_t number : skeleton[node].vertices) {
+      converted.vertices.emplace_back(static_cast<Mesh::size_type>(number));
+    }
+  }
+  for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
+    add_edge(source(edge, skeleton), target(edge, skeleton), result);
+  }
+  return result;
+}
+
+CSCD::Published_policies published_policies(const Skeletonize_options& options)
+{
+  CSCD::Field_search_settings settings;
+  settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
+                                                           : CSCD::Target_rule::nearest_in_space;
+  if (!options.shortening.empty()) {
+    settings.shortening_rule = options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
+                                                                            : CSCD::Shortening_rule::edge_flips;
+  }
+  return CSCD::Published_policies(settings);
+}
+
+/// Skeletonizes the surface of `traits` into `skeleton` by the algorithms of `policies`. \return the rest of the result
+template <class Traits, class Policies, class AnySkeleton>
+Skeletonization_result run_skeletonization(const Traits& traits, const Policies& policies,
+                                           const Skeletonize_options& options, Progress_visitor& visitor,
+                                           AnySkeleton& skeleton)
+{
+  CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
+  skeletonization.set_random_seed(options.seed).set_number_of_threads(options.number_of_threads);
+  if (options.maximum_number_of_sources > 0) {
+    skeletonization.set_maximum_number_of_sources(options.maximum_number_of_sources);
+  }
+  Skeletonization_result result;
+  result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(skeleton);
+  for (auto separator : skeletonization.packed_separators()) {
+    result.separators.push_back(skeletonization.polyline(skeletonization.separators()[separator]));
+  }
+  return result;
+}
+
+/// Skeletonizes the mesh of `input`.
+Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletonize_options& options,
+                                             Progress_visitor& visitor)
+{
+  using Traits = CSCD::Triangle_mesh_traits<Mesh>;
+  const Traits traits(input.mesh);
+  Skeleton skeleton;
+  Skeletonization_result result =
+      options.method == published_method
+          ? run_skeletonization(traits, published_policies(options), options, visitor, skeleton)
+          : run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
+  result.skeleton = std::move(skeleton);
+  return result;
+}
+
+/// Skeletonizes the points of `input` as published, and puts the triangles that join them into its mesh.
+Skeletonization_result compute_published_point_skeleton(Input& input, const Skeletonize_options& options,
+                                                        Progress_visitor& visitor)
+{
+  using Traits = CSCD::Point_set_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
+  const Numbered_points points(input.points, input.normals);
+  const auto traits = points.make_traits<Traits>();
+  Numbered_points::Skeleton skeleton;
+  Skeletonization_result result = run_skeletonization(traits, published_policies(options), options, visitor, skeleton);
+  result.skeleton = convert_skeleton(skeleton);
+  result.is_of_points = true;
+  input.mesh = points.make_mesh(traits);
+  return result;
+}
+
+/// Skeletonizes the points of `input` as a scan of trees, and makes them the vertices of its mesh, without faces.
+Skeletonization_result compute_tree_skeleton(Input& input, const Skeletonize_options& options)
+{
+  Skeletonization_result result;
+  CSCD::Skeleton_graph<Point, std::size_t> skeleton;
+  if (options.root.empty()) {
+    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton);
+  } else {
+    const Point root(options.root[0], options.root[1], options.root[2]);
+    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton, CSCD::parameters::root(root));
+  }
+  result.skeleton = convert_skeleton(skeleton);
+  input.mesh.clear();
+  for (const Point& point : input.points) {
+    input.mesh.add_vertex(point);
+  }
+  return result;
+}
+
+using Surface_traits = CSCD::Reconstructed_surface_traits<Numbered_points::Numbers, Numbered_points::Point_map>;
+
+Skeletonization_result compute_surface_skeleton(const Surface_traits& traits, const Skeletonize_options& options,
+                                                Progress_visitor& visitor)
+{
+  Numbered_points::Skeleton skeleton;
+  Skeletonization_result result = run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
+  result.skeleton = convert_skeleton(skeleton);
+  result.is_of_points = true;
+  return result;
+}
+
+/// The skeleton of points that may be no surface, with the reason in front of the warnings.
+Skeletonization_result compute_recognized_tree_skeleton(Input& input, const Skeletonize_options& options,
+                                                        const std::string& reason)
+{
+  Skeletonization_result result = compute_tree_skeleton(input, options);
+  std::vector<std::string>& warnings = result.tree->warnings;
+  warnings.insert(warnings.begin(), reason + ": taken for a scan of trees; --shape surface or tree decides");
+  return result;
+}
+
+/// Skeletonizes the points of `input`, and puts the surface that is made of them into its mesh.
+Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_options& options,
+                                              Progress_visitor& visitor)
+{
+  const Numbered_points points(input.points, input.normals);
+  try {
+    const auto traits = points.make_traits<Surface_traits>();
+    if (options.shape == surface_shape || !traits.is_surface_doubtful()) {
+      Skeletonization_result result = compute_surface_skeleton(traits, options, visitor);
+      input.mesh = points.make_mesh(traits);
+      return result;
+    }
+  } catch (const CSCD::Surface_error&) {
+    if (options.shape == surface_shape) {
+      throw;
+    }
+    return compute_recognized_tree_skeleton(input, options, "the points do not sample a surface");
+  }
+  return compute_recognized_tree_skeleton(input, options, "the points hardly sample the surface of a body");
+}
+
+} // namespace
 
 Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options, Progress_bar* bar)
 {
@@ -24,7 +246,7 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
   if (options.shape == tree_shape) {
     return compute_tree_skeleton(input, options);
   }
-  return options.method == published_method ? compute_point_cloud_skeleton(input, options, visitor)
+  return options.method == published_method ? compute_published_point_skeleton(input, options, visitor)
                                             : compute_point_skeleton(input, options, visitor);
 }
 

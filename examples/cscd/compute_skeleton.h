@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation.
+// The computation of the skeleton.
 
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
 
-#include "Input.h"
 #include "Progress_bar.h"
-#include "Skeletonization_result.h"
-#include "Skeletonize_options.h"
+#include "types.h"
 
 namespace cscd {
 

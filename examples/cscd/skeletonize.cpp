@@ -3,66 +3,133 @@
 //
 // The command `cscd skeletonize`: from arguments to files.
 
-#include "skeletonize.h"
-
-#include "Input.h"
 #include "Progress_bar.h"
-#include "Skeletonization_result.h"
-#include "Usage_error.h"
+#include "commands.h"
 #include "compute_skeleton.h"
-#include "read_input.h"
-#include "write_output.h"
+#include "three_js_source.h"
+#include "types.h"
 #include "write_report.h"
+#include <CSCD/IO/read_mesh_or_points.h>
 #include <CSCD/IO/write_file.h>
+#include <CSCD/IO/write_gel_graph.h>
+#include <CSCD/IO/write_html_page.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <istream>
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace cscd {
 
 namespace {
 
-void check_options(const Skeletonize_options& options)
+/// What an input is called in messages.
+std::string name_of(const std::string& input)
 {
-  if (options.method != published_method && !options.target.empty()) {
+  return input == standard_stream ? "standard input" : input;
+}
+
+void say(const std::string& input, const std::string& sentence)
+{
+  std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
+}
+
+Input read(std::istream& in, const std::string& format, const std::string& name)
+{
+  Input input;
+  const std::optional<CSCD::Mesh_repair_report> repairs =
+      CSCD::read_mesh_or_points(in, format, name, input.mesh, input.points, input.normals);
+  input.is_point_set = !repairs;
+  if (repairs) {
+    input.repairs = *repairs;
+  }
+  return input;
+}
+
+Input read_from(const std::string& name, const std::string& format)
+{
+  if (name == standard_stream) {
+    if (format.empty()) {
+      throw Usage_error(
+          "standard input has no ending: name its format by --format off, obj, ply, stl, xyz, pwn or pts");
+    }
+    return read(std::cin, "." + format, name_of(name));
+  }
+  std::error_code error;
+  if (std::filesystem::is_directory(name, error)) {
+    throw CSCD::File_error(name + ": is a folder; name a file in it");
+  }
+  std::ifstream in(name, std::ios::binary);
+  if (!in) {
+    throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
+  }
+  return read(in, format.empty() ? name : "." + format, name);
+}
+
+void check_method(const Skeletonize_options& options)
+{
+  const bool is_published = options.method == published_method;
+  if (!is_published && !options.target.empty()) {
     throw Usage_error("--target: only the published method has a choice of targets; add --method published");
   }
-  if (options.method != published_method && !options.shortening.empty()) {
+  if (!is_published && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
-  if (options.method == published_method && options.shape == tree_shape) {
-    throw Usage_error("--shape tree: only surfaces have a choice of methods; leave out --method published");
-  }
-  if (options.method == published_method && options.shape == tree_shape) {
+  if (is_published && options.shape == tree_shape) {
     throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
+  }
+  if (is_published && !options.root.empty()) {
+    throw Usage_error("--root: only a tree has a root, and trees have a method of their own; leave out --method "
+                      "published");
   }
   if (!options.root.empty() && options.shape == surface_shape) {
     throw Usage_error("--root: only a tree has a root; leave out --shape surface");
   }
+}
+
+void check_outputs(const Skeletonize_options& options)
+{
   for (const std::string& output : options.outputs) {
-    check_output(output);
+    try {
+      if (output != standard_stream) {
+        CSCD::check_skeleton_filename(output);
+      }
+    } catch (const CSCD::File_error& error) {
+      throw Usage_error(error.what());
+    }
+    check_is_not_input(output, options.input, "--output");
   }
-  if (!options.html.empty() && !has_viewer_page()) {
+  check_is_not_input(options.report, options.input, "--report");
+  check_is_not_input(options.html, options.input, "--html");
+  if (!options.html.empty() && CSCD::three_js_source().empty()) {
     throw Usage_error("--html: this program was built without three.js; install libjs-three and build it again");
   }
 }
 
-/// What the input is called in messages.
-std::string name_of_input(const Skeletonize_options& options)
+/// The number of results that go to standard output.
+std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
 {
-  return options.input == standard_stream ? "standard input" : options.input;
+  return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
+         (options.report == standard_stream ? 1 : 0) + (options.html == standard_stream ? 1 : 0);
 }
 
-void say(const Skeletonize_options& options, const std::string& sentence)
+void check_options(const Skeletonize_options& options)
 {
-  if (!options.is_quiet) {
-    std::cerr << "cscd: " << name_of_input(options) << ": " << sentence << '\n';
+  check_method(options);
+  check_outputs(options);
+  if (number_of_results_on_standard_output(options) > 1) {
+    throw Usage_error("only one of the results can go to standard output; name files for the others");
   }
 }
 
@@ -75,53 +142,121 @@ Skeletonization_result compute(Input& input, const Skeletonize_options& options)
   try {
     return compute_skeleton(input, options, bar ? &*bar : nullptr);
   } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name_of_input(options) + ": " + error.what());
+    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
+  }
+}
+
+/// Calls `write(out)` with a stream to the file `filename`, or with standard output.
+template <class Write>
+void write_to(const std::string& filename, const Write& write)
+{
+  if (filename == standard_stream) {
+    write(static_cast<std::ostream&>(std::cout));
+  } else {
+    CSCD::write_file(filename, write);
   }
 }
 
 /// The name of the input file without its folder, which means nothing to whom the page is given.
 std::string title(const Skeletonize_options& options, const Skeletonization_result& result)
 {
-  const std::string name = std::filesystem::path(name_of_input(options)).filename().string();
+  const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
   return result.tree ? name + ", taken for a scan of trees" : name;
+}
+
+std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
+{
+  std::vector<Point> result;
+  for (const CSCD::Reconstruction_repair& repair : repairs) {
+    result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
+  }
+  return result;
+}
+
+/// What the page shows of a point set; nothing for a mesh.
+CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
+{
+  if (result.tree) {
+    std::vector<Point> gaps;
+    for (const CSCD::Tree_gap& gap : result.tree->gaps) {
+      gaps.emplace_back((gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2, (gap.from[2] + gap.to[2]) / 2);
+    }
+    return {input.points.size(), {}, gaps};
+  }
+  if (!result.report.reconstruction) {
+    return {};
+  }
+  return {input.points.size(), centers(result.report.reconstruction->cut_handles),
+          centers(result.report.reconstruction->joined_gaps)};
 }
 
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
   for (const std::string& output : options.outputs) {
-    write_output(output, result.skeleton);
+    if (output == standard_stream) {
+      CSCD::write_gel_graph(std::cout, result.skeleton);
+    } else {
+      CSCD::write_skeleton(output, result.skeleton);
+    }
   }
   if (!options.html.empty()) {
-    write_viewer_page(options.html, input, result, title(options, result));
+    const CSCD::Html_page_cloud<Point> cloud = make_cloud(input, result);
+    write_to(options.html, [&](std::ostream& out) {
+      CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
+                            title(options, result), cloud);
+    });
   }
   if (!options.report.empty()) {
-    CSCD::write_file(options.report, [&](std::ostream& out) { write_report(out, options, input.repairs, result); });
+    write_to(options.report, [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
   }
-  const bool is_output_taken =
-      std::find(options.outputs.begin(), options.outputs.end(), standard_stream) != options.outputs.end();
-  if (!options.is_quiet && !is_output_taken) {
+  if (options.is_quiet) {
+    return;
+  }
+  if (number_of_results_on_standard_output(options) == 0) {
     write_summary(std::cout, options, result);
+  }
+  if (options.outputs.empty() && options.html.empty()) {
+    say(options.input, "the skeleton is not written; name a file by --output or --html");
   }
 }
 
 } // namespace
 
+Input read_input(const std::string& name, const std::string& format, bool is_quiet)
+{
+  Input input = read_from(name, format);
+  if (!is_quiet) {
+    for (const std::string& sentence : input.repairs.sentences()) {
+      say(name, sentence);
+    }
+  }
+  return input;
+}
+
+void check_is_not_input(const std::string& output, const std::string& input, const std::string& option)
+{
+  std::error_code error;
+  if (output != standard_stream && input != standard_stream && std::filesystem::equivalent(output, input, error) &&
+      std::filesystem::is_regular_file(output, error)) {
+    throw Usage_error(option + " " + output + ": is the input, which would be lost; name another file");
+  }
+}
+
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
-  Input input = read_input(options);
+  Input input = read_input(options.input, options.format, options.is_quiet);
   if (!input.is_point_set && (options.shape == tree_shape || !options.root.empty())) {
-    throw Usage_error(name_of_input(options) + ": is a mesh; only points can be a tree: leave out --shape and --root");
-  }
-  for (const std::string& sentence : input.repairs.sentences()) {
-    say(options, sentence);
+    throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape and --root");
   }
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
   const Skeletonization_result result = compute(input, options);
-  for (const std::string& warning : result.warnings()) {
-    say(options, warning);
+  if (!options.is_quiet) {
+    for (const std::string& warning : result.warnings()) {
+      say(options.input, warning);
+    }
   }
   write_results(input, result, options);
 }

@@ -1,17 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The types that the parts of the program share.
+// The types that the parts of the program share, and reading the input.
 
 #ifndef CSCD_PROGRAM_TYPES_H
 #define CSCD_PROGRAM_TYPES_H
 
+#include "commands.h"
+#include "write_report.h"
+#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/graph/graph_traits.hpp>
+#include <string>
+#include <vector>
 
 namespace cscd {
 
@@ -19,7 +23,35 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
-using Skeleton = CSCD::Skeleton_graph<Point, boost::graph_traits<Mesh>::vertex_descriptor>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+
+/// A mesh, or points, if the file has no faces.
+struct Input
+{
+  bool is_point_set = false;
+  Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
+  CSCD::Mesh_repair_report repairs;
+  std::vector<Point> points;
+  std::vector<Vector> normals; ///< of the points, or empty
+};
+
+/// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
+struct Skeletonization_result : Run_report
+{
+  Skeleton skeleton;
+  std::vector<std::vector<Point>> separators;
+};
+
+/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
+/// was repaired to standard error unless `is_quiet`.
+/// \param format of the input, or empty for that of its ending
+/// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
+Input read_input(const std::string& name, const std::string& format, bool is_quiet);
+
+/// Refuses an output file that is the input, by whatever name.
+/// \param option by which the output is named
+/// \throw Usage_error if it is
+void check_is_not_input(const std::string& output, const std::string& input, const std::string& option);
 
 } // namespace cscd
 

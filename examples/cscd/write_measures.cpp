@@ -5,6 +5,7 @@
 
 #include "write_measures.h"
 
+#include <CSCD/internal/counted.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
@@ -21,6 +22,7 @@ namespace cscd {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using CSCD::internal::counted;
 
 /// Text of any encoding can stand in a file name; JSON holds UTF-8 only.
 std::string dump(const Json& json)
@@ -101,12 +103,6 @@ std::string percent(double fraction, int digits = 2)
   return fixed(hundred * fraction, digits);
 }
 
-/// "1 node", "2 nodes".
-std::string counted(std::size_t number, const std::string& noun)
-{
-  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
-
 /// A line of the table of distances, in thousandths.
 void write_error(std::ostream& out, const char* name, const CSCD::Reconstruction_error& error)
 {
@@ -124,7 +120,7 @@ void write_position(std::ostream& out, const CSCD::Position_measures& p)
 {
   out << "inside: " << percent(p.fraction_of_nodes_inside) << " % of the nodes, "
       << percent(p.fraction_of_length_inside) << " % of the length"
-      << "\noff centre: by " << percent(p.offset_by_length) << " % of the distance to the surface (at nodes "
+      << "\noff center: by " << percent(p.offset_by_length) << " % of the distance to the surface (at nodes "
       << percent(p.offset_at_nodes) << " %); that distance deviates by " << percent(p.deviation_by_length)
       << " % around the skeleton (at nodes " << percent(p.deviation_at_nodes) << " %)\n";
 }
@@ -168,14 +164,17 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
   const CSCD::Skeleton_counts& c = measures.counts;
   const CSCD::Position_measures& p = measures.position;
   const bool is_point_set = p.number_of_surface_components == 0;
-  out << options.input << ": " << measures.number_of_points << (is_point_set ? " points" : " vertices");
+  out << printable(options.input) << ": "
+      << (is_point_set ? counted(measures.number_of_points, "point")
+                       : counted(measures.number_of_points, "vertex", "vertices"));
   if (!is_point_set) {
     out << ", " << counted(p.number_of_surface_components, "component") << ", genus " << p.genus;
   }
   out << '\n'
-      << options.skeleton << ": " << counted(c.number_of_nodes, "node") << ", " << counted(c.number_of_edges, "edge")
-      << ", " << counted(c.number_of_components, "component") << ", " << counted(c.betti_number, "cycle") << ", "
-      << counted(c.number_of_tips, "tip") << ", " << counted(c.number_of_junctions, "junction") << '\n';
+      << printable(options.skeleton) << ": " << counted(c.number_of_nodes, "node") << ", "
+      << counted(c.number_of_edges, "edge") << ", " << counted(c.number_of_components, "component") << ", "
+      << counted(c.betti_number, "cycle") << ", " << counted(c.number_of_tips, "tip") << ", "
+      << counted(c.number_of_junctions, "junction") << '\n';
   if (!is_point_set) {
     out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
     write_position(out, p);
@@ -209,7 +208,7 @@ void write_comparison_as_json(std::ostream& out, const Compare_options& options,
 
 void write_comparison(std::ostream& out, const Compare_options& options, const CSCD::Skeleton_comparison& comparison)
 {
-  out << options.first << " and " << options.second << ": branches are joined "
+  out << printable(options.first) << " and " << printable(options.second) << ": branches are joined "
       << (comparison.has_same_structure ? "in the same way\n" : "in different ways\n");
   write_match(out, "tips:      ", comparison.tips);
   write_match(out, "junctions: ", comparison.junctions);

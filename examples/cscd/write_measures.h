@@ -6,9 +6,7 @@
 #ifndef CSCD_PROGRAM_WRITE_MEASURES_H
 #define CSCD_PROGRAM_WRITE_MEASURES_H
 
-#include "Compare_options.h"
-#include "Evaluate_options.h"
-#include <CSCD/Measure/Compared_skeleton.h>
+#include "commands.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 
 #include <ostream>

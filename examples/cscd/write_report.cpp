@@ -8,6 +8,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
+#include <CSCD/internal/counted.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +28,7 @@ namespace cscd {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using CSCD::internal::counted;
 
 /// Text of any encoding can stand in a file name; JSON holds UTF-8 only.
 std::string dump(const Json& json)
@@ -118,7 +121,7 @@ double total_seconds(const CSCD::Skeletonization_report& report)
   return std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
 }
 
-/// The numbers of sections by what told them.
+/// The numbers of sections by the outcome of fitting a circle.
 Json sections(const CSCD::Tree_report& r)
 {
   constexpr std::array<const char*, CSCD::number_of_circle_outcomes> names{"fitted", "few_points", "short_arc",
@@ -186,17 +189,17 @@ void write_tree_summary(std::ostream& out, const Skeletonize_options& options, c
     length += branch.length;
     order = std::max(order, branch.order);
   }
-  out << options.input << ": " << report.number_of_points << " points, " << report.number_of_objects
-      << (report.number_of_objects == 1 ? " tree" : " trees") << "\nskeleton: " << report.number_of_nodes << " nodes, "
-      << report.branches.size() << (report.branches.size() == 1 ? " branch" : " branches") << " of orders 0 to "
-      << order << ", length " << length << ", " << report.gaps.size() << (report.gaps.size() == 1 ? " gap" : " gaps")
-      << "\ntime: " << std::fixed << std::setprecision(digits) << report.seconds << " s\n";
+  out << printable(options.input) << ": " << counted(report.number_of_points, "point") << ", "
+      << counted(report.number_of_objects, "tree") << "\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
+      << counted(report.branches.size(), "branch", "branches") << " of orders 0 to " << order << ", length " << length
+      << ", " << counted(report.gaps.size(), "gap") << "\ntime: " << std::fixed << std::setprecision(digits)
+      << report.seconds << " s\n";
 }
 
 } // namespace
 
-void write_report(std::ostream& out, const Skeletonize_options& options, const CSCD::Mesh_repair_report& repairs,
-                  const Skeletonization_result& result)
+void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
+                  const Run_report& result)
 {
   if (result.tree) {
     out << dump(tree_document(options, *result.tree)) << '\n';
@@ -208,7 +211,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
                 {"method", options.method},
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
-                {"repairs", repairs.sentences()}};
+                {"repairs", repairs}};
   if (options.method == published_method) {
     document["target"] = options.target.empty() ? euclidean_target : options.target;
     document["shortening"] = !options.shortening.empty() ? options.shortening
@@ -230,7 +233,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const C
   out << dump(document) << '\n';
 }
 
-void write_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result)
+void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)
 {
   if (result.tree) {
     write_tree_summary(out, options, *result.tree);
@@ -238,20 +241,36 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   }
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
-  out << options.input << ": " << report.number_of_input_vertices << (result.is_of_points ? " points, " : " vertices, ")
-      << report.number_of_surface_components
-      << (report.number_of_surface_components == 1 ? " component" : " components");
+  out << printable(options.input) << ": "
+      << (result.is_of_points ? counted(report.number_of_input_vertices, "point")
+                              : counted(report.number_of_input_vertices, "vertex", "vertices"))
+      << ", " << counted(report.number_of_surface_components, "component");
   if (report.genus) {
     out << ", genus " << *report.genus;
   }
-  out << "\nskeleton: " << report.number_of_nodes << " nodes, " << report.number_of_edges << " edges, "
-      << report.number_of_skeleton_components
-      << (report.number_of_skeleton_components == 1 ? " component" : " components") << ", " << report.betti_number
-      << (report.betti_number == 1 ? " cycle, " : " cycles, ") << report.number_of_tips
-      << (report.number_of_tips == 1 ? " tip, " : " tips, ") << report.number_of_junctions
-      << (report.number_of_junctions == 1 ? " junction" : " junctions") << "\ntime: " << std::fixed
-      << std::setprecision(digits) << total_seconds(report) << " s on " << report.number_of_threads
-      << (report.number_of_threads == 1 ? " thread\n" : " threads\n");
+  out << "\nskeleton: " << counted(report.number_of_nodes, "node") << ", " << counted(report.number_of_edges, "edge")
+      << ", " << counted(report.number_of_skeleton_components, "component") << ", "
+      << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
+      << counted(report.number_of_junctions, "junction") << "\ntime: " << std::fixed << std::setprecision(digits)
+      << total_seconds(report) << " s on " << counted(report.number_of_threads, "thread") << '\n';
+}
+
+std::string printable(const std::string& text)
+{
+  constexpr char delete_character = 0x7f;
+  std::ostringstream result;
+  for (const char c : text) {
+    if (c == '\t') {
+      result << "\\t";
+    } else if (c == '\n') {
+      result << "\\n";
+    } else if ((c >= 0 && c < ' ') || c == delete_character) {
+      result << "\\x" << std::hex << std::setw(2) << std::setfill('0') << int(c);
+    } else {
+      result << c;
+    }
+  }
+  return result.str();
 }
 
 } // namespace cscd

@@ -6,20 +6,35 @@
 #ifndef CSCD_PROGRAM_WRITE_REPORT_H
 #define CSCD_PROGRAM_WRITE_REPORT_H
 
-#include "Skeletonization_result.h"
-#include "Skeletonize_options.h"
-#include <CSCD/IO/Mesh_repair_report.h>
+#include "commands.h"
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Tree/Tree_report.h>
 
+#include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace cscd {
 
+/// What is known of a run besides the skeleton.
+struct Run_report
+{
+  CSCD::Skeletonization_report report;
+  std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
+  bool is_of_points = false;             ///< or else of a mesh
+
+  /// What the user should know: one sentence each.
+  const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
+};
+
 /// Writes the report of a run as a JSON object.
-void write_report(std::ostream& out, const Skeletonize_options& options, const CSCD::Mesh_repair_report& repairs,
-                  const Skeletonization_result& result);
+/// \param repairs of the input, a sentence each
+void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
+                  const Run_report& result);
 
 /// Writes a few lines for people: counts, topology, time.
-void write_summary(std::ostream& out, const Skeletonize_options& options, const Skeletonization_result& result);
+void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result);
 
 } // namespace cscd
 

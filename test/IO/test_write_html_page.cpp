@@ -5,6 +5,7 @@
 
 #include "support/Shape.h"
 #include "support/fork_in_box.h"
+#include <CSCD/IO/internal/html_page_template.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
@@ -39,7 +40,7 @@ using Separators = std::vector<std::vector<Point>>;
 using CSCD::test::box_mesh;
 using CSCD::test::fork_in_box;
 
-constexpr std::uint32_t none = CSCD::internal::html_page_none;
+constexpr std::uint32_t none = CSCD::no_index;
 
 template <class AnyMesh, class AnySkeleton>
 std::string page_of(const AnyMesh& mesh, const AnySkeleton& skeleton, const Separators& separators = {},

@@ -271,7 +271,7 @@ TEST(Evaluate_skeleton, measures_points_too)
     point_set.insert(points.back());
   }
   for (const Skeleton_measures& m :
-       {evaluate_skeleton(points, skeleton),
+       {evaluate_skeleton(points, skeleton), evaluate_skeleton(point_set, skeleton),
         evaluate_skeleton(point_set, skeleton, parameters::point_map(point_set.point_map()))}) {
     EXPECT_EQ(points.size(), m.number_of_points);
     EXPECT_NEAR(of_mesh.convolution.mean, m.convolution.mean, 1e-12);

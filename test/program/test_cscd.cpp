@@ -120,6 +120,18 @@ TEST_F(Cscd, help_begins_with_examples)
   EXPECT_NE(std::string::npos, run("compare --help").out.find("--match-distance"));
 }
 
+TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
+{
+  for (const std::string command : {"skeletonize", "evaluate", "compare"}) {
+    const std::string help = run(command + " --help").out;
+    const std::string examples = help.substr(0, help.find("\n\n"));
+    for (const std::string other : {"skeletonize", "evaluate", "compare"}) {
+      EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
+    }
+  }
+  EXPECT_NE(std::string::npos, run("--help").out.find("PWN"));
+}
+
 TEST_F(Cscd, tells_its_version)
 {
   const Outcome outcome = run("--version");
@@ -147,7 +159,40 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --format dxf", 1, {"--format", "dxf"});
   expect_refusal("skeletonize torus.off -o torus.graph -o torus.doc", 1, {"torus.doc", ".graph .json", "--help"});
   expect_refusal("skeletonize - < torus.off", 1, {"--format"});
+  expect_refusal("skeletonize torus.off --method published --root 0,0,0", 1, {"--root", "leave out"});
+  expect_refusal("skeletonize torus.off --report ''", 1, {"--report"});
+  expect_refusal("skeletonize torus.off --html ''", 1, {"--html"});
+  expect_refusal("skeletonize torus.off -o - --report -", 1, {"standard output"});
   EXPECT_EQ(1, number_of_files());
+}
+
+TEST_F(Cscd, names_the_bounds_of_numbers_shortly)
+{
+  m_folder.write("torus.off", off(torus()));
+  for (const std::string option : {"--separators", "--threads"}) {
+    const Outcome outcome = run("skeletonize torus.off " + option + " 0");
+    EXPECT_EQ(1, outcome.status);
+    EXPECT_GT(150u, outcome.err.size()) << outcome.err;
+  }
+}
+
+TEST_F(Cscd, refuses_to_overwrite_its_input)
+{
+  m_folder.write("torus.obj", obj(torus()));
+  m_folder.write("circle.obj", "v 3 0 0\nv 0 3 0\nl 1 2\n");
+  std::filesystem::create_symlink("torus.obj", m_folder.path() / "link.obj");
+  for (const char* output : {"-o torus.obj", "-o ./torus.obj", "-o link.obj", "--report torus.obj", "--html torus.obj"}) {
+    expect_refusal(std::string("skeletonize torus.obj ") + output, 1, {"is the input", "name another file"});
+  }
+  expect_refusal("skeletonize link.obj -o torus.obj", 1, {"is the input"});
+  expect_refusal("evaluate torus.obj circle.obj --round-cones torus.obj", 1, {"is the input"});
+  expect_refusal("evaluate torus.obj circle.obj --convolution-surface circle.obj", 1, {"is the input"});
+  EXPECT_EQ(obj(torus()), content("torus.obj"));
+}
+
+TEST_F(Cscd, shows_control_characters_of_file_names_as_escape_sequences)
+{
+  expect_refusal("skeletonize \"$(printf 'a\\tb\\033c.off')\"", 2, {"a\\tb\\x1bc.off: cannot be opened"});
 }
 
 TEST_F(Cscd, refuses_bad_input)
@@ -299,7 +344,8 @@ TEST_F(Cscd, prints_a_summary)
   EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\nskeleton: ", 0)) << outcome.out;
   EXPECT_NE(std::string::npos, outcome.out.find("1 component, 1 cycle, 0 tips, 0 junctions\ntime: ")) << outcome.out;
   EXPECT_EQ(3, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
-  EXPECT_EQ("", outcome.err); // no progress bar, as this is no terminal
+  // No progress bar, as this is no terminal.
+  EXPECT_EQ("cscd: torus.off: the skeleton is not written; name a file by --output or --html\n", outcome.err);
   EXPECT_EQ(1, number_of_files());
 }
 
@@ -310,6 +356,10 @@ TEST_F(Cscd, writes_to_standard_output)
   EXPECT_EQ(0, outcome.status);
   EXPECT_TRUE(is_graph_of_a_cycle(outcome.out));
   EXPECT_EQ(content("t.graph"), outcome.out);
+  const Outcome report = run("skeletonize torus.off -o t.graph --report -");
+  EXPECT_EQ(0, report.status);
+  EXPECT_EQ(1440, nlohmann::json::parse(report.out).at("number_of_sites"));
+  EXPECT_EQ(2, number_of_files());
 }
 
 TEST_F(Cscd, reads_standard_input_in_all_formats)
@@ -335,7 +385,7 @@ TEST_F(Cscd, says_what_it_repaired)
   const Outcome outcome = run("skeletonize torus.off -o t.graph --report r.json");
   EXPECT_EQ(0, outcome.status);
   EXPECT_NE(std::string::npos, outcome.err.find("cscd: torus.off: 1 degenerate or duplicate face removed\n"));
-  EXPECT_NE(std::string::npos, outcome.err.find("cscd: torus.off: 1 face turned to agree with its neighbours\n"));
+  EXPECT_NE(std::string::npos, outcome.err.find("cscd: torus.off: 1 face turned to agree with its neighbors\n"));
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
   EXPECT_EQ(2u, nlohmann::json::parse(content("r.json")).at("repairs").size());
 }

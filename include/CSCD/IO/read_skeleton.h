@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons from files, whoever wrote them.
+// Skeletons from files, by whatever program.
 
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H

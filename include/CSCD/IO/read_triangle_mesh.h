@@ -87,7 +87,7 @@ Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending
 /// \throw Input_error if they are too many or cannot be made a surface
 Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename);
 
-/// Builds a mesh from triangles whose neighbours are known, in linear time; `CGAL::Euler::add_faces()` looks for them
+/// Builds a mesh from triangles whose neighbors are known, in linear time; `CGAL::Euler::add_faces()` looks for them
 /// once more, at several times the cost.
 template <class TriangleMesh>
 class Triangle_mesh_builder
@@ -205,15 +205,15 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 
 } // namespace internal
 
-/// reads the triangle mesh that the file `filename` holds, as OFF, OBJ, PLY or STL by its ending, and mends it.
+/// reads the triangle mesh that the file `filename` holds, as OFF, OBJ, PLY or STL by its ending, and repairs it.
 /// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
 /// coordinates are merged; if they still form no manifold, degenerate and duplicate faces are removed, faces turned to
 /// agree with their neighbors, and points duplicated where the surface is no manifold. If the surface is closed,
 /// components that face inwards are turned. Vertices and faces are numbered as in the file, as far as nothing had to be
-/// mended; vertices without a face are kept then. Near linear.
+/// repaired; vertices without a face are kept then. Near linear.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
-/// \return what was mended
+/// \return what was repaired
 /// \throw File_error if the file cannot be read, is malformed, or has no faces
 /// \throw Input_error if the faces cannot be made a surface
 template <class TriangleMesh>

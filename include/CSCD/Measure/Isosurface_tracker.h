@@ -27,7 +27,7 @@
 namespace CSCD::internal {
 
 /// Marching tetrahedra on those cubes of a lattice that the surface passes through, each cut into the six tetrahedra
-/// around its main diagonal. Since neighbouring cubes agree on their common faces and no lattice point counts as lying
+/// around its main diagonal. Since neighboring cubes agree on their common faces and no lattice point counts as lying
 /// on the surface, what comes out is a closed oriented manifold. Only what is reached from the seeds is visited, so the
 /// cost is that of the surface, not of the space around it.
 /// CGAL 5.5 offers `make_surface_mesh()` for implicit functions, whose refinement evaluates the function tens of times
@@ -39,9 +39,9 @@ class Isosurface_tracker
 public:
   /// \param field is referred to
   /// \param cell_size the edge of the cubes, positive
-  /// \param maximum_number_of_cells where tracking gives up
-  Isosurface_tracker(const Field& field, double cell_size, std::size_t maximum_number_of_cells)
-      : m_field(field), m_cell_size(cell_size), m_maximum_number_of_cells(maximum_number_of_cells)
+  /// \param max_number_of_cells where tracking gives up
+  Isosurface_tracker(const Field& field, double cell_size, std::size_t max_number_of_cells)
+      : m_field(field), m_cell_size(cell_size), m_max_number_of_cells(max_number_of_cells)
   {
   }
 
@@ -63,7 +63,7 @@ public:
   }
 
   /// Whether there were more cells than allowed, so that the surface is not complete.
-  bool is_too_large() const { return m_visited.size() > m_maximum_number_of_cells; }
+  bool is_too_large() const { return m_visited.size() > m_max_number_of_cells; }
 
   /// The surface, facing outwards; faces that are near each other have near numbers.
   Indexed_triangles release()
@@ -115,7 +115,7 @@ private:
   void track_along(Cell inside, int axis, int step)
   {
     // A field that is negative everywhere along the line would never end.
-    for (std::size_t i = 0; i <= m_maximum_number_of_cells && std::abs(inside[std::size_t(axis)]) < bias - 2; ++i) {
+    for (std::size_t i = 0; i <= m_max_number_of_cells && std::abs(inside[std::size_t(axis)]) < bias - 2; ++i) {
       Cell next = inside;
       next[std::size_t(axis)] += step;
       if (!is_inside(next)) {
@@ -165,7 +165,7 @@ private:
     }
   }
 
-  /// Puts the neighbour of `cell` across one of its sides on the stack if the surface passes through that side.
+  /// Puts the neighbor of `cell` across one of its sides on the stack if the surface passes through that side.
   void push_neighbor(const Cell& cell, int axis, int side, const std::array<double, 8>& values)
   {
     int number_inside = 0;
@@ -260,7 +260,7 @@ private:
 
   const Field& m_field;
   double m_cell_size;
-  std::size_t m_maximum_number_of_cells;
+  std::size_t m_max_number_of_cells;
   boost::unordered_map<Key, double> m_values;
   boost::unordered_set<Key> m_visited;
   boost::unordered_map<Key, Index> m_vertices; ///< by the lattice point where the edge begins, and its direction
@@ -279,7 +279,7 @@ struct Field_surface
 
 /// The greatest number of cells for a skeleton: what is built on a million of them takes a gigabyte; and the field is
 /// evaluated about twice for each cell, each time over all edges, which should not take minutes.
-inline std::size_t maximum_number_of_cells(const Indexed_skeleton& skeleton)
+inline std::size_t max_number_of_cells(const Indexed_skeleton& skeleton)
 {
   constexpr std::size_t max_cells = std::size_t(1) << 20;
   constexpr std::size_t min_cells = std::size_t(1) << 12;
@@ -323,7 +323,7 @@ Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skel
 template <class Field>
 Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size)
 {
-  return triangulate_field(field, skeleton, cell_size, maximum_number_of_cells(skeleton));
+  return triangulate_field(field, skeleton, cell_size, max_number_of_cells(skeleton));
 }
 
 } // namespace CSCD::internal

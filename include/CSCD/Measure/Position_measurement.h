@@ -53,7 +53,7 @@ inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, d
   return samples;
 }
 
-/// What the rays from a point across a skeleton tell.
+/// What is measured by rays from a point across a skeleton.
 struct Ray_star
 {
   double deviation = 0; ///< standard deviation of the rays' lengths over their mean

@@ -30,11 +30,11 @@ struct Segment_point
 {
   Index segment = no_index;
   double parameter = 0; ///< 0 at the source of the segment, 1 at its target
-  double distance = 0;  ///< from what was asked
+  double distance = 0;  ///< from the query point
 };
 
 /// A bounding volume hierarchy over segments; those of length zero are points.
-/// Queries are const and may be asked by several threads at once; each is O(log n) if segments are well spread.
+/// Queries are const and may be made by several threads at once; each is O(log n) if segments are well spread.
 class Segment_bvh
 {
 public:

@@ -6,56 +6,11 @@
 #ifndef CSCD_MEASURE_COMPARE_SKELETONS_H
 #define CSCD_MEASURE_COMPARE_SKELETONS_H
 
+#include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace CSCD {
-
-/// How far the points of one skeleton are from another one. Lengths are relative to the diagonal of the bounding box of
-/// both skeletons.
-struct Skeleton_distance
-{
-  double mean = 0;             ///< over the length of the edges
-  double maximum = 0;          ///< over edges and nodes
-  double fraction_matched = 0; ///< of the length: what is not farther away than the match distance
-};
-
-/// How many features of two skeletons are at the same place.
-struct Match_count
-{
-  std::size_t number_in_first = 0;  ///< features of the first skeleton
-  std::size_t number_in_second = 0; ///< features of the second skeleton
-  std::size_t number_matched = 0;   ///< pairs of features at the same place; each is in one pair at most
-
-  /// 1 if all are matched, 0 if none are; 1 if there are none.
-  double fraction() const
-  {
-    const std::size_t sum = number_in_first + number_in_second;
-    return sum > 0 ? 2 * double(number_matched) / double(sum) : 1;
-  }
-};
-
-/// How alike two skeletons are.
-struct Skeleton_comparison
-{
-  double diagonal = 0;                    ///< of the bounding box of both, in their unit
-  double match_distance = 0;              ///< up to which features count as the same, relative to the diagonal
-  Skeleton_distance from_first_to_second; ///< of the points of the first from the second
-  Skeleton_distance from_second_to_first; ///< of the points of the second from the first
-  Match_count tips;                       ///< nodes with one edge
-  Match_count junctions;                  ///< nodes with three edges or more
-  Match_count branches;                   ///< paths between nodes that have not two edges, and cycles
-  /// Whether branches are joined in the same way, wherever they are: the skeletons of a body in two poses should agree.
-  bool has_same_structure = false;
-
-  /// The mean of both mean distances.
-  double mean_distance() const { return (from_first_to_second.mean + from_second_to_first.mean) / 2; }
-  /// The greater one of both maxima.
-  double hausdorff_distance() const { return std::max(from_first_to_second.maximum, from_second_to_first.maximum); }
-};
 
 namespace internal {
 

@@ -87,7 +87,7 @@ public:
   /// What a label stands for, and the label; shared by the graphs that are compared.
   using Dictionary = std::map<std::vector<std::size_t>, std::size_t>;
 
-  /// Replaces the label of each vertex by one for its label and those of its neighbours.
+  /// Replaces the label of each vertex by one for its label and those of its neighbors.
   void refine(Dictionary& dictionary)
   {
     std::vector<std::size_t> refined;
@@ -145,7 +145,7 @@ inline bool have_same_structure(const Branch_graph& a, const Branch_graph& b)
 /// Matches the indices 0 to m - 1 with 0 to n - 1, each at most once, nearest pairs first.
 /// O(m n) calls of `distance`, and O(p log p) for p pairs that are near enough.
 /// \param distance of two indices
-/// \param match_distance greatest distance of a pair
+/// \param match_distance maximum distance of a pair
 template <class Distance>
 Match_count match_greedily(std::size_t m, std::size_t n, const Distance& distance, double match_distance)
 {

@@ -119,7 +119,7 @@ private:
 /// Estimates the radius of each node from points of the surface, and nothing else.
 /// Each point is assigned to the nearest point of the skeleton, at distance d and at parameter t of an edge; it counts
 /// for the source of the edge with weight 1 - t and for the target with weight t. The radius of a node is the weighted
-/// mean of the d's; nodes to which no point was assigned are interpolated from their neighbours.
+/// mean of the d's; nodes to which no point was assigned are interpolated from their neighbors.
 /// O(p log e) for p points and e edges, where those are well spread.
 /// \pre there are points and nodes
 inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Indexed_skeleton& skeleton)

@@ -133,7 +133,7 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&&
 ///
 /// \return the measures; what is not defined for the input is `undefined_measure`
 /// \throw Input_error if there is no surface or skeleton, they are far from each other, a coordinate is not finite, the
-///        mesh is no oriented manifold of triangles, or the skeleton's radii are asked for and there are none
+///        mesh is no oriented manifold of triangles, or the skeleton's radii are to be used and there are none
 template <class Surface, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skeleton,
                                     const NamedParameters& np = parameters::default_values())

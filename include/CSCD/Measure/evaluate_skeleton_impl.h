@@ -45,7 +45,7 @@
 namespace CSCD::internal {
 
 /// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
-/// Borders are bridged, so that there is a body; components that look inwards are turned.
+/// Borders are bridged, so that there is a body; components that face inwards are turned.
 class Measured_body
 {
 public:
@@ -163,7 +163,7 @@ inline Skeleton_counts count_skeleton(const Indexed_skeleton& skeleton, const st
 
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
-/// which a cell's faces follow each other has no say.
+/// which the faces of a cell follow each other does not matter.
 template <class Distance>
 void measure_reverse(const Triangulated_surface& surface, const Distance& distance_to_input,
                      Reconstruction_error& error)
@@ -283,7 +283,7 @@ class Skeleton_evaluation
 public:
   /// \param measured is referred to
   /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
-  ///        radii are asked for and it has none
+  ///        radii are to be used and it has none
   Skeleton_evaluation(const Measured& measured, Indexed_skeleton skeleton, const Evaluation_parameters& parameters)
       : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
   {

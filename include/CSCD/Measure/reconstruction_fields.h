@@ -219,8 +219,8 @@ private:
   static double exact_integral(const Edge& edge, double x0, double x1, double square)
   {
     // Closer to the line than this, in the greater distance to an end, F is great and needs no digits.
-    constexpr double relative_least_square = 1e-6;
-    const double h2 = std::max({square, relative_least_square * std::max(x0 * x0, x1 * x1), min_square});
+    constexpr double relative_min_square = 1e-6;
+    const double h2 = std::max({square, relative_min_square * std::max(x0 * x0, x1 * x1), min_square});
     const double h = std::sqrt(h2);
     const double q0 = x0 * x0 + h2;
     const double q1 = x1 * x1 + h2;

@@ -212,7 +212,7 @@ private:
     return width;
   }
 
-  /// Where a piece is joined is not told by its shortest gap alone, which may be that between two twigs that nearly
+  /// Where a piece is joined is not decided by its shortest gap alone, which may be that between two twigs that nearly
   /// touch: gaps that are not much longer are alternatives.
   void choose_bridges(const std::vector<Point_gap>& gaps)
   {

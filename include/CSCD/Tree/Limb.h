@@ -25,14 +25,14 @@ struct Slice
   double radius = 0;  ///< scatter around the direction of growth
 };
 
-/// A section of a limb: what a slice tells of it.
+/// A section of a limb, derived from a slice.
 struct Section
 {
   Vector_3 center = Vector_3::Zero();
   Vector_3 direction = Vector_3::Zero(); ///< of the limb, unit length
   double radius = 0;
   double confidence = 0; ///< of center and radius, in [0, 1]
-  bool is_rough = true;  ///< whether no circle near it tells the radius
+  bool is_rough = true;  ///< whether no circle near it gives the radius
   Circle_outcome outcome = Circle_outcome::few_points;
 
   /// Whether center and radius are those of a circle.

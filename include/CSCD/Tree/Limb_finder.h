@@ -18,8 +18,8 @@
 namespace CSCD::internal {
 
 /// Joins slices to limbs. First, where slices fork, a limb goes on into the part that reaches farthest; what is then
-/// too short to be told from a bump of the bark is given up. Of what remains, a limb goes on into the part that carries
-/// most, and that is nearly straight on.
+/// too short to be distinguished from a bump of the bark is given up. Of what remains, a limb goes on into the part
+/// that carries most, and that is nearly straight on.
 class Limb_finder
 {
 public:
@@ -52,7 +52,7 @@ private:
   static constexpr double min_length_in_radii = 1;
   /// How much going straight on counts beside the length that is carried.
   static constexpr int straightness_exponent = 2;
-  /// The slices from which the direction of a limb is told.
+  /// The slices from which the direction of a limb is computed.
   static constexpr int direction_slices = 3;
 
   /// For every slice the distance at which the part of an object beyond it, itself included, ends.

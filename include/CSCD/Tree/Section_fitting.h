@@ -117,7 +117,7 @@ inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const
 inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle,
                                          double cutoff)
 {
-  constexpr double damping = 1e-3; // a short arc hardly tells the radius from the center
+  constexpr double damping = 1e-3; // a short arc hardly determines radius and center separately
   Eigen::Matrix3d normal_matrix = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero();
   for (const Eigen::Vector2d& p : points) {
@@ -235,7 +235,7 @@ private:
   static constexpr double max_radius = 3.5;
   /// Directions across which circles are fitted are those of the centroids first, then those of the centers.
   static constexpr int rounds = 2;
-  /// The slices to either side that tell the direction.
+  /// The slices to either side that give the direction.
   static constexpr std::ptrdiff_t direction_reach = 2;
   /// The slices to either side whose offsets from centroids to centers are averaged.
   static constexpr std::ptrdiff_t offset_reach = 3;
@@ -246,7 +246,7 @@ private:
   /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
   static constexpr double min_part_of_scatter = 0.1;
   static constexpr double min_confidence = 0.02;
-  /// The scatter of fewer points does not tell a radius.
+  /// The scatter of fewer points does not give a radius.
   static constexpr std::size_t min_scatter_points = 4;
 
   void find_directions(const Limb& limb)
@@ -301,7 +301,7 @@ private:
     return std::sqrt(sum);
   }
 
-  /// Whether a circle tells the section.
+  /// Whether the section is given by a circle.
   Circle_outcome judge(const Circle_fit& circle, double scatter, const Limb& limb) const
   {
     if (circle.radius > max_radius * scatter ||

@@ -14,7 +14,7 @@
 
 namespace CSCD {
 
-/// What became of the attempt to fit a circle to the points around a node. Without one, center and radius are told by
+/// What became of the attempt to fit a circle to the points around a node. Without one, center and radius are given by
 /// the scatter of the points, by the circles around, and by what the limb carries.
 enum class Circle_outcome
 {
@@ -42,11 +42,12 @@ struct Tree_branch
   /// The vertices of the skeleton along the branch, base to tip; the first is that of the parent from which it grows,
   /// for a trunk the root.
   std::vector<std::size_t> nodes{};
-  double length = 0;                  ///< along the nodes
-  double radius_at_base = 0;          ///< at its first own node
-  double radius_at_tip = 0;           ///< at its last node
-  std::size_t number_of_sections = 0; ///< nodes of which points tell center and radius: all but the first and the last
-  std::size_t number_of_circles = 0;  ///< of these, those where it is by a circle
+  double length = 0;         ///< along the nodes
+  double radius_at_base = 0; ///< at its first own node
+  double radius_at_tip = 0;  ///< at its last node
+  std::size_t number_of_sections =
+      0;                             ///< nodes whose center and radius come from points: all but the first and the last
+  std::size_t number_of_circles = 0; ///< of these, those where it is by a circle
 };
 
 /// A gap in the points that a branch goes on across.
@@ -70,7 +71,7 @@ struct Tree_report
   std::size_t number_of_nodes = 0;   ///< of the skeleton
   std::size_t number_of_edges = 0;   ///< of the skeleton
   std::size_t number_of_tips = 0;    ///< one for each branch
-  /// What told the sections of the branches, in the order of `Circle_outcome`.
+  /// How the sections of the branches were found, in the order of `Circle_outcome`.
   std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
   double seconds = 0;                ///< wall-clock time
   std::vector<std::string> warnings; ///< what the user should know, one sentence each

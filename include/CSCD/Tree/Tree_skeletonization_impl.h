@@ -168,7 +168,7 @@ private:
   static constexpr double min_end = 0.1;
   /// How far along its parent a joint is moved, relative to the radius of the parent.
   static constexpr double farthest_move = 3;
-  /// The nodes from which the line of a branch is told.
+  /// The nodes from which the line of a branch is computed.
   static constexpr std::size_t line_nodes = 4;
 
   void add(const Limb& limb)
@@ -375,8 +375,8 @@ private:
     return host;
   }
 
-  /// Where no circle tells the radius, the scatter of the points, leaves among them, is no less than it. By the pipe
-  /// model, the area of a section is proportional to the length of all that it carries: so much the parent tells.
+  /// Where no circle gives the radius, the scatter of the points, leaves among them, is an upper bound. By the pipe
+  /// model, the area of a section is proportional to the length of all that it carries: so the parent gives a bound.
   void limit_by_pipe_model(Section_fitting& fitting) const
   {
     std::vector<double> carried(m_slices.size(), 0);

@@ -61,7 +61,7 @@ inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector
   return number_of_merged_points;
 }
 
-/// Reads ASCII OFF line by line; colours and texture coordinates are passed over.
+/// Reads ASCII OFF line by line; colors and texture coordinates are passed over.
 class Off_parser
 {
 public:

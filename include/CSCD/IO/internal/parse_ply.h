@@ -55,7 +55,7 @@ struct Ply_element
   std::vector<Ply_property> properties;
 };
 
-/// What the header of a PLY file tells.
+/// What the header of a PLY file says.
 struct Ply_header
 {
   enum class Encoding

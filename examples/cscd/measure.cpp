@@ -1,20 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `cscd evaluate`: from arguments to measures.
+// The commands `cscd evaluate` and `cscd compare`: from arguments to measures.
 
-#include "evaluate.h"
-
-#include "Input.h"
-#include "Skeletonize_options.h"
-#include "Usage_error.h"
-#include "read_input.h"
-#include "read_skeleton_argument.h"
+#include "commands.h"
 #include "types.h"
 #include "write_measures.h"
 #include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_triangle_mesh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/reconstruct_surface.h>
 #include <CSCD/Named_parameters.h>
@@ -26,6 +22,31 @@
 namespace cscd {
 
 namespace {
+
+/// Refuses files from which no skeleton can be read, by their endings.
+void check_skeleton_argument(const std::string& filename)
+{
+  if (filename == standard_stream) {
+    return;
+  }
+  try {
+    CSCD::check_readable_skeleton_filename(filename);
+  } catch (const CSCD::File_error& error) {
+    throw Usage_error(error.what());
+  }
+}
+
+/// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
+Skeleton read_skeleton_argument(const std::string& filename)
+{
+  Skeleton skeleton;
+  if (filename == standard_stream) {
+    CSCD::read_skeleton(std::cin, ".graph", "standard input", skeleton);
+  } else {
+    CSCD::read_skeleton(filename, skeleton);
+  }
+  return skeleton;
+}
 
 void check_mesh_output(const std::string& filename)
 {
@@ -45,23 +66,10 @@ void check_options(const Evaluate_options& options)
   for (const std::string& filename : {options.convolution_surface, options.round_cones}) {
     if (!filename.empty()) {
       check_mesh_output(filename);
+      check_is_not_input(filename, options.input, "reconstructed surface");
+      check_is_not_input(filename, options.skeleton, "reconstructed surface");
     }
   }
-}
-
-Input read(const Evaluate_options& options)
-{
-  Skeletonize_options input_options;
-  input_options.input = options.input;
-  input_options.format = options.format;
-  Input input = read_input(input_options);
-  if (!options.is_quiet) {
-    for (const std::string& sentence : input.repairs.sentences()) {
-      std::cerr << "cscd: " << (options.input == standard_stream ? "standard input" : options.input) << ": " << sentence
-                << '\n';
-    }
-  }
-  return input;
 }
 
 /// \tparam Surface of a mesh or of points
@@ -96,7 +104,7 @@ CSCD::Skeleton_measures measure(const Surface& surface, const Skeleton& skeleton
 void evaluate(const Evaluate_options& options)
 {
   check_options(options);
-  const Input input = read(options);
+  const Input input = read_input(options.input, options.format, options.is_quiet);
   const Skeleton skeleton = read_skeleton_argument(options.skeleton);
   const CSCD::Skeleton_measures measures =
       input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
@@ -104,6 +112,24 @@ void evaluate(const Evaluate_options& options)
     write_measures_as_json(std::cout, options, measures);
   } else {
     write_measures(std::cout, options, measures);
+  }
+}
+
+void compare(const Compare_options& options)
+{
+  check_skeleton_argument(options.first);
+  check_skeleton_argument(options.second);
+  if (options.first == standard_stream && options.second == standard_stream) {
+    throw Usage_error("only one of the skeletons can be standard input");
+  }
+  const Skeleton first = read_skeleton_argument(options.first);
+  const Skeleton second = read_skeleton_argument(options.second);
+  const CSCD::Skeleton_comparison comparison =
+      CSCD::compare_skeletons(first, second, CSCD::parameters::match_distance(options.match_distance));
+  if (options.is_json) {
+    write_comparison_as_json(std::cout, options, comparison);
+  } else {
+    write_comparison(std::cout, options, comparison);
   }
 }
 

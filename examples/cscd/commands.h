@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The commands of the program and their arguments.
+
+#ifndef CSCD_PROGRAM_COMMANDS_H
+#define CSCD_PROGRAM_COMMANDS_H
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace cscd {
+
+/// The arguments cannot be obeyed. The message names the argument and the remedy.
+struct Usage_error : std::invalid_argument
+{
+  using std::invalid_argument::invalid_argument;
+};
+
+/// The name that means standard input or standard output.
+inline constexpr const char* standard_stream = "-";
+
+/// \name Values of options
+/// @{
+inline constexpr const char* local_method = "local";
+inline constexpr const char* published_method = "published";
+inline constexpr const char* euclidean_target = "euclidean";
+inline constexpr const char* geodesic_target = "geodesic";
+inline constexpr const char* flip_shortening = "flips";
+inline constexpr const char* variational_shortening = "variational";
+inline constexpr const char* automatic_shape = "auto";
+inline constexpr const char* surface_shape = "surface";
+inline constexpr const char* tree_shape = "tree";
+/// @}
+
+/// What to skeletonize, how, and where the results go.
+struct Skeletonize_options
+{
+  std::string input;                ///< a file name, or `standard_stream`
+  std::string format;               ///< of the input: off, obj, ply, stl, xyz, pwn or pts; by its ending if empty
+  std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
+  std::string method = local_method;
+  std::string target;                  ///< of the published method: which cut point; `euclidean_target` if empty
+  std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
+  std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
+  std::vector<double> root;            ///< of a tree: where its trunk begins, three coordinates; or empty
+  unsigned int seed = 0;
+  unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
+  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
+  std::string report;                        ///< file name for the report as JSON, `standard_stream`, or empty
+  std::string html;                          ///< likewise for the viewer page
+  bool is_quiet = false;
+};
+
+/// The names of the radii that a skeleton is measured with.
+inline constexpr const char* estimated_radii = "estimated";
+inline constexpr const char* own_radii = "own";
+
+/// What to measure against what, and how.
+struct Evaluate_options
+{
+  std::string input;                   ///< a file name, or `standard_stream`
+  std::string format;                  ///< of the input: off, obj, ply or stl; by its ending if empty
+  std::string skeleton;                ///< a file name, or `standard_stream` for GEL's graph format
+  std::string radii = estimated_radii; ///< or `own_radii`
+  std::size_t resolution = 200;        ///< cells of the reconstructed surfaces along the diagonal of the bounding box
+  std::string convolution_surface;     ///< file name for it as a mesh, or empty
+  std::string round_cones;             ///< likewise
+  bool is_json = false;
+  bool is_quiet = false;
+};
+
+/// Which two skeletons to compare, and how.
+struct Compare_options
+{
+  std::string first;            ///< a file name, or `standard_stream` for GEL's graph format
+  std::string second;           ///< likewise
+  double match_distance = 0.02; ///< relative to the diagonal of the bounding box of both
+  bool is_json = false;
+};
+
+/// Reads a mesh or points, skeletonizes it and writes the results.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void skeletonize(const Skeletonize_options& options);
+
+/// Reads a mesh and a skeleton, measures the skeleton and writes the measures.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void evaluate(const Evaluate_options& options);
+
+/// Reads two skeletons and writes how alike they are.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void compare(const Compare_options& options);
+
+/// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
+std::string printable(const std::string& text);
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_COMMANDS_H
