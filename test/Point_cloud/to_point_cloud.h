@@ -9,6 +9,7 @@
 #include "support/Shape.h"
 #include "support/point_skeletons.h"
 #include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Traits/Input_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>

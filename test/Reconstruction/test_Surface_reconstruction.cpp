@@ -7,8 +7,9 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Reconstruction/Surface_reconstruction.h>
+#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
