@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -32,6 +33,15 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits>;
 using Skeleton = Skeletonization::Skeleton;
+using CSCD::Default_skeletonization_visitor;
+using CSCD::Local_policies;
+
+static_assert(std::is_constructible_v<Skeletonization, const Traits&>);
+static_assert(std::is_constructible_v<Skeletonization, Traits&, Local_policies, Default_skeletonization_visitor>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits>, "temporary traits are refused");
+static_assert(!std::is_constructible_v<Skeletonization, const Traits>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits, Local_policies>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits, Local_policies, Default_skeletonization_visitor>);
 
 void expect_equal(const Skeleton& a, const Skeleton& b)
 {
