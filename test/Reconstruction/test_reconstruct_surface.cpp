@@ -7,7 +7,7 @@
 #include "support/name_of_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Reconstruction/Surface_reconstruction.h>
+#include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
