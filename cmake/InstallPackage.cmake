@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the headers and what find_package(CSCD) reads.
+# Installs the headers, the compiled part where it is built, and what find_package(CSCD) reads.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -21,6 +21,23 @@ install(
   NAMESPACE CSCD::
   DESTINATION "${cscd_package_dir}"
   COMPONENT library)
+
+# The component `compiled` of the package has a targets file of its own, so that the headers can be installed without it.
+if(CSCD_BUILD_COMPILED)
+  set_target_properties(cscd_compiled PROPERTIES VERSION ${PROJECT_VERSION}
+                                                 SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  install(
+    TARGETS cscd_compiled
+    EXPORT CSCDCompiledTargets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT compiled
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT compiled
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT compiled)
+  install(
+    EXPORT CSCDCompiledTargets
+    NAMESPACE CSCD::
+    DESTINATION "${cscd_package_dir}"
+    COMPONENT compiled)
+endif()
 
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/CSCDConfig.cmake.in" "${PROJECT_BINARY_DIR}/CSCDConfig.cmake"
                               INSTALL_DESTINATION "${cscd_package_dir}")

@@ -6,7 +6,9 @@
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Local_policies.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
@@ -21,6 +23,7 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -30,6 +33,15 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 using Skeletonization = CSCD::Curve_skeletonization<Traits>;
 using Skeleton = Skeletonization::Skeleton;
+using CSCD::Default_skeletonization_visitor;
+using CSCD::Local_policies;
+
+static_assert(std::is_constructible_v<Skeletonization, const Traits&>);
+static_assert(std::is_constructible_v<Skeletonization, Traits&, Local_policies, Default_skeletonization_visitor>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits>, "temporary traits are refused");
+static_assert(!std::is_constructible_v<Skeletonization, const Traits>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits, Local_policies>);
+static_assert(!std::is_constructible_v<Skeletonization, Traits, Local_policies, Default_skeletonization_visitor>);
 
 void expect_equal(const Skeleton& a, const Skeleton& b)
 {
@@ -64,13 +76,13 @@ TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
   steps.convert_to_skeleton(stepwise);
   Skeleton whole;
   Skeletonization all(m_traits);
-  all(whole);
+  all.run(whole);
   expect_equal(stepwise, whole);
   Skeleton free_function;
   CSCD::extract_curve_skeleton(m_mesh, free_function);
   expect_equal(stepwise, free_function);
   Skeleton parallel;
-  all.operator()<CGAL::Parallel_tag>(parallel);
+  all.run<CGAL::Parallel_tag>(parallel);
   expect_equal(stepwise, parallel);
 }
 
@@ -78,7 +90,7 @@ TEST_F(Curve_skeletonization, writes_the_same_again_over_what_was_there)
 {
   Skeletonization skeletonization(m_traits);
   Skeleton first;
-  skeletonization(first);
+  skeletonization.run(first);
   Skeleton second(5);
   skeletonization.convert_to_skeleton(second);
   expect_equal(first, second);
@@ -164,8 +176,8 @@ TEST_F(Curve_skeletonization, reports_what_it_gives)
     const Traits traits(mesh);
     Skeletonization skeletonization(traits);
     Skeleton skeleton;
-    const CSCD::Skeletonization_report& report = skeletonization(skeleton);
-    EXPECT_EQ(report.number_of_sites, shape.points.size());
+    const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
+    EXPECT_EQ(report.number_of_input_vertices, shape.points.size());
     EXPECT_EQ(report.number_of_surface_components, shape.number_of_components);
     EXPECT_EQ(report.number_of_skeleton_components, shape.number_of_components);
     EXPECT_EQ(report.genus, shape.genus);
@@ -174,24 +186,24 @@ TEST_F(Curve_skeletonization, reports_what_it_gives)
     EXPECT_EQ(report.number_of_edges, num_edges(skeleton));
     EXPECT_EQ(report.number_of_separators, skeletonization.separators().size());
     EXPECT_EQ(report.number_of_packed_separators, skeletonization.packed_separators().size());
-    EXPECT_EQ(report.number_of_levels, traits.levels().size());
+    EXPECT_EQ(report.number_of_levels, traits.surface().levels().size());
     std::size_t tips = 0;
     std::size_t junctions = 0;
-    std::size_t sites = 0;
+    std::size_t vertices = 0;
     for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
       tips += degree(node, skeleton) == 1 ? 1u : 0u;
       junctions += degree(node, skeleton) >= 3 ? 1u : 0u;
-      sites += skeleton[node].vertices.size();
+      vertices += skeleton[node].vertices.size();
       EXPECT_GT(skeleton[node].radius, 0);
     }
     EXPECT_EQ(report.number_of_tips, tips);
     EXPECT_EQ(report.number_of_junctions, junctions);
-    EXPECT_EQ(sites, shape.points.size());
+    EXPECT_EQ(vertices, shape.points.size());
     EXPECT_EQ(report.number_of_nodes_outside, 0u);
   }
 }
 
-/// Writes down what it hears, and wants to stop at the question number `last`.
+/// Records its calls, and stops the work at call number `last` of `go_further()`.
 struct Recorder : CSCD::Default_skeletonization_visitor
 {
   void on_stage_begin(CSCD::Skeletonization_stage stage) { begun.push_back(stage); }
@@ -213,14 +225,14 @@ struct Recorder : CSCD::Default_skeletonization_visitor
   bool is_monotone = true;
 };
 
-using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies<Traits>, Recorder&>;
+using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Recorder&>;
 
 TEST_F(Curve_skeletonization, tells_its_visitor_of_its_stages)
 {
   Recorder recorder;
-  Visited_skeletonization skeletonization(m_traits, {}, recorder);
+  Visited_skeletonization skeletonization(m_traits, CSCD::Local_policies(), recorder);
   Skeleton skeleton;
-  skeletonization(skeleton);
+  skeletonization.run(skeleton);
   const std::vector<CSCD::Skeletonization_stage> stages{CSCD::Skeletonization_stage::find_separators,
                                                         CSCD::Skeletonization_stage::pack_separators,
                                                         CSCD::Skeletonization_stage::build_skeleton};
@@ -233,9 +245,9 @@ TEST_F(Curve_skeletonization, tells_its_visitor_of_its_stages)
 TEST_F(Curve_skeletonization, leaves_the_output_alone_whenever_it_is_cancelled)
 {
   Recorder recorder;
-  Visited_skeletonization whole(m_traits, {}, recorder);
+  Visited_skeletonization whole(m_traits, CSCD::Local_policies(), recorder);
   Skeleton skeleton;
-  whole(skeleton);
+  whole.run(skeleton);
   // The last questions are asked when the skeleton is complete.
   const std::size_t all = recorder.questions;
   ASSERT_GT(all, 6u);
@@ -243,10 +255,10 @@ TEST_F(Curve_skeletonization, leaves_the_output_alone_whenever_it_is_cancelled)
     SCOPED_TRACE(last);
     Recorder stopper;
     stopper.last = last;
-    Visited_skeletonization skeletonization(m_traits, {}, stopper);
+    Visited_skeletonization skeletonization(m_traits, CSCD::Local_policies(), stopper);
     Skeleton untouched(1);
     untouched[0].radius = 42;
-    EXPECT_THROW(skeletonization(untouched), CSCD::Cancelled_error);
+    EXPECT_THROW(skeletonization.run(untouched), CSCD::Cancelled_error);
     EXPECT_EQ(stopper.questions, last);
     ASSERT_EQ(num_vertices(untouched), 1u);
     EXPECT_EQ(untouched[0].radius, 42);

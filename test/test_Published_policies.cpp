@@ -12,14 +12,16 @@
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
+#include <CSCD/Separator/Field_search_settings.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -36,7 +38,7 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-using Policies = CSCD::Published_policies<Traits>;
+using Policies = CSCD::Published_policies;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
 using CSCD::Skeletonization_report;
@@ -59,12 +61,12 @@ Skeletonization_report skeletonize(const Mesh& mesh, Skeleton& skeleton, unsigne
   skeletonization.set_random_seed(seed)
       .set_number_of_threads(number_of_threads)
       .set_maximum_number_of_sources(max_sources);
-  return skeletonization.operator()<ConcurrencyTag>(skeleton);
+  return skeletonization.run<ConcurrencyTag>(skeleton);
 }
 
 TEST(Published_policies, are_a_model)
 {
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits>));
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits::Surface>));
 }
 
 class Published_method : public testing::TestWithParam<Shape_maker>
@@ -119,12 +121,27 @@ TEST(Published_policies, answer_the_same_for_any_number_of_threads)
   EXPECT_FALSE(CSCD::test::plain(mesh, of_another_seed) == expected);
 }
 
+TEST(Published_policies, are_a_named_parameter)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  Skeleton expected;
+  const Skeletonization_report expected_report = skeletonize(mesh, expected, 7, 1, Policies(), few_sources);
+  Skeleton skeleton;
+  const Skeletonization_report report = CSCD::extract_curve_skeleton(
+      mesh, skeleton, CSCD::parameters::policies(Policies()).random_seed(7).maximum_number_of_sources(few_sources));
+  EXPECT_EQ(CSCD::test::plain(mesh, skeleton), CSCD::test::plain(mesh, expected));
+  EXPECT_EQ(report.number_of_sources, few_sources);
+  EXPECT_EQ(report.number_of_rejections, expected_report.number_of_rejections);
+  EXPECT_EQ(report.genus, 0u);
+}
+
 TEST(Published_policies, work_with_the_nearest_target_along_the_surface)
 {
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::double_torus(0.15));
   Skeleton skeleton;
-  const Skeletonization_report report =
-      skeletonize(mesh, skeleton, 0, 1, Policies(CSCD::Target_rule::nearest_along_surface));
+  CSCD::Field_search_settings settings;
+  settings.target_rule = CSCD::Target_rule::nearest_along_surface;
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings));
   EXPECT_EQ(report.betti_number, 2u);
   EXPECT_EQ(report.number_of_skeleton_components, 1u);
 }
@@ -133,8 +150,9 @@ TEST(Published_policies, work_with_the_variational_shortening)
 {
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
   Skeleton skeleton;
-  const Policies policies(CSCD::Target_rule::nearest_in_space, CSCD::Shortening_rule::variational);
-  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, policies);
+  CSCD::Field_search_settings settings;
+  settings.shortening_rule = CSCD::Shortening_rule::variational;
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings));
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(report.number_of_junctions, 1u);
   EXPECT_GT(report.number_of_separators, number_of_sources / 2);

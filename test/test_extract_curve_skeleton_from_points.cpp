@@ -67,7 +67,7 @@ Outcome skeletonize(const std::vector<Triple>& triples)
   outcome.report = CSCD::extract_curve_skeleton(points, outcome.skeleton);
   CSCD::test::expect_partition(outcome.skeleton, points.size());
   const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(outcome.skeleton);
-  EXPECT_EQ(points.size(), outcome.report.number_of_sites);
+  EXPECT_EQ(points.size(), outcome.report.number_of_input_vertices);
   EXPECT_EQ(facts.number_of_components, outcome.report.number_of_surface_components);
   EXPECT_EQ(facts.betti_number, outcome.report.genus);
   EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));

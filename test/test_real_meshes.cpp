@@ -7,6 +7,7 @@
 #include "support/Surface_facts.h"
 #include "support/invariants.h"
 #include "support/real_meshes.h"
+#include "support/skip_or_fail.h"
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -34,7 +35,7 @@ protected:
   void SetUp() override
   {
     if (!GetParam().exists()) {
-      GTEST_SKIP() << GetParam().path() << " is missing: it comes with the Debian package libcgal-demo";
+      CSCD_TEST_SKIP_OR_FAIL(GetParam().path() << " is missing: it comes with the Debian package libcgal-demo");
     }
     std::ifstream file(GetParam().path());
     ASSERT_TRUE(CGAL::IO::read_OFF(file, m_mesh));
@@ -90,7 +91,7 @@ TEST(Real_meshes, with_a_pinched_vertex_are_refused_by_name)
 {
   const Real_mesh pinched{"polygon_mesh", 1, 0, 0};
   if (!pinched.exists()) {
-    GTEST_SKIP() << pinched.path() << " is missing: it comes with the Debian package libcgal-demo";
+    CSCD_TEST_SKIP_OR_FAIL(pinched.path() << " is missing: it comes with the Debian package libcgal-demo");
   }
   Mesh mesh;
   std::ifstream file(pinched.path());

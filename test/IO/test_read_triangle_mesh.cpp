@@ -5,6 +5,7 @@
 
 #include "mesh_files.h"
 #include "support/Temporary_folder.h"
+#include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>
@@ -631,7 +632,7 @@ TEST(Read_triangle_mesh, reads_the_meshes_of_cgal)
 {
   const std::filesystem::path folder(CSCD_CGAL_DATA_DIR);
   if (!std::filesystem::exists(folder)) {
-    GTEST_SKIP() << "CGAL's data (package libcgal-demo) is not there";
+    CSCD_TEST_SKIP_OR_FAIL("CGAL's data (package libcgal-demo) is missing");
   }
   std::size_t number_of_equal_meshes = 0;
   for (const char* name :

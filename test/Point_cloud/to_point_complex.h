@@ -37,7 +37,7 @@ inline CSCD::Point_complex to_point_complex(const Shape& shape)
   return {std::move(triangles.points), std::move(normals), triangles.faces};
 }
 
-/// The complex of different points, in their own coordinates.
+/// The complex of different points, in their own coordinates and order.
 inline CSCD::Point_complex to_point_complex(const std::vector<Triple>& points)
 {
   CSCD::Point_cloud cloud;
@@ -45,7 +45,7 @@ inline CSCD::Point_complex to_point_complex(const std::vector<Triple>& points)
     cloud.input_point.push_back(CSCD::Index(cloud.points.size()));
     cloud.points.emplace_back(p[0], p[1], p[2]);
   }
-  CSCD::internal::sort_canonically(cloud);
+  cloud.pose = CSCD::Canonical_pose(cloud.points);
   return CSCD::internal::build_point_complex(cloud);
 }
 

@@ -38,7 +38,7 @@ std::size_t repair(Indexed_triangles& triangles)
 {
   const Triangulated_surface surface{Indexed_triangles(triangles)};
   const std::vector<Vertex_loop> loops = CSCD::internal::Handle_repair(surface)();
-  cut_along_loops(triangles, surface, loops);
+  CSCD::internal::cut_along_loops(triangles, surface, loops);
   const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   EXPECT_EQ(CSCD::no_index, pairing.conflict());
   EXPECT_EQ(2 * loops.size(), CSCD::internal::bridge_borders(triangles, pairing));

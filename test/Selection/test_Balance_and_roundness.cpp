@@ -5,11 +5,12 @@
 
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
-#include "archetypes/Solid_traits_archetype.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Balance_and_roundness.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -23,10 +24,26 @@ using CSCD::Separator;
 using CSCD::Surface_level;
 using CSCD::Vector_3;
 using CSCD::internal::Separator_sides;
-using CSCD::test::Solid_traits_archetype;
 using CSCD::test::section_separator;
 using CSCD::test::tube_section;
-using Judge = CSCD::internal::Balance_and_roundness<Solid_traits_archetype>;
+
+/// A shape and its body, in the numbers and coordinates of the shape.
+class Body
+{
+public:
+  explicit Body(const CSCD::test::Shape& shape) : m_surface(CSCD::test::to_surface(shape)), m_queries(m_surface) {}
+  Body(const Body&) = delete;
+  Body& operator=(const Body&) = delete;
+
+  const CSCD::Triangulated_surface& triangulation() const { return m_surface; }
+  bool is_inside(const Vector_3& point) const { return m_queries.is_inside(point); }
+
+private:
+  CSCD::Triangulated_surface m_surface;
+  CSCD::internal::Solid_queries m_queries;
+};
+
+using Judge = CSCD::internal::Balance_and_roundness<Body>;
 using Verdict = Judge::Verdict;
 
 class Balance_and_roundness_test : public testing::Test
@@ -34,7 +51,7 @@ class Balance_and_roundness_test : public testing::Test
 protected:
   explicit Balance_and_roundness_test(const CSCD::test::Shape& shape = CSCD::test::tube(10, 1, 32,
                                                                                         CSCD::test::Tube_end::round))
-      : m_traits(shape), m_judge(m_traits)
+      : m_body(shape), m_judge(m_body)
   {
   }
 
@@ -56,36 +73,36 @@ protected:
   double inside_share(const Separator& separator) const
   {
     std::vector<Vector_3> points;
-    CSCD::internal::crossing_points(m_traits.solid_surface(), separator.crossings, points);
-    return CSCD::internal::span_inside_share(m_traits, points, separator.center);
+    CSCD::internal::crossing_points(m_body.triangulation(), separator.crossings, points);
+    return CSCD::internal::span_inside_share(m_body, points, separator.center);
   }
 
-  Solid_traits_archetype m_traits;
+  Body m_body;
   Judge m_judge;
 };
 
 TEST_F(Balance_and_roundness_test, is_nearly_1_on_a_tube)
 {
-  EXPECT_GT(weight(tube_section(m_traits.solid_surface(), 5)), 0.9);
-  EXPECT_EQ(inside_share(tube_section(m_traits.solid_surface(), 5)), 1);
+  EXPECT_GT(weight(tube_section(m_body.triangulation(), 5)), 0.9);
+  EXPECT_EQ(inside_share(tube_section(m_body.triangulation(), 5)), 1);
 }
 
 TEST_F(Balance_and_roundness_test, is_less_for_tilted_ones_and_at_the_ends)
 {
-  const double straight = weight(tube_section(m_traits.solid_surface(), 5));
-  const double tilted = weight(tube_section(m_traits.solid_surface(), 5, {1, 1, 0}));
-  const double more_tilted = weight(tube_section(m_traits.solid_surface(), 5, {1, 2, 0}));
+  const double straight = weight(tube_section(m_body.triangulation(), 5));
+  const double tilted = weight(tube_section(m_body.triangulation(), 5, {1, 1, 0}));
+  const double more_tilted = weight(tube_section(m_body.triangulation(), 5, {1, 2, 0}));
   EXPECT_LT(tilted, 0.99 * straight);
   EXPECT_LT(more_tilted, 0.95 * tilted);
-  EXPECT_LT(weight(tube_section(m_traits.solid_surface(), 10.2)), 0.9 * straight);
+  EXPECT_LT(weight(tube_section(m_body.triangulation(), 10.2)), 0.9 * straight);
 }
 
 TEST_F(Balance_and_roundness_test, takes_circles_on_one_side_for_bumps)
 {
-  const Separator circle = section_separator(m_traits.solid_surface(), {5, 0, 0.8}, {0, 0, 1}, {5, 0.6, 0.8});
+  const Separator circle = section_separator(m_body.triangulation(), {5, 0, 0.8}, {0, 0, 1}, {5, 0.6, 0.8});
   EXPECT_EQ(verdict(circle), Verdict::bump) << "long as it is, it cuts off little";
-  const auto vertex = CSCD::test::nearest_vertex(m_traits.solid_surface(), {5, 0, 1});
-  EXPECT_EQ(verdict(CSCD::test::circle_separator(m_traits.solid_surface(), vertex, 0.9)), Verdict::bump);
+  const auto vertex = CSCD::test::nearest_vertex(m_body.triangulation(), {5, 0, 1});
+  EXPECT_EQ(verdict(CSCD::test::circle_separator(m_body.triangulation(), vertex, 0.9)), Verdict::bump);
 }
 
 class Balance_and_roundness_of_torus_test : public Balance_and_roundness_test
@@ -96,7 +113,7 @@ protected:
 
 TEST_F(Balance_and_roundness_of_torus_test, tells_handles_from_tunnels)
 {
-  const auto& surface = m_traits.solid_surface();
+  const auto& surface = m_body.triangulation();
   const Separator around_the_tube = section_separator(surface, {3, 0, 0}, {0, 1, 0}, {4, 0, 0});
   EXPECT_GT(weight(around_the_tube), 0.9);
   const Separator around_the_hole = section_separator(surface, {0, 0, 0.05}, {0, 0, 1}, {2, 0, 0});

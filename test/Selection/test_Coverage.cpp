@@ -3,7 +3,7 @@
 //
 // Which vertices separators cover, and the order of sources.
 
-#include "archetypes/Multiresolution_traits_archetype.h"
+#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Coverage.h>
 #include <CSCD/Separator/Local_separator_finder.h>
@@ -21,17 +21,17 @@ namespace {
 using CSCD::Index;
 using CSCD::Search_outcome;
 using CSCD::Search_result;
+using CSCD::Surface_levels;
 using CSCD::internal::Coverage;
 using CSCD::internal::Source_sequence;
-using Finder = CSCD::Local_separator_finder<Levels_traits>;
-using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
+using CSCD::test::to_levels;
 
 TEST(Coverage, grows_around_separators_and_not_elsewhere)
 {
-  const Levels_traits traits(CSCD::test::tube(20, 1, 24, CSCD::test::Tube_end::flat));
-  const auto& surface = traits.levels().finest().surface;
-  Coverage coverage(traits.levels());
-  Finder find(traits);
+  const Surface_levels levels = to_levels(CSCD::test::tube(20, 1, 24, CSCD::test::Tube_end::flat));
+  const auto& surface = levels.finest().surface;
+  Coverage coverage(levels);
+  CSCD::Local_separator_finder find(levels);
   Search_result result;
   const Index source = CSCD::test::nearest_vertex(surface, {10, 0, 1});
   EXPECT_FALSE(coverage.is_covered(source));
@@ -49,9 +49,9 @@ TEST(Coverage, grows_around_separators_and_not_elsewhere)
 
 TEST(Coverage, covers_every_source_that_was_tried_in_vain)
 {
-  const Levels_traits traits(CSCD::test::sphere(4));
+  const Surface_levels levels = to_levels(CSCD::test::sphere(4));
   for (const Search_outcome outcome : {Search_outcome::no_cut, Search_outcome::bump, Search_outcome::degenerate}) {
-    Coverage coverage(traits.levels());
+    Coverage coverage(levels);
     Search_result result;
     result.outcome = outcome;
     result.loop_length = 1;
@@ -63,9 +63,9 @@ TEST(Coverage, covers_every_source_that_was_tried_in_vain)
 
 TEST(Source_sequence, tries_every_vertex_once_unless_it_is_covered)
 {
-  const Levels_traits traits(CSCD::test::sphere(3));
-  const Coverage nothing(traits.levels());
-  Source_sequence sources(traits.levels(), 3);
+  const Surface_levels levels = to_levels(CSCD::test::sphere(3));
+  const Coverage nothing(levels);
+  Source_sequence sources(levels, 3);
   std::vector<Index> batch;
   std::set<Index> seen;
   double progress = 0;
@@ -78,17 +78,17 @@ TEST(Source_sequence, tries_every_vertex_once_unless_it_is_covered)
     progress = sources.progress();
   }
   EXPECT_EQ(progress, 1);
-  EXPECT_EQ(seen.size(), traits.levels().finest().surface.number_of_vertices());
+  EXPECT_EQ(seen.size(), levels.finest().surface.number_of_vertices());
   sources.next_batch(nothing, 16, batch);
   EXPECT_TRUE(batch.empty());
 }
 
 TEST(Source_sequence, depends_on_the_seed_alone_and_is_scattered)
 {
-  const Levels_traits traits(CSCD::test::sphere(4));
-  const Coverage nothing(traits.levels());
+  const Surface_levels levels = to_levels(CSCD::test::sphere(4));
+  const Coverage nothing(levels);
   const auto first_sources = [&](unsigned seed) {
-    Source_sequence sources(traits.levels(), seed);
+    Source_sequence sources(levels, seed);
     std::vector<Index> batch;
     sources.next_batch(nothing, 64, batch);
     return batch;
@@ -96,7 +96,7 @@ TEST(Source_sequence, depends_on_the_seed_alone_and_is_scattered)
   EXPECT_EQ(first_sources(0), first_sources(0));
   EXPECT_NE(first_sources(0), first_sources(1));
   // Sources that are tried one after the other should lie far apart.
-  const auto& surface = traits.levels().finest().surface;
+  const auto& surface = levels.finest().surface;
   double mean = 0;
   const std::vector<Index> sources = first_sources(5);
   for (std::size_t i = 1; i < sources.size(); ++i) {
@@ -107,17 +107,17 @@ TEST(Source_sequence, depends_on_the_seed_alone_and_is_scattered)
 
 TEST(Source_sequence, passes_over_what_is_covered)
 {
-  const Levels_traits traits(CSCD::test::sphere(3));
-  Coverage coverage(traits.levels());
+  const Surface_levels levels = to_levels(CSCD::test::sphere(3));
+  Coverage coverage(levels);
   Search_result bump;
   bump.outcome = Search_outcome::degenerate;
   coverage.add(7, bump);
   ASSERT_TRUE(coverage.is_covered(7));
-  Source_sequence sources(traits.levels(), 0);
+  Source_sequence sources(levels, 0);
   std::vector<Index> batch;
   sources.next_batch(coverage, 100000, batch);
   EXPECT_EQ(std::count(batch.begin(), batch.end(), Index(7)), 0);
-  EXPECT_EQ(batch.size() + 1, traits.levels().finest().surface.number_of_vertices());
+  EXPECT_EQ(batch.size() + 1, levels.finest().surface.number_of_vertices());
 }
 
 } // namespace

@@ -3,30 +3,33 @@
 //
 // The search for separators: complete, bounded, and the same for any number of threads.
 
-#include "archetypes/Multiresolution_traits_archetype.h"
+#include "Traits/to_surface.h"
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Covering_search.h>
+#include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
-
-#include <CGAL/tags.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <vector>
 
 namespace {
 
+using CSCD::Index;
 using CSCD::Separator;
+using CSCD::Surface_levels;
 using CSCD::internal::Separator_search;
-using Levels_traits = CSCD::test::Multiresolution_traits_archetype;
-using Finder = CSCD::Local_separator_finder<Levels_traits>;
+using CSCD::test::to_levels;
 
 constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
@@ -38,13 +41,25 @@ struct Findings
   std::vector<double> progress;
 };
 
-template <class ConcurrencyTag>
-Findings search(const Levels_traits& traits, unsigned seed, unsigned number_of_threads, std::size_t most = no_limit)
+Separator_search make_search(const Surface_levels& levels, unsigned seed, unsigned number_of_threads)
+{
+  CSCD::Search_settings settings;
+  settings.random_seed = seed;
+  settings.number_of_threads = number_of_threads;
+  return Separator_search(levels, settings, [&levels]() -> CSCD::Separator_finder {
+    const auto finder = std::make_shared<CSCD::Local_separator_finder>(levels);
+    return [finder](Index source, Index level_hint, CSCD::Search_result& result) {
+      (*finder)(source, level_hint, result);
+    };
+  });
+}
+
+Findings search(const Surface_levels& levels, unsigned seed, unsigned number_of_threads,
+                std::size_t max_sources = no_limit)
 {
   Findings findings;
-  Separator_search<ConcurrencyTag, Finder> separator_search(traits.levels(), seed, number_of_threads,
-                                                            [&] { return Finder(traits); });
-  separator_search(most, findings.separators, findings.report,
+  Separator_search separator_search = make_search(levels, seed, number_of_threads);
+  separator_search(max_sources, findings.separators, findings.report,
                    [&](double fraction) { findings.progress.push_back(fraction); });
   return findings;
 }
@@ -73,14 +88,14 @@ void expect_equal(const Findings& a, const Findings& b)
 
 TEST(Separator_search, covers_the_surface)
 {
-  const Levels_traits traits(CSCD::test::y_tube(0.12));
-  const Findings findings = search<CGAL::Sequential_tag>(traits, 0, 1);
+  const Surface_levels levels = to_levels(CSCD::test::y_tube(0.12));
+  const Findings findings = search(levels, 0, 1);
   EXPECT_GT(findings.separators.size(), 10u);
   EXPECT_EQ(findings.report.number_of_sources, findings.separators.size() + findings.report.number_of_bumps +
                                                    findings.report.number_of_sources_without_cut);
   EXPECT_EQ(findings.report.number_of_plane_sections + findings.report.number_of_straightened_loops,
             findings.separators.size());
-  EXPECT_LT(findings.report.number_of_sources, traits.levels().finest().surface.number_of_vertices() / 4);
+  EXPECT_LT(findings.report.number_of_sources, levels.finest().surface.number_of_vertices() / 4);
   EXPECT_TRUE(std::is_sorted(findings.progress.begin(), findings.progress.end()));
 }
 
@@ -90,26 +105,26 @@ TEST(Separator_search, answers_the_same_for_every_number_of_threads)
   for (const CSCD::test::Shape& shape :
        {CSCD::test::hand(0.12), CSCD::test::noisy(CSCD::test::torus(3, 1, 64), 0.1, 1)}) {
     SCOPED_TRACE(shape.name);
-    const Levels_traits traits(shape);
-    const Findings sequential = search<CGAL::Sequential_tag>(traits, 5, 0);
+    const Surface_levels levels = to_levels(shape);
+    const Findings sequential = search(levels, 5, 1);
     EXPECT_GT(sequential.separators.size(), 5u);
-    expect_equal(sequential, search<CGAL::Sequential_tag>(traits, 5, 0));
+    expect_equal(sequential, search(levels, 5, 1));
     for (const unsigned number_of_threads : {1u, 2u, 3u}) {
       SCOPED_TRACE(number_of_threads);
-      expect_equal(sequential, search<CGAL::Parallel_tag>(traits, 5, number_of_threads));
+      expect_equal(sequential, search(levels, 5, number_of_threads));
     }
   }
 }
 
 TEST(Separator_search, tries_no_more_sources_than_allowed_and_the_same_ones)
 {
-  const Levels_traits traits(CSCD::test::hand(0.12));
-  const Findings all = search<CGAL::Sequential_tag>(traits, 0, 1);
-  for (const std::size_t most : {std::size_t(0), std::size_t(1), std::size_t(20)}) {
-    const Findings some = search<CGAL::Sequential_tag>(traits, 0, 1, most);
-    EXPECT_LE(some.report.number_of_sources, most);
-    EXPECT_LE(some.separators.size(), most);
-    expect_equal(some, search<CGAL::Parallel_tag>(traits, 0, 2, most));
+  const Surface_levels levels = to_levels(CSCD::test::hand(0.12));
+  const Findings all = search(levels, 0, 1);
+  for (const std::size_t max_sources : {std::size_t(0), std::size_t(1), std::size_t(20)}) {
+    const Findings some = search(levels, 0, 1, max_sources);
+    EXPECT_LE(some.report.number_of_sources, max_sources);
+    EXPECT_LE(some.separators.size(), max_sources);
+    expect_equal(some, search(levels, 0, 2, max_sources));
     for (std::size_t i = 0; i < std::min(some.separators.size(), std::size_t(10)); ++i) {
       EXPECT_EQ(some.separators[i].source, all.separators[i].source);
     }
@@ -118,8 +133,8 @@ TEST(Separator_search, tries_no_more_sources_than_allowed_and_the_same_ones)
 
 TEST(Separator_search, passes_on_what_the_progress_throws)
 {
-  const Levels_traits traits(CSCD::test::sphere(4));
-  Separator_search<CGAL::Parallel_tag, Finder> separator_search(traits.levels(), 0, 2, [&] { return Finder(traits); });
+  const Surface_levels levels = to_levels(CSCD::test::sphere(4));
+  Separator_search separator_search = make_search(levels, 0, 2);
   std::vector<Separator> separators;
   CSCD::Skeletonization_report report;
   EXPECT_THROW(separator_search(no_limit, separators, report, [](double) { throw std::runtime_error("stop"); }),

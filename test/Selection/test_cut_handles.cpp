@@ -6,7 +6,8 @@
 #include "Selection/Cut_surface.h"
 #include "Separator/is_closed_curve.h"
 #include "Separator/make_separator.h"
-#include "archetypes/Solid_traits_archetype.h"
+#include "Traits/to_surface.h"
+#include "support/Shape_solid.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Cut_graph.h>
@@ -32,21 +33,21 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::internal::Cut_graph;
 using CSCD::Edge_crossing;
-using CSCD::internal::Handle_loops;
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::internal::Separator_arrangement;
-using CSCD::internal::Separator_packing;
+using CSCD::Separator;
 using CSCD::Triangulated_surface;
 using CSCD::Vertex_loop;
+using CSCD::internal::Cut_graph;
+using CSCD::internal::Handle_loops;
+using CSCD::internal::Separator_arrangement;
+using CSCD::internal::Separator_packing;
 using CSCD::test::Cut_surface;
 using CSCD::test::section_separator;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
-using Traits = CSCD::test::Solid_traits_archetype;
+using CSCD::test::Shape_solid;
 
 /// Bodies with handles: thin and thick, few triangles and many, smooth and noisy, knotted, linked, apart.
 std::vector<Shape_maker> shapes_with_handles()
@@ -259,10 +260,10 @@ TEST(Handle_loops, are_of_the_handles_that_remain)
 }
 
 /// Expects that separators from `first_new` on are disjoint closed curves, all packed, and no handle is left.
-void expect_cuts_all_handles(const Traits& traits, const std::vector<Separator>& separators, std::size_t first_new,
+void expect_cuts_all_handles(const Shape_solid& solid, const std::vector<Separator>& separators, std::size_t first_new,
                              const Separator_packing& packing, const Shape& shape)
 {
-  const Triangulated_surface& surface = traits.levels().finest().surface;
+  const Triangulated_surface& surface = solid.surface();
   EXPECT_EQ(genus(packing.cut_graph()), 0u);
   EXPECT_EQ(packing.packed().size() + shape.number_of_components - packing.cut_graph().pieces().size(), shape.genus)
       << "the first Betti number of the graph of pieces";
@@ -285,31 +286,31 @@ class Cut_handles_of : public testing::TestWithParam<Shape_maker>
 TEST_P(Cut_handles_of, an_uncut_shape_cuts_all_of_them)
 {
   const Shape shape = GetParam().make();
-  const Traits traits(shape);
+  const Shape_solid solid(shape);
   std::vector<Separator> separators;
-  Separator_packing packing(traits.levels().finest().surface, separators, {});
+  Separator_packing packing(solid.surface(), separators, {});
   ASSERT_EQ(genus(packing.cut_graph()), shape.genus);
-  const std::size_t count = CSCD::internal::cut_handles(traits, separators, packing);
+  const std::size_t count = CSCD::internal::cut_handles(*solid, separators, packing);
   EXPECT_EQ(count, separators.size());
   EXPECT_EQ(count, shape.genus) << "one cut for each handle";
-  expect_cuts_all_handles(traits, separators, 0, packing, shape);
-  EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 0u) << "nothing is left to do";
+  expect_cuts_all_handles(solid, separators, 0, packing, shape);
+  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 0u) << "nothing is left to do";
 }
 
 TEST_P(Cut_handles_of, a_shape_cut_in_part_cuts_the_others)
 {
   const Shape shape = GetParam().make();
-  const Traits traits(shape);
-  const Triangulated_surface& surface = traits.levels().finest().surface;
+  const Shape_solid solid(shape);
+  const Triangulated_surface& surface = solid.surface();
   std::vector<Separator> all;
   Separator_packing packing_of_all(surface, all, {});
-  CSCD::internal::cut_handles(traits, all, packing_of_all);
+  CSCD::internal::cut_handles(*solid, all, packing_of_all);
   for (std::size_t size = 1; size <= all.size(); ++size) {
     std::vector<Separator> separators(all.begin(), all.begin() + std::ptrdiff_t(size));
     Separator_packing packing(surface, separators, std::vector<double>(size));
     ASSERT_EQ(genus(packing.cut_graph()), shape.genus - size);
-    EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), shape.genus - size);
-    expect_cuts_all_handles(traits, separators, size, packing, shape);
+    EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), shape.genus - size);
+    expect_cuts_all_handles(solid, separators, size, packing, shape);
   }
 }
 
@@ -318,24 +319,24 @@ INSTANTIATE_TEST_SUITE_P(All, Cut_handles_of, testing::ValuesIn(shapes_with_hand
 TEST(cut_handles, cuts_across_the_body_not_around_its_holes)
 {
   const Shape shape = CSCD::test::ladder(4, 0.15);
-  const Traits traits(shape);
+  const Shape_solid solid(shape);
   std::vector<Separator> separators;
-  Separator_packing packing(traits.levels().finest().surface, separators, {});
-  CSCD::internal::cut_handles(traits, separators, packing);
+  Separator_packing packing(solid.surface(), separators, {});
+  CSCD::internal::cut_handles(*solid, separators, packing);
   const double way_around_a_hole = 4 * (2 - 2 * 0.35);
   for (const Separator& separator : separators) {
-    EXPECT_LT(separator.length, way_around_a_hole);
+    EXPECT_LT(separator.length * solid.unit(), way_around_a_hole);
   }
 }
 
 TEST(cut_handles, adds_nothing_where_the_separators_cut_all)
 {
   const Shape shape = CSCD::test::torus(3, 1, 24);
-  const Traits traits(shape);
-  const Triangulated_surface& surface = traits.levels().finest().surface;
-  std::vector<Separator> separators{section_separator(surface, {0, 0, 0}, {1, 0.03, 0}, {0, 3, 1})};
+  const Shape_solid solid(shape);
+  const Triangulated_surface& surface = solid.surface();
+  std::vector<Separator> separators{section_separator(surface, solid.at(0, 0, 0), {1, 0.03, 0}, solid.at(0, 3, 1))};
   Separator_packing packing(surface, separators, {1});
-  EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 0u);
+  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 0u);
   EXPECT_EQ(separators.size(), 1u);
   EXPECT_EQ(packing.packed(), std::vector<Index>{0});
 }
@@ -343,25 +344,25 @@ TEST(cut_handles, adds_nothing_where_the_separators_cut_all)
 TEST(cut_handles, keeps_the_separators_that_are_there)
 {
   const Shape shape = CSCD::test::ladder(3, 0.15);
-  const Traits traits(shape);
-  const Triangulated_surface& surface = traits.levels().finest().surface;
-  std::vector<Separator> separators{section_separator(surface, {0, 1.03, 0}, {0, 1, 0}, {0, 1.03, 0}),
-                                    section_separator(surface, {3.03, 0, 0}, {1, 0, 0}, {3.03, 0, 0})};
+  const Shape_solid solid(shape);
+  const Triangulated_surface& surface = solid.surface();
+  std::vector<Separator> separators{section_separator(surface, solid.at(0, 1.03, 0), {0, 1, 0}, solid.at(0, 1.03, 0)),
+                                    section_separator(surface, solid.at(3.03, 0, 0), {1, 0, 0}, solid.at(3.03, 0, 0))};
   Separator_packing packing(surface, separators, {1, 2});
   ASSERT_EQ(genus(packing.cut_graph()), 1u);
-  EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 1u);
+  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 1u);
   EXPECT_EQ(separators.size(), 3u);
   EXPECT_EQ(packing.packed()[0], 0u);
   EXPECT_EQ(packing.packed()[1], 1u);
-  expect_cuts_all_handles(traits, separators, 2, packing, shape);
+  expect_cuts_all_handles(solid, separators, 2, packing, shape);
 }
 
 TEST(cut_handles, leaves_a_body_without_handles_alone)
 {
-  const Traits traits(CSCD::test::y_tube(0.25));
+  const Shape_solid solid(CSCD::test::y_tube(0.25));
   std::vector<Separator> separators;
-  Separator_packing packing(traits.levels().finest().surface, separators, {});
-  EXPECT_EQ(CSCD::internal::cut_handles(traits, separators, packing), 0u);
+  Separator_packing packing(solid.surface(), separators, {});
+  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 0u);
   EXPECT_TRUE(separators.empty());
 }
 

@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From packed separators to placed nodes on a tube: regions, pieces, nodes, refinement, repair, and the sites of each
-// node.
+// From packed separators to placed nodes on a tube: regions, pieces, nodes, refinement, repair, and the vertices of
+// each node.
 
 #include "Separator/make_separator.h"
-#include "support/convert_shape.h"
+#include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
-#include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
-#include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector_3.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
 
@@ -29,12 +25,11 @@
 
 namespace {
 
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-using CSCD::Separator;
 using CSCD::Index;
+using CSCD::Separator;
 using CSCD::Skeleton_builder;
 using CSCD::Vector_3;
+using CSCD::test::Shape_solid;
 
 /// A capsule with sections across it; in normalized coordinates, as all that is tested here.
 class Node_placement : public testing::Test
@@ -43,7 +38,7 @@ protected:
   Node_placement()
   {
     for (double x : {1.01, 3.02, 5.03}) {
-      m_separators.push_back(CSCD::test::section_separator(m_traits.surface(), at(x), {1, 0, 0}, at(x)));
+      m_separators.push_back(CSCD::test::section_separator(m_solid.surface(), at(x), {1, 0, 0}, at(x)));
       m_weights.push_back(x);
     }
   }
@@ -51,16 +46,15 @@ protected:
   /// The point of the axis at `x` in the coordinates of the shape, from 0 to 6.
   Vector_3 at(double x) const { return {(x - 3) / m_unit, 0, 0}; }
 
-  Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::capsule(6, 1, 24));
-  Traits m_traits{m_mesh};
-  double m_unit = m_traits.to_input_length(1);
+  Shape_solid m_solid{CSCD::test::capsule(6, 1, 24)};
+  double m_unit = m_solid.unit();
   std::vector<Separator> m_separators;
   std::vector<double> m_weights;
 };
 
 TEST_F(Node_placement, regions_are_of_the_nearest_separator)
 {
-  const CSCD::internal::Surface_regions regions(m_traits.levels(), m_separators, {0, 1, 2},
+  const CSCD::internal::Surface_regions regions(m_solid->levels(), m_separators, {0, 1, 2},
                                                 CSCD::internal::Surface_regions::precise_size);
   const auto& surface = regions.level().surface;
   for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
@@ -80,8 +74,8 @@ TEST_F(Node_placement, regions_are_of_the_nearest_separator)
 
 TEST_F(Node_placement, pieces_hold_each_vertex_once)
 {
-  const CSCD::internal::Separator_packing packing(m_traits.surface(), m_separators, m_weights);
-  const CSCD::internal::Surface_regions regions(m_traits.levels(), m_separators, packing.packed(),
+  const CSCD::internal::Separator_packing packing(m_solid.surface(), m_separators, m_weights);
+  const CSCD::internal::Surface_regions regions(m_solid->levels(), m_separators, packing.packed(),
                                                 CSCD::internal::Surface_regions::precise_size);
   const CSCD::internal::Surface_pieces pieces(packing.cut_graph(), regions);
   std::vector<int> times(regions.level().surface.number_of_vertices(), 0);
@@ -102,17 +96,17 @@ TEST_F(Node_placement, pieces_hold_each_vertex_once)
 
 TEST_F(Node_placement, gives_a_path_with_tips_on_the_axis)
 {
-  const CSCD::internal::Separator_packing packing(m_traits.surface(), m_separators, m_weights);
-  CSCD::internal::Node_placement<Traits> placement(m_traits, m_separators, packing.packed(), packing.cut_graph());
+  const CSCD::internal::Separator_packing packing(m_solid.surface(), m_separators, m_weights);
+  CSCD::internal::Node_placement placement(*m_solid, m_separators, packing.packed(), packing.cut_graph());
   Skeleton_builder builder = placement();
   ASSERT_EQ(builder.size(), 5u);
   for (Index node = 0; node < builder.size(); ++node) {
     EXPECT_LT(m_unit * std::hypot(builder[node].position.y(), builder[node].position.z()), 0.05);
     EXPECT_NEAR(m_unit * builder[node].radius, 1, 0.05);
-    EXPECT_TRUE(m_traits.is_inside(builder[node].position));
+    EXPECT_TRUE(m_solid->is_inside(builder[node].position));
     EXPECT_EQ(builder.degree(node), builder[node].separators.empty() ? 1u : 2u);
   }
-  CSCD::internal::Branch_refinement<Traits>(m_traits, builder)();
+  CSCD::internal::Branch_refinement(*m_solid, builder)();
   builder.compact();
   EXPECT_GT(builder.size(), 8u);
   std::size_t edges = 0;
@@ -124,13 +118,13 @@ TEST_F(Node_placement, gives_a_path_with_tips_on_the_axis)
   for (Index node = 0; node < builder.size(); ++node) {
     EXPECT_LT(m_unit * std::hypot(builder[node].position.y(), builder[node].position.z()), 0.05);
   }
-  // Every site belongs to the nearest node, and the radius is that of the capsule.
-  const CSCD::internal::Vertex_assignment<Traits> assignment(m_traits, packing.cut_graph(), builder);
-  for (Index site = 0; site < m_traits.number_of_sites(); ++site) {
-    ASSERT_LT(assignment.node(site), builder.size());
-    const double distance = (builder[assignment.node(site)].position - m_traits.point(site)).norm();
+  // Every vertex belongs to the nearest node, and the radius is that of the capsule.
+  const CSCD::internal::Vertex_assignment assignment(m_solid.surface(), packing.cut_graph(), builder);
+  for (Index vertex = 0; vertex < m_solid.surface().number_of_vertices(); ++vertex) {
+    ASSERT_LT(assignment.node(vertex), builder.size());
+    const double distance = (builder[assignment.node(vertex)].position - m_solid.surface().point(vertex)).norm();
     for (Index node = 0; node < builder.size(); ++node) {
-      ASSERT_LE(distance, (builder[node].position - m_traits.point(site)).norm() + 1e-12);
+      ASSERT_LE(distance, (builder[node].position - m_solid.surface().point(vertex)).norm() + 1e-12);
     }
   }
   for (Index node = 0; node < builder.size(); ++node) {
@@ -141,13 +135,13 @@ TEST_F(Node_placement, gives_a_path_with_tips_on_the_axis)
 
 TEST_F(Node_placement, gives_a_component_without_separators_a_node_inside)
 {
-  const CSCD::internal::Separator_packing packing(m_traits.surface(), {}, {});
+  const CSCD::internal::Separator_packing packing(m_solid.surface(), {}, {});
   const std::vector<Separator> none;
-  CSCD::internal::Node_placement<Traits> placement(m_traits, none, packing.packed(), packing.cut_graph());
+  CSCD::internal::Node_placement placement(*m_solid, none, packing.packed(), packing.cut_graph());
   const Skeleton_builder builder = placement();
   EXPECT_EQ(builder.size(), 3u) << "a node in the middle and two tips, since the body is long";
   for (Index node = 0; node < builder.size(); ++node) {
-    EXPECT_TRUE(m_traits.is_inside(builder[node].position));
+    EXPECT_TRUE(m_solid->is_inside(builder[node].position));
   }
 }
 
@@ -159,7 +153,7 @@ TEST_F(Node_placement, centers_a_junction_in_the_body)
     builder.add_edge(junction, builder.add_node(at(x), 1 / m_unit));
   }
   const Vector_3 tip = builder[1].position;
-  CSCD::internal::center_junctions(m_traits, builder);
+  CSCD::internal::center_junctions(*m_solid, builder);
   EXPECT_LT(m_unit * std::hypot(builder[junction].position.y(), builder[junction].position.z()), 0.1);
   EXPECT_NEAR(m_unit * builder[junction].radius, 1, 0.1);
   EXPECT_EQ(builder[1].position, tip) << "only junctions move";
@@ -167,14 +161,10 @@ TEST_F(Node_placement, centers_a_junction_in_the_body)
 
 TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
 {
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::bent_tube(3, 3, 0.6, 24));
-  const Traits traits(mesh);
-  const double unit = traits.to_input_length(1);
-  // The traits center the shape: seek the middle of the bend and its ends by their nearest sites.
-  const auto origin = traits.to_input_point(Vector_3::Zero());
+  const Shape_solid solid(CSCD::test::bent_tube(3, 3, 0.6, 24));
+  const double unit = solid.unit();
   const auto normalized = [&](double angle, double radius) {
-    return Vector_3((radius * std::cos(angle) - origin.x()) / unit, (radius * std::sin(angle) - origin.y()) / unit,
-                    (0 - origin.z()) / unit);
+    return solid.at(radius * std::cos(angle), radius * std::sin(angle), 0);
   };
   Skeleton_builder builder;
   const Index first = builder.add_node(normalized(0.2, 3), 0.6 / unit);
@@ -182,8 +172,8 @@ TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
   const Index last = builder.add_node(normalized(2.8, 3), 0.6 / unit);
   builder.add_edge(first, outside);
   builder.add_edge(outside, last);
-  ASSERT_FALSE(traits.is_inside(builder[outside].position));
-  CSCD::internal::Inside_repair<Traits> repair(traits, builder);
+  ASSERT_FALSE(solid->is_inside(builder[outside].position));
+  CSCD::internal::Inside_repair repair(*solid, builder);
   EXPECT_EQ(repair.number_of_nodes_outside(), 1u);
   EXPECT_EQ(repair.number_of_edges_outside(), 2u);
   repair();

@@ -4,7 +4,7 @@
 // The quotient graph of regions and the skeleton built of it.
 
 #include "Traits/to_surface.h"
-#include "archetypes/Skeletonization_traits_archetype.h"
+#include "support/Shape_solid.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Local_policies.h>
@@ -18,8 +18,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-
-#include <CGAL/tags.h>
 
 #include <gtest/gtest.h>
 
@@ -42,7 +40,7 @@ using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::internal::Quotient_graph;
 using CSCD::test::Shape;
-using CSCD::test::Skeletonization_traits_archetype;
+using CSCD::test::Shape_solid;
 using Meetings = std::vector<std::vector<Index>>;
 
 struct Outcome
@@ -68,16 +66,14 @@ struct Outcome
 };
 
 /// The skeleton of the regions of packed local separators.
-Outcome skeletonize(const Skeletonization_traits_archetype& traits)
+Outcome skeletonize(const CSCD::Triangulated_solid& solid)
 {
   Outcome outcome;
-  const CSCD::Local_policies<Skeletonization_traits_archetype> policies;
   const std::vector<Separator> separators =
-      policies.find_separators<CGAL::Sequential_tag>(traits, CSCD::Search_settings(), outcome.report, [](double) {});
-  const CSCD::internal::Region_packing packing(traits, separators, outcome.report);
+      CSCD::Local_policies().find_separators(solid, CSCD::Search_settings(), outcome.report, [](double) {});
+  const CSCD::internal::Region_packing packing(solid, separators, outcome.report);
   outcome.number_of_packed = packing.packed().size();
-  outcome.skeleton = CSCD::internal::Quotient_skeleton_builder<Skeletonization_traits_archetype>(
-      traits, packing.regions())(outcome.report);
+  outcome.skeleton = CSCD::internal::Quotient_skeleton_builder(solid, packing.regions())(outcome.report);
   return outcome;
 }
 
@@ -85,27 +81,27 @@ class Quotient_skeleton_test : public testing::TestWithParam<CSCD::test::Shape_m
 {
 };
 
-TEST_P(Quotient_skeleton_test, has_the_topology_of_the_shape_and_partitions_the_sites)
+TEST_P(Quotient_skeleton_test, has_the_topology_of_the_shape_and_partitions_the_vertices)
 {
   const Shape shape = GetParam().make();
-  const Skeletonization_traits_archetype traits(shape);
-  const Outcome outcome = skeletonize(traits);
-  EXPECT_EQ(outcome.number_of_components(), traits.number_of_components());
-  EXPECT_EQ(outcome.betti_number(), traits.genus());
+  const Shape_solid solid(shape);
+  const Outcome outcome = skeletonize(*solid);
+  EXPECT_EQ(outcome.number_of_components(), solid->number_of_components());
+  EXPECT_EQ(outcome.betti_number(), solid->genus());
   EXPECT_EQ(outcome.report.number_of_nodes_outside, 0u);
   EXPECT_EQ(outcome.report.number_of_edges_outside, 0u);
-  ASSERT_EQ(outcome.skeleton.node_of_vertex.size(), traits.number_of_sites());
+  ASSERT_EQ(outcome.skeleton.node_of_vertex.size(), solid.surface().number_of_vertices());
   ASSERT_EQ(outcome.skeleton.radius.size(), outcome.skeleton.graph.size());
-  std::vector<std::size_t> number_of_sites(outcome.skeleton.graph.size(), 0);
+  std::vector<std::size_t> number_of_vertices(outcome.skeleton.graph.size(), 0);
   for (Index node : outcome.skeleton.node_of_vertex) {
-    ++number_of_sites.at(node);
+    ++number_of_vertices.at(node);
   }
-  std::size_t number_of_nodes_with_sites = 0;
+  std::size_t number_of_nodes_with_vertices = 0;
   for (Index node = 0; node < outcome.skeleton.graph.size(); ++node) {
     EXPECT_GT(outcome.skeleton.radius[node], 0);
-    number_of_nodes_with_sites += number_of_sites[node] > 0 ? 1 : 0;
+    number_of_nodes_with_vertices += number_of_vertices[node] > 0 ? 1 : 0;
   }
-  EXPECT_GE(number_of_nodes_with_sites, outcome.number_of_packed);
+  EXPECT_GE(number_of_nodes_with_vertices, outcome.number_of_packed);
 }
 
 INSTANTIATE_TEST_SUITE_P(Known, Quotient_skeleton_test, testing::ValuesIn(CSCD::test::shapes_with_known_skeleton()),
@@ -113,17 +109,17 @@ INSTANTIATE_TEST_SUITE_P(Known, Quotient_skeleton_test, testing::ValuesIn(CSCD::
 
 TEST(Quotient_skeleton, of_a_tube_is_centred_and_has_its_radius)
 {
-  const Skeletonization_traits_archetype traits(CSCD::test::tube(12, 1, 32, CSCD::test::Tube_end::flat));
-  const Outcome outcome = skeletonize(traits);
+  const Shape_solid solid(CSCD::test::tube(12, 1, 32, CSCD::test::Tube_end::flat));
+  const Outcome outcome = skeletonize(*solid);
   ASSERT_GE(outcome.skeleton.graph.size(), 8u);
   double sum = 0;
   for (Index node = 0; node < outcome.skeleton.graph.size(); ++node) {
-    const auto point = traits.to_input_point(outcome.skeleton.graph[node].position);
+    const Vector_3 point = solid.to_shape(outcome.skeleton.graph[node].position);
     const double offset = std::hypot(point.y(), point.z());
     sum += offset;
     if (point.x() > 1.5 && point.x() < 10.5) {
       EXPECT_LT(offset, 0.25) << "the borders of regions between separators that are not parallel are slanted";
-      EXPECT_NEAR(traits.to_input_length(outcome.skeleton.radius[node]), 1, 0.1);
+      EXPECT_NEAR(solid.unit() * outcome.skeleton.radius[node], 1, 0.1);
     }
   }
   EXPECT_LT(sum / outcome.skeleton.graph.size(), 0.1);
@@ -131,14 +127,13 @@ TEST(Quotient_skeleton, of_a_tube_is_centred_and_has_its_radius)
 
 TEST(Quotient_skeleton, of_what_has_no_separator_is_a_node)
 {
-  const Skeletonization_traits_archetype traits(CSCD::test::tetrahedron());
+  const Shape_solid solid(CSCD::test::tetrahedron());
   Skeletonization_report report;
-  const CSCD::internal::Region_packing packing(traits, {}, report);
-  const Embedded_skeleton skeleton =
-      CSCD::internal::Quotient_skeleton_builder<Skeletonization_traits_archetype>(traits, packing.regions())(report);
+  const CSCD::internal::Region_packing packing(*solid, {}, report);
+  const Embedded_skeleton skeleton = CSCD::internal::Quotient_skeleton_builder(*solid, packing.regions())(report);
   ASSERT_EQ(skeleton.graph.size(), 1u);
-  EXPECT_TRUE(traits.is_inside(skeleton.graph[0].position));
-  EXPECT_EQ(skeleton.node_of_vertex, std::vector<Index>(traits.number_of_sites(), 0));
+  EXPECT_TRUE(solid->is_inside(skeleton.graph[0].position));
+  EXPECT_EQ(skeleton.node_of_vertex, std::vector<Index>(solid.surface().number_of_vertices(), 0));
 }
 
 /// The regions that `region(point)` makes of the vertices.

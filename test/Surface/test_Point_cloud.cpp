@@ -5,11 +5,12 @@
 
 #include "support/sampling.h"
 #include "support/shapes.h"
+#include <CSCD/Surface/Cloud_sampling.h>
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Surface/Cloud_sampling.h>
-#include <CSCD/exceptions.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>

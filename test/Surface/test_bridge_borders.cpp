@@ -30,7 +30,7 @@ struct Bridged
 {
   explicit Bridged(Indexed_triangles input) : triangles(std::move(input))
   {
-    const auto pairing = CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex; });
+    const auto pairing = CSCD::check_manifold(triangles, [](Index vertex) { return vertex; });
     number_of_borders = CSCD::internal::bridge_borders(triangles, pairing);
   }
 

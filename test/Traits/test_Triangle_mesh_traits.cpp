@@ -7,7 +7,12 @@
 #include "support/Similarity.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -45,6 +50,13 @@ Mesh to_mesh(const Shape& shape)
   return CSCD::test::to_mesh<Mesh>(shape);
 }
 
+CSCD::Skeletonization_report description(const Traits& traits)
+{
+  CSCD::Skeletonization_report report;
+  traits.describe_input(report);
+  return report;
+}
+
 TEST(Triangle_mesh_traits, counts_what_the_shapes_are_known_to_have)
 {
   std::vector<CSCD::test::Shape_maker> makers;
@@ -57,40 +69,46 @@ TEST(Triangle_mesh_traits, counts_what_the_shapes_are_known_to_have)
     SCOPED_TRACE(shape.name);
     const Mesh mesh = to_mesh(shape);
     const Traits traits(mesh);
-    EXPECT_EQ(traits.number_of_components(), shape.number_of_components);
-    EXPECT_EQ(traits.genus(), shape.genus);
-    EXPECT_EQ(traits.number_of_bridged_borders(), shape.number_of_border_cycles);
-    EXPECT_EQ(traits.is_closed_input(), shape.is_closed());
-    EXPECT_EQ(traits.number_of_input_vertices(), shape.points.size());
-    EXPECT_EQ(traits.number_of_sites(), shape.points.size() + traits.number_of_inserted_vertices());
-    EXPECT_EQ(traits.number_of_isolated_vertices(), 0u);
-    EXPECT_EQ(traits.number_of_degenerate_faces(), 0u);
+    const CSCD::Skeletonization_report report = description(traits);
+    EXPECT_EQ(report.number_of_surface_components, shape.number_of_components);
+    EXPECT_EQ(report.genus, shape.genus);
+    EXPECT_EQ(report.number_of_bridged_borders, shape.number_of_border_cycles);
+    EXPECT_EQ(report.number_of_input_vertices, shape.points.size());
+    EXPECT_EQ(traits.surface().triangulation().number_of_vertices(),
+              shape.points.size() + report.number_of_inserted_vertices);
+    EXPECT_EQ(report.number_of_isolated_vertices, 0u);
+    EXPECT_EQ(report.number_of_degenerate_faces, 0u);
+    EXPECT_EQ(report.number_of_levels, traits.surface().levels().size());
+    EXPECT_EQ(report.warnings.empty(), shape.is_closed());
   }
 }
 
-TEST(Triangle_mesh_traits, maps_sites_to_vertices)
+TEST(Triangle_mesh_traits, maps_vertices_to_those_of_the_mesh)
 {
   const Shape shape = CSCD::test::merged("two", {CSCD::test::noisy(CSCD::test::beam(), 0.01, 1),
                                                  CSCD::test::translated(CSCD::test::sphere(2), {3, 3, 9})});
   const Mesh mesh = to_mesh(shape);
   const Traits traits(mesh);
-  ASSERT_GT(traits.number_of_inserted_vertices(), 0u);
+  ASSERT_GT(traits.surface().number_of_inserted_vertices(), 0u);
+  const CSCD::Triangulated_surface& surface = traits.surface().triangulation();
   std::set<Mesh::Vertex_index> seen;
-  double weight = 0;
-  Index inserted = CSCD::no_index;
-  for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    weight += traits.weight(site);
-    if (traits.is_input_vertex(site)) {
-      EXPECT_TRUE(seen.insert(traits.descriptor(site)).second);
-      const Point expected = mesh.point(traits.descriptor(site));
-      EXPECT_LT(std::sqrt(CGAL::squared_distance(traits.to_input_point(traits.point(site)), expected)), 1e-13 * 20);
+  double area = 0;
+  std::size_t number_of_inserted_vertices = 0;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    area += double(surface.vertex_area(vertex));
+    const auto descriptors = traits.descriptors(vertex);
+    if (descriptors.empty()) {
+      ++number_of_inserted_vertices;
     } else {
-      inserted = site;
+      ASSERT_EQ(descriptors.size(), 1u);
+      EXPECT_TRUE(seen.insert(*descriptors.begin()).second);
+      const Point expected = mesh.point(*descriptors.begin());
+      EXPECT_LT(std::sqrt(CGAL::squared_distance(traits.to_input_point(surface.point(vertex)), expected)), 1e-13 * 20);
     }
   }
   EXPECT_EQ(seen.size(), shape.points.size());
-  EXPECT_THROW(traits.descriptor(inserted), CGAL::Precondition_exception);
-  EXPECT_NEAR(weight, 1, 1e-4);
+  EXPECT_EQ(number_of_inserted_vertices, traits.surface().number_of_inserted_vertices());
+  EXPECT_NEAR(area, 1, 1e-4);
 }
 
 TEST(Triangle_mesh_traits, keeps_lengths_in_proportion)
@@ -102,35 +120,15 @@ TEST(Triangle_mesh_traits, keeps_lengths_in_proportion)
   EXPECT_NEAR(center.x(), 50, 1e-9);
 }
 
-TEST(Triangle_mesh_traits, lists_neighbors_and_triangles)
-{
-  const Mesh mesh = to_mesh(CSCD::test::torus(3, 1, 24));
-  const Traits traits(mesh);
-  std::set<std::pair<Index, Index>> edges;
-  for (Index f = 0; f < traits.number_of_triangles(); ++f) {
-    const auto corner = traits.triangle(f);
-    for (std::size_t k = 0; k < 3; ++k) {
-      EXPECT_TRUE(edges.insert({corner[k], corner[(k + 1) % 3]}).second);
-    }
-  }
-  std::size_t number = 0;
-  for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    for (Index neighbor : traits.neighbors(site)) {
-      EXPECT_EQ(edges.count({site, neighbor}), 1u);
-      ++number;
-    }
-  }
-  EXPECT_EQ(number, edges.size());
-}
-
 TEST(Triangle_mesh_traits, numbers_components_by_area)
 {
   const Mesh mesh = to_mesh(
       CSCD::test::merged("two", {CSCD::test::cube(), CSCD::test::translated(CSCD::test::sphere(4), {9, 0, 0})}));
   const Traits traits(mesh);
-  for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    const bool is_sphere = traits.to_input_point(traits.point(site)).x() > 5;
-    ASSERT_EQ(traits.component(site), is_sphere ? 0u : 1u);
+  const CSCD::Triangulated_surface& surface = traits.surface().triangulation();
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    const bool is_sphere = traits.to_input_point(surface.point(vertex)).x() > 5;
+    ASSERT_EQ(traits.surface().component(vertex), is_sphere ? 0u : 1u);
   }
 }
 
@@ -138,19 +136,22 @@ TEST(Triangle_mesh_traits, turns_bodies_that_look_inwards)
 {
   const Mesh mesh = to_mesh(CSCD::test::reversed(CSCD::test::sphere(3)));
   const Traits traits(mesh);
-  EXPECT_EQ(traits.number_of_reversed_components(), 1u);
-  for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    ASSERT_GT(traits.normal(site).dot(traits.point(site)), 0);
+  EXPECT_EQ(traits.surface().number_of_reversed_components(), 1u);
+  const CSCD::Triangulated_surface& surface = traits.surface().triangulation();
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    ASSERT_GT(surface.vertex_normal(vertex).dot(surface.point(vertex)), 0);
   }
 }
 
 /// Equal to the last bit.
 void expect_equal_surfaces(const Traits& a, const Traits& b)
 {
-  ASSERT_EQ(a.number_of_sites(), b.number_of_sites());
-  EXPECT_EQ(a.surface().points(), b.surface().points());
-  for (Index f = 0; f < a.number_of_triangles(); ++f) {
-    ASSERT_EQ(a.triangle(f), b.triangle(f));
+  const CSCD::Triangulated_surface& p = a.surface().triangulation();
+  const CSCD::Triangulated_surface& q = b.surface().triangulation();
+  ASSERT_EQ(p.points(), q.points());
+  ASSERT_EQ(p.number_of_halfedges(), q.number_of_halfedges());
+  for (Index halfedge = 0; halfedge < p.number_of_halfedges(); ++halfedge) {
+    ASSERT_EQ(p.origin(halfedge), q.origin(halfedge));
   }
 }
 
@@ -179,15 +180,15 @@ TEST(Triangle_mesh_traits, does_not_depend_on_the_pose_beyond_rounding)
   const Mesh moved_mesh = to_mesh(CSCD::test::moved(shape, similarity));
   const Traits traits(mesh);
   const Traits moved(moved_mesh);
-  ASSERT_EQ(traits.number_of_sites(), moved.number_of_sites());
-  for (Index site = 0; site < traits.number_of_sites(); ++site) {
-    ASSERT_EQ(traits.is_input_vertex(site), moved.is_input_vertex(site));
-    if (traits.is_input_vertex(site)) {
-      ASSERT_EQ(traits.descriptor(site), moved.descriptor(site));
-    }
-    const Point p = traits.to_input_point(traits.point(site));
+  const CSCD::Triangulated_surface& surface = traits.surface().triangulation();
+  const CSCD::Triangulated_surface& moved_surface = moved.surface().triangulation();
+  ASSERT_EQ(surface.number_of_vertices(), moved_surface.number_of_vertices());
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    ASSERT_TRUE(std::equal(traits.descriptors(vertex).begin(), traits.descriptors(vertex).end(),
+                           moved.descriptors(vertex).begin(), moved.descriptors(vertex).end()));
+    const Point p = traits.to_input_point(surface.point(vertex));
     const Vector_3 expected = to_vector(similarity({p.x(), p.y(), p.z()}));
-    const Point q = moved.to_input_point(moved.point(site));
+    const Point q = moved.to_input_point(moved_surface.point(vertex));
     ASSERT_LT((expected - to_vector({q.x(), q.y(), q.z()})).norm(), 1e-12 * 2e7);
   }
 }
@@ -201,33 +202,34 @@ TEST(Triangle_mesh_traits, reads_other_mesh_types_alike)
   const Traits traits(mesh);
   const CSCD::Triangle_mesh_traits polyhedron_traits(polyhedron);
   const CSCD::Triangle_mesh_traits exact_traits(exact);
-  EXPECT_EQ(traits.surface().points(), polyhedron_traits.surface().points());
-  EXPECT_EQ(traits.surface().points(), exact_traits.surface().points());
-  const CGAL::Epeck::Point_3 point = exact_traits.to_input_point(exact_traits.point(0));
-  EXPECT_NEAR(CGAL::to_double(point.x()), traits.to_input_point(traits.point(0)).x(), 1e-12);
+  EXPECT_EQ(traits.surface().triangulation().points(), polyhedron_traits.surface().triangulation().points());
+  EXPECT_EQ(traits.surface().triangulation().points(), exact_traits.surface().triangulation().points());
+  const CGAL::Epeck::Point_3 point = exact_traits.to_input_point(exact_traits.surface().triangulation().point(0));
+  EXPECT_NEAR(CGAL::to_double(point.x()), traits.to_input_point(traits.surface().triangulation().point(0)).x(), 1e-12);
 }
 
 TEST(Triangle_mesh_traits, answers_queries_from_several_threads)
 {
   const Mesh mesh = to_mesh(CSCD::test::sphere(4));
   const Traits traits(mesh);
+  const CSCD::Triangulated_solid& solid = traits.surface();
   std::vector<std::size_t> inside(4, 0);
   std::vector<std::thread> threads;
   for (std::size_t& count : inside) {
-    threads.emplace_back([&traits, &count] {
-      for (Index site = 0; site < traits.number_of_sites(); ++site) {
-        count += traits.is_inside(0.9 * traits.point(site)) && !traits.is_inside(1.1 * traits.point(site));
+    threads.emplace_back([&solid, &count] {
+      for (const Vector_3& point : solid.triangulation().points()) {
+        count += solid.is_inside(0.9 * point) && !solid.is_inside(1.1 * point);
       }
     });
   }
   for (std::thread& thread : threads) {
     thread.join();
   }
-  EXPECT_EQ(inside, std::vector<std::size_t>(4, traits.number_of_sites()));
-  const auto hit = traits.first_hit(Vector_3::Zero(), {0, 0, 1});
+  EXPECT_EQ(inside, std::vector<std::size_t>(4, solid.triangulation().number_of_vertices()));
+  const auto hit = solid.first_hit(Vector_3::Zero(), {0, 0, 1});
   ASSERT_TRUE(hit);
   EXPECT_NEAR(traits.to_input_length(hit->distance), 1, 0.01);
-  EXPECT_NEAR(traits.to_input_length(traits.closest_point(Vector_3::Zero()).point.norm()), 1, 0.01);
+  EXPECT_NEAR(traits.to_input_length(solid.closest_point(Vector_3::Zero()).point.norm()), 1, 0.01);
 }
 
 TEST(Triangle_mesh_traits, takes_the_smallest_surfaces)
@@ -240,9 +242,9 @@ TEST(Triangle_mesh_traits, takes_the_smallest_surfaces)
     shape.triangles = triangles;
     const Mesh mesh = to_mesh(shape);
     const Traits traits(mesh);
-    EXPECT_EQ(traits.number_of_bridged_borders(), 1u);
-    EXPECT_EQ(traits.genus(), 0u);
-    EXPECT_NEAR(traits.surface().total_area(), 1, 1e-12);
+    EXPECT_EQ(traits.surface().number_of_bridged_borders(), 1u);
+    EXPECT_EQ(traits.surface().genus(), 0u);
+    EXPECT_NEAR(traits.surface().triangulation().total_area(), 1, 1e-12);
   }
 }
 
@@ -256,7 +258,7 @@ TEST(Triangle_mesh_traits, counts_degenerate_faces)
     }
   }
   const Traits traits(mesh);
-  EXPECT_EQ(traits.number_of_degenerate_faces(), 2u);
+  EXPECT_EQ(traits.surface().number_of_degenerate_faces(), 2u);
 }
 
 TEST(Triangle_mesh_traits, refuses_surfaces_without_extent_or_area)
@@ -277,9 +279,9 @@ TEST(Triangle_mesh_traits, takes_coordinates_whose_squares_overflow)
   for (double factor : {1e-200, 1e200}) {
     const Mesh mesh = to_mesh(CSCD::test::scaled(CSCD::test::sphere(2), factor));
     const Traits traits(mesh);
-    EXPECT_EQ(traits.genus(), 0u);
-    EXPECT_NEAR(traits.to_input_point(traits.point(0)).x() / factor, mesh.point(traits.descriptor(0)).x() / factor,
-                1e-14);
+    EXPECT_EQ(traits.surface().genus(), 0u);
+    EXPECT_NEAR(traits.to_input_point(traits.surface().triangulation().point(0)).x() / factor,
+                mesh.point(*traits.descriptors(0).begin()).x() / factor, 1e-14);
   }
 }
 

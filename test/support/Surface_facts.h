@@ -18,7 +18,7 @@ namespace CSCD::test {
 /// What can be counted on a mesh.
 struct Surface_facts
 {
-  std::size_t number_of_sites = 0;             ///< vertices with a face
+  std::size_t number_of_vertices = 0;          ///< vertices with a face
   std::size_t number_of_isolated_vertices = 0; ///< vertices without
   std::size_t number_of_components = 0;
   std::size_t number_of_border_cycles = 0;
@@ -54,7 +54,7 @@ Surface_facts surface_facts(const Mesh& mesh)
   Surface_facts facts;
   for (const auto v : vertices(mesh)) {
     const bool is_isolated = halfedge(v, mesh) == boost::graph_traits<Mesh>::null_halfedge();
-    ++(is_isolated ? facts.number_of_isolated_vertices : facts.number_of_sites);
+    ++(is_isolated ? facts.number_of_isolated_vertices : facts.number_of_vertices);
   }
   std::size_t number_of_halfedges = 0;
   for ([[maybe_unused]] const auto h : halfedges(mesh)) {
@@ -68,7 +68,7 @@ Surface_facts surface_facts(const Mesh& mesh)
   facts.number_of_components = CGAL::Polygon_mesh_processing::connected_components(mesh, component);
   facts.number_of_border_cycles = count_border_cycles(mesh);
   // V - E + F = 2 C - 2 g for a closed surface; each border adds a face.
-  const std::size_t vertices_and_faces = facts.number_of_sites + number_of_faces + facts.number_of_border_cycles;
+  const std::size_t vertices_and_faces = facts.number_of_vertices + number_of_faces + facts.number_of_border_cycles;
   facts.genus = (2 * facts.number_of_components + number_of_halfedges / 2 - vertices_and_faces) / 2;
   return facts;
 }

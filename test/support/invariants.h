@@ -158,7 +158,7 @@ inline Violations violations_of_report(const Surface_facts& surface, const Skele
                                        const Skeletonization_report& report)
 {
   Violations violations;
-  expect_equal(violations, "reported sites", report.number_of_sites, surface.number_of_sites);
+  expect_equal(violations, "reported input vertices", report.number_of_input_vertices, surface.number_of_vertices);
   expect_equal(violations, "reported isolated vertices", report.number_of_isolated_vertices,
                surface.number_of_isolated_vertices);
   expect_equal(violations, "reported surface components", report.number_of_surface_components,

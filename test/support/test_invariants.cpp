@@ -50,7 +50,7 @@ protected:
       const double x = std::min(length, std::max(0.0, m_mesh.point(v).x()));
       m_skeleton[static_cast<std::size_t>(x / length * (nodes - 1) + 0.5)].vertices.push_back(v);
     }
-    m_report.number_of_sites = m_mesh.number_of_vertices();
+    m_report.number_of_input_vertices = m_mesh.number_of_vertices();
     m_report.number_of_surface_components = 1;
     m_report.genus = 0;
     m_report.number_of_nodes = nodes;
@@ -192,7 +192,7 @@ TEST(Surface_facts, count_isolated_vertices_and_borders)
   mesh.add_vertex(Point(0, 0, 0));
   const CSCD::test::Surface_facts facts = CSCD::test::surface_facts(mesh);
   EXPECT_EQ(facts.number_of_isolated_vertices, 1u);
-  EXPECT_EQ(facts.number_of_sites, mesh.number_of_vertices() - 1);
+  EXPECT_EQ(facts.number_of_vertices, mesh.number_of_vertices() - 1);
   EXPECT_EQ(facts.number_of_border_cycles, 3u);
   EXPECT_EQ(facts.genus, 1u);
 }

@@ -5,6 +5,7 @@
 
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
+#include <CSCD/extract_curve_skeleton_from_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

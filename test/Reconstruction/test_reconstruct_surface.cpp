@@ -9,6 +9,7 @@
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -14,12 +14,16 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Local_policies.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Traits/Reconstructed_surface_traits.h>
+#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/extract_curve_skeleton_from_points.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -41,8 +45,10 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
 using Points = std::vector<Point>;
+using CSCD::Index;
+using CSCD::Vector_3;
 using Traits = CSCD::Point_set_traits<Points>;
-using Policies = CSCD::Published_policies<Traits>;
+using Policies = CSCD::Published_policies;
 using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies>;
 using Skeleton = Skeletonization::Skeleton;
 using CSCD::test::Plain_skeleton;
@@ -72,9 +78,9 @@ Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources 
   Skeletonization skeletonization(traits);
   skeletonization.set_maximum_number_of_sources(max_sources).set_number_of_threads(number_of_threads);
   Outcome outcome;
-  outcome.report = skeletonization.operator()<ConcurrencyTag>(outcome.skeleton);
+  outcome.report = skeletonization.run<ConcurrencyTag>(outcome.skeleton);
   CSCD::test::expect_partition(outcome.skeleton, points.size());
-  EXPECT_EQ(points.size(), outcome.report.number_of_sites);
+  EXPECT_EQ(points.size(), outcome.report.number_of_input_vertices);
   EXPECT_FALSE(outcome.report.genus.has_value()) << "nobody knows it";
   EXPECT_EQ(outcome.report.number_of_skeleton_components, outcome.report.number_of_surface_components);
   EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));
@@ -86,10 +92,9 @@ Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources 
 
 TEST(Point_set_traits, are_a_model)
 {
-  EXPECT_TRUE(CSCD::is_skeletonization_traits_v<Traits>);
-  EXPECT_TRUE(CSCD::is_solid_skeletonization_traits_v<Traits>);
-  EXPECT_FALSE(CSCD::is_triangulated_solid_skeletonization_traits_v<Traits>);
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits>));
+  CSCD::check_skeletonization_traits<Traits>();
+  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits::Surface>));
+  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<CSCD::Local_policies, Traits::Surface>));
 }
 
 TEST(Point_set_traits, describe_the_surface)
@@ -97,17 +102,18 @@ TEST(Point_set_traits, describe_the_surface)
   const Shape shape = CSCD::test::torus(3, 1, 24);
   const Points points = CSCD::test::to_points<Point>(sampled(shape, 4000, 1));
   const Traits traits(points);
-  EXPECT_EQ(traits.number_of_components(), 1u);
+  EXPECT_EQ(traits.surface().number_of_components(), 1u);
+  const CSCD::Point_complex& surface = traits.surface().triangulation();
   double area = 0;
   double max_error = 0;
-  for (Traits::Index site = 0; site < traits.number_of_sites(); ++site) {
-    area += traits.weight(site);
-    const Point p = traits.to_input_point(traits.point(site));
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    area += surface.vertex_area(vertex);
+    const Point p = traits.to_input_point(surface.point(vertex));
     const double radius = std::hypot(p.x(), p.y());
-    const Traits::Vector_3 outward((radius - 3) * p.x() / radius, (radius - 3) * p.y() / radius, p.z());
-    max_error = std::max(max_error, 1 - traits.normal(site).dot(outward.normalized()));
-    ASSERT_EQ(traits.descriptors(site).size(), 1u);
-    EXPECT_LT(CGAL::squared_distance(points[*traits.descriptors(site).begin()], p), 1e-24);
+    const Vector_3 outward((radius - 3) * p.x() / radius, (radius - 3) * p.y() / radius, p.z());
+    max_error = std::max(max_error, 1 - surface.normal(vertex).dot(outward.normalized()));
+    ASSERT_EQ(traits.descriptors(vertex).size(), 1u);
+    EXPECT_LT(CGAL::squared_distance(points[*traits.descriptors(vertex).begin()], p), 1e-24);
   }
   EXPECT_LT(max_error, 0.1);
   const double unit = traits.to_input_length(1);
@@ -119,22 +125,22 @@ TEST(Point_set_traits, know_the_body)
   const Points points = CSCD::test::to_points<Point>(sampled(CSCD::test::torus(3, 1, 48), 4000, 1));
   const Traits traits(points);
   const double unit = traits.to_input_length(1);
-  const Point center = traits.to_input_point(Traits::Vector_3::Zero());
+  const Point center = traits.to_input_point(Vector_3::Zero());
   const auto normalized = [&](double x, double y, double z) {
-    return Traits::Vector_3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
+    return Vector_3((x - center.x()) / unit, (y - center.y()) / unit, (z - center.z()) / unit);
   };
-  EXPECT_TRUE(traits.is_inside(normalized(3, 0, 0)));
-  EXPECT_FALSE(traits.is_inside(normalized(0, 0, 0)));
-  EXPECT_FALSE(traits.is_inside(normalized(3, 0, 1.3)));
-  const auto middle = traits.middle_behind(normalized(3, 0, 1.3));
+  EXPECT_TRUE(traits.surface().is_inside(normalized(3, 0, 0)));
+  EXPECT_FALSE(traits.surface().is_inside(normalized(0, 0, 0)));
+  EXPECT_FALSE(traits.surface().is_inside(normalized(3, 0, 1.3)));
+  const auto middle = traits.surface().middle_behind(normalized(3, 0, 1.3));
   ASSERT_TRUE(middle);
   EXPECT_LT((*middle - normalized(3, 0, 0)).norm() * unit, 0.2);
   std::vector<double> distances;
-  traits.crossings(normalized(0, 0, 0), normalized(6, 0, 0), distances);
+  traits.surface().crossings(normalized(0, 0, 0), normalized(6, 0, 0), distances);
   ASSERT_EQ(distances.size(), 2u);
   EXPECT_NEAR(distances[0] * unit, 2, 0.1);
   EXPECT_NEAR(distances[1] * unit, 4, 0.1);
-  traits.crossings(normalized(0, 0, 0), normalized(0, 0, 0), distances);
+  traits.surface().crossings(normalized(0, 0, 0), normalized(0, 0, 0), distances);
   EXPECT_TRUE(distances.empty());
 }
 
@@ -192,12 +198,12 @@ TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
   }
   using Mesh = CGAL::Surface_mesh<Point>;
   using Mesh_traits = CSCD::Triangle_mesh_traits<Mesh>;
-  using Mesh_skeletonization = CSCD::Curve_skeletonization<Mesh_traits, CSCD::Published_policies<Mesh_traits>>;
+  using Mesh_skeletonization = CSCD::Curve_skeletonization<Mesh_traits, CSCD::Published_policies>;
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(m_shape);
   const Mesh_traits traits(mesh);
   Mesh_skeletonization skeletonization(traits);
   Mesh_skeletonization::Skeleton expected;
-  skeletonization.set_maximum_number_of_sources(number_of_sources)(expected);
+  skeletonization.set_maximum_number_of_sources(number_of_sources).run(expected);
   const std::vector<Triple> of_mesh = CSCD::test::plain(mesh, expected).points;
   const std::vector<Triple> of_points =
       CSCD::test::plain(skeletonize(sampled(m_shape, number_of_points, 1)).skeleton).points;
@@ -210,6 +216,20 @@ TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
 std::vector<Triple> some_points()
 {
   return sampled(CSCD::test::double_torus(0.2), number_of_points, 1);
+}
+
+TEST(Point_cloud_skeleton, comes_by_the_named_parameter_policies)
+{
+  const std::vector<Triple> triples = some_points();
+  const Outcome expected = skeletonize(triples, few_sources);
+  const Points points = CSCD::test::to_points<Point>(triples);
+  Skeleton skeleton;
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(
+      points, skeleton, CSCD::parameters::policies(Policies()).maximum_number_of_sources(few_sources));
+  EXPECT_EQ(CSCD::test::plain(skeleton), CSCD::test::plain(expected.skeleton));
+  EXPECT_FALSE(report.genus.has_value()) << "no surface is made of the points";
+  EXPECT_FALSE(report.reconstruction.has_value());
+  EXPECT_EQ(report.number_of_rejections, expected.report.number_of_rejections);
 }
 
 TEST(Point_cloud_skeleton, does_not_depend_on_the_pose)
@@ -274,10 +294,11 @@ TEST(Point_cloud_skeleton, takes_normals)
   const CGAL::Second_of_pair_property_map<Element> normal_map;
   using Element_traits = CSCD::Point_set_traits<std::vector<Element>, CGAL::First_of_pair_property_map<Element>>;
   const Element_traits traits(elements, point_map, normal_map);
-  for (Element_traits::Index site = 0; site < traits.number_of_sites(); ++site) {
-    const Vector& vector = elements[*traits.descriptors(site).begin()].second;
-    const auto normal = CSCD::Vector_3(vector.x(), vector.y(), vector.z()).normalized();
-    EXPECT_LT((traits.normal(site) - normal).norm(), 1e-12);
+  const CSCD::Point_complex& surface = traits.surface().triangulation();
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    const Vector& vector = elements[*traits.descriptors(vertex).begin()].second;
+    const auto normal = Vector_3(vector.x(), vector.y(), vector.z()).normalized();
+    EXPECT_LT((surface.normal(vertex) - normal).norm(), 1e-12);
   }
 }
 
