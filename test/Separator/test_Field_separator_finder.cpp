@@ -6,7 +6,6 @@
 #include "Separator/is_closed_curve.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Separator/Field_separator_finder.h>

@@ -8,7 +8,6 @@
 
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Field_separator_finder.h>

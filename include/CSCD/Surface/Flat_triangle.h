@@ -17,7 +17,7 @@ namespace CSCD::internal {
 /// Where they break the triangle inequality, it is as if the apex lay on the line of the longest side.
 struct Flat_triangle
 {
-  double base;  ///< from the corner that is asked for
+  double base;  ///< from the corner in question
   double next;  ///< the opposite side of that corner
   double right; ///< back to the corner
 
