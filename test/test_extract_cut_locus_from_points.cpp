@@ -356,7 +356,7 @@ TEST(Point_numbering, of_a_point_set_with_a_removed_point)
   EXPECT_EQ(numbering.number(removed), CSCD::no_index);
   EXPECT_EQ(numbering.number(CGAL::Point_set_3<Point>::Index(99)), CSCD::no_index);
   CSCD::Index number = 0;
-  for (const auto index : points) {
+  for (const auto& index : points) {
     EXPECT_EQ(numbering.number(index), number);
     EXPECT_EQ(numbering.descriptor(number), index);
     ++number;
