@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The part of the ORG tree that is the cut locus.
+// The ORG tree of a distance field, and the part of it that is the cut locus.
 
 #ifndef CSCD_CUT_LOCUS_CUT_TREE_H
 #define CSCD_CUT_LOCUS_CUT_TREE_H

@@ -44,7 +44,7 @@ public:
 
   /// What identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of iteration, as
   /// `std::size_t`.
-  using Point_descriptor = internal::Point_descriptor<PointRange>;
+  using Point_descriptor = CSCD::Point_descriptor<PointRange>;
   /// @}
 
   /// Prepares `points`, which are not referred to later; O(n^1.5), and usually nearly linear.
