@@ -7,7 +7,7 @@
 
 #include "convert_shape.h"
 #include "swept_shapes.h"
-#include <CSCD/Geodesic/Geodesic_distance_estimator.h>
+#include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

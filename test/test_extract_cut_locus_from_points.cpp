@@ -7,8 +7,10 @@
 #include "support/convert_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Cut_locus_graph.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
+#include <CSCD/Traits/Input_points.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 
@@ -270,8 +272,7 @@ TEST(extract_cut_locus_from_points, takes_distances_as_they_are)
   }
   const std::size_t number = num_vertices(graph);
   distances[3] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map)),
-               CSCD::Input_error);
+  EXPECT_THROW(CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map)), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), number) << "it is left as it was";
 }
 
@@ -323,6 +324,48 @@ TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(), 0, graph), CSCD::Input_error);
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(9, Point(1, 2, 3)), 0, graph), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 7u);
+}
+
+TEST(extract_cut_locus_from_points, finds_any_number_of_sources)
+{
+  const std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(5), 3000, 1);
+  std::vector<std::size_t> sources;
+  for (std::size_t i = triples.size(); i-- > 0;) {
+    if (triples[i][2] > 0) {
+      sources.push_back(i);
+    }
+  }
+  Graph graph;
+  CSCD::extract_cut_locus(to_range(triples), sources, graph);
+  EXPECT_EQ(count_components(graph), 1u);
+  for (const auto v : boost::make_iterator_range(vertices(graph))) {
+    EXPECT_LT(graph[v].point.z(), -0.8) << "opposite to the half that is sources";
+  }
+}
+
+TEST(Point_numbering, of_a_point_set_with_a_removed_point)
+{
+  CGAL::Point_set_3<Point> points;
+  for (int i = 0; i < 5; ++i) {
+    points.insert(Point(i, 0, 0));
+  }
+  const auto removed = *(points.begin() + 2);
+  points.remove(points.begin() + 2);
+  const CSCD::internal::Point_numbering<CGAL::Point_set_3<Point>> numbering(points);
+  EXPECT_EQ(numbering.size(), 4u);
+  EXPECT_EQ(numbering.number(removed), CSCD::no_index);
+  EXPECT_EQ(numbering.number(CGAL::Point_set_3<Point>::Index(99)), CSCD::no_index);
+  CSCD::Index number = 0;
+  for (const auto& index : points) {
+    EXPECT_EQ(numbering.number(index), number);
+    EXPECT_EQ(numbering.descriptor(number), index);
+    ++number;
+  }
+  const std::vector<Point> range(3);
+  const CSCD::internal::Point_numbering<std::vector<Point>> of_range(range);
+  EXPECT_EQ(of_range.number(2), 2u);
+  EXPECT_EQ(of_range.number(3), CSCD::no_index);
+  EXPECT_EQ(of_range.descriptor(1), 1u);
 }
 
 } // namespace

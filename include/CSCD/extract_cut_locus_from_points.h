@@ -94,7 +94,7 @@ namespace CSCD {
 ///        lies off the surface of the others, or if distances are missing; the message names the point and the remedy
 template <class PointRange, class Graph, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-void extract_cut_locus(const PointRange& points, const std::vector<internal::Point_descriptor<PointRange>>& sources,
+void extract_cut_locus(const PointRange& points, const std::vector<Point_descriptor<PointRange>>& sources,
                        Graph& cut_locus, const NamedParameters& np = parameters::default_values())
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
@@ -135,10 +135,10 @@ void extract_cut_locus(const PointRange& points, const std::vector<internal::Poi
 /// extracts the cut locus of the point `source`; as above.
 template <class PointRange, class Graph, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-void extract_cut_locus(const PointRange& points, internal::Point_descriptor<PointRange> source, Graph& cut_locus,
+void extract_cut_locus(const PointRange& points, Point_descriptor<PointRange> source, Graph& cut_locus,
                        const NamedParameters& np = parameters::default_values())
 {
-  extract_cut_locus(points, std::vector<internal::Point_descriptor<PointRange>>{source}, cut_locus, np);
+  extract_cut_locus(points, std::vector<Point_descriptor<PointRange>>{source}, cut_locus, np);
 }
 
 } // namespace CSCD

@@ -18,10 +18,10 @@
 
 namespace {
 
-using CSCD::internal::Cut_criterion;
-using CSCD::internal::Cut_locus_indicators;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
+using CSCD::internal::Cut_criterion;
+using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::pi;
 using CSCD::test::Shape;

@@ -7,8 +7,8 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -20,13 +20,13 @@
 
 namespace {
 
-using CSCD::Vertex_fan_table;
 using CSCD::Index;
-using CSCD::internal::Nearest_meeting;
 using CSCD::no_index;
-using CSCD::internal::Geodesic_polar_coordinates;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::Vertex_fan_table;
+using CSCD::internal::Geodesic_polar_coordinates;
+using CSCD::internal::Nearest_meeting;
 using CSCD::test::pi;
 
 /// A surface and the targets on it.

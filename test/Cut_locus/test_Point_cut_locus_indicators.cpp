@@ -8,8 +8,8 @@
 #include "Point_cloud/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -23,8 +23,8 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::internal::Point_cut_locus_indicators;
 using CSCD::Vector_3;
+using CSCD::internal::Point_cut_locus_indicators;
 using CSCD::test::Measured_cloud;
 using CSCD::test::pi;
 using CSCD::test::Triple;

@@ -22,8 +22,8 @@ namespace {
 
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Point_frames;
 using CSCD::Vector_3;
+using CSCD::internal::Point_frames;
 using Complex = std::complex<double>;
 
 TEST(Point_frames, hold_the_directions_of_edges)

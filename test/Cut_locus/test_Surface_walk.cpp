@@ -17,12 +17,12 @@
 
 namespace {
 
-using CSCD::internal::Face_point;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
+using CSCD::internal::Face_point;
 using CSCD::internal::Surface_walk;
 using CSCD::internal::Tangent_frames;
-using CSCD::Vector_3;
 
 void expect_on_face(const Face_point& at)
 {

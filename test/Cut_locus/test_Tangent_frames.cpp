@@ -22,7 +22,6 @@ namespace {
 using CSCD::Index;
 using CSCD::Triangulated_surface;
 using CSCD::internal::Tangent_frames;
-using CSCD::Triangulated_surface;
 using Complex = std::complex<double>;
 
 /// The direction of a halfedge of a flat surface in the plane z = 0.

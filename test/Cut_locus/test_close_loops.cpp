@@ -8,7 +8,6 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
-#include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/close_loops.h>
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -25,15 +24,14 @@
 
 namespace {
 
-using CSCD::internal::Cut_criterion;
-using CSCD::internal::Cut_locus_indicators;
-using CSCD::internal::Cut_tree;
 using CSCD::Index;
 using CSCD::no_index;
 using CSCD::Triangulated_surface;
+using CSCD::internal::Cut_criterion;
+using CSCD::internal::Cut_locus_indicators;
+using CSCD::internal::Cut_tree;
 using CSCD::internal::Org_tree;
 using CSCD::internal::Tangent_frames;
-using CSCD::Triangulated_surface;
 using CSCD::test::Triple;
 
 /// The unit square with opposite sides glued: two faces, one vertex, three edges from it to itself.

@@ -19,9 +19,9 @@
 
 namespace {
 
-using CSCD::internal::Cotangent_elements;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
+using CSCD::internal::Cotangent_elements;
 using CSCD::test::Length_triangulation;
 
 double total_mass(const Cotangent_elements& elements)

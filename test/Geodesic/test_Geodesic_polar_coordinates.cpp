@@ -6,8 +6,8 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -21,13 +21,13 @@
 
 namespace {
 
-using CSCD::Vertex_fan_table;
-using CSCD::internal::Front_end;
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::internal::Geodesic_polar_coordinates;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::Vertex_fan_table;
+using CSCD::internal::Front_end;
+using CSCD::internal::Geodesic_polar_coordinates;
 using CSCD::test::pi;
 
 constexpr std::size_t no_cap = std::numeric_limits<std::size_t>::max();

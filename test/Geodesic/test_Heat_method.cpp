@@ -10,7 +10,6 @@
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -28,14 +27,14 @@
 
 namespace {
 
+using CSCD::Index;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::internal::Face_layout;
 using CSCD::internal::Geodesic_source;
 using CSCD::internal::Heat_field;
 using CSCD::internal::Heat_field_parts;
 using CSCD::internal::Heat_method;
-using CSCD::Index;
-using CSCD::Triangulated_surface;
-using CSCD::Vector_3;
 using CSCD::test::pi;
 // Of std::array, which argument-dependent look-up does not find.
 using CSCD::test::operator+;
@@ -99,11 +98,11 @@ TEST(Heat_method, is_exact_on_a_plane_to_part_of_an_edge)
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::subdivided_cube(5));
   const Vector_3 center(0.5, 0.5, 1);
   const Heat_method method(surface);
-  const double error = max_error_in_edges(
-      method, distances_from(method, CSCD::test::nearest_vertex(surface, center)), [&](Index vertex) {
-        const Vector_3 offset = surface.point(vertex) - center;
-        return offset.z() == 0 && offset.norm() < 0.5 ? offset.norm() : -1.;
-      });
+  const double error = max_error_in_edges(method, distances_from(method, CSCD::test::nearest_vertex(surface, center)),
+                                          [&](Index vertex) {
+                                            const Vector_3 offset = surface.point(vertex) - center;
+                                            return offset.z() == 0 && offset.norm() < 0.5 ? offset.norm() : -1.;
+                                          });
   EXPECT_LT(error, 0.6);
 }
 
@@ -384,9 +383,9 @@ TEST(Heat_method, scales_with_the_surface_and_moves_with_it)
     EXPECT_EQ(scaled, distances);
   }
   const CSCD::test::Similarity turn{1, CSCD::test::unit({1, 2, 3}), 1, {10, 20, 30}};
-  EXPECT_LT(max_difference(distances,
-                               distances_from(Heat_method(CSCD::test::to_surface(CSCD::test::moved(shape, turn))), 3)),
-            1e-9);
+  EXPECT_LT(
+      max_difference(distances, distances_from(Heat_method(CSCD::test::to_surface(CSCD::test::moved(shape, turn))), 3)),
+      1e-9);
 }
 
 TEST(Heat_method, bears_degenerate_faces)

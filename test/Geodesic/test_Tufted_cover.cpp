@@ -26,11 +26,11 @@
 
 namespace {
 
-using CSCD::internal::Cotangent_elements;
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Tufted_cover;
 using CSCD::Vector_3;
+using CSCD::internal::Cotangent_elements;
+using CSCD::internal::Tufted_cover;
 
 void expect_manifold(const Tufted_cover& cover)
 {

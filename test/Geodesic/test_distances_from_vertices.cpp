@@ -18,9 +18,9 @@
 
 namespace {
 
-using CSCD::internal::distances_from_vertices;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
+using CSCD::internal::distances_from_vertices;
 
 TEST(Distances_from_vertices, are_great_arcs_on_a_sphere)
 {

@@ -7,8 +7,6 @@
 #include "Traits/to_surface.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Geodesic_distance_estimator.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/Named_parameters.h>

@@ -7,7 +7,6 @@
 #include "support/Shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Geodesic/Point_set_distance_estimator.h>
 #include <CSCD/Geodesic/estimate_geodesic_distances_on_points.h>
 #include <CSCD/Named_parameters.h>
 

@@ -8,7 +8,6 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Cut_loop_finder.h>

@@ -23,8 +23,7 @@ namespace CSCD::test {
 using Intrinsic_surface = CSCD::internal::Intrinsic_triangulation<CSCD::Triangulated_surface>;
 
 /// The points of the line along `halfedge` over the input, both ends included.
-inline std::vector<CSCD::Vector_3> traced_points(const Intrinsic_surface& triangulation,
-                                                           CSCD::Index halfedge)
+inline std::vector<CSCD::Vector_3> traced_points(const Intrinsic_surface& triangulation, CSCD::Index halfedge)
 {
   const auto& surface = triangulation.input();
   CSCD::internal::Edge_trace trace;

@@ -21,9 +21,9 @@
 namespace {
 
 using CSCD::Edge_crossing;
-using CSCD::internal::Edge_trace;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
+using CSCD::internal::Edge_trace;
 using Intrinsic_patch = CSCD::internal::Intrinsic_patch<Triangulated_surface>;
 using Intrinsic_triangulation = CSCD::internal::Intrinsic_triangulation<Triangulated_surface>;
 

@@ -8,10 +8,10 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Edge_trace.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Vector_3.h>
 
 #include <Eigen/Core>

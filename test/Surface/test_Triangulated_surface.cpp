@@ -6,6 +6,7 @@
 #include "Traits/to_indexed_triangles.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>
@@ -138,6 +139,34 @@ TEST(Triangulated_surface, names_a_pinched_vertex)
   ASSERT_TRUE(surface.defect());
   EXPECT_EQ(surface.defect().vertex, 0u);
   EXPECT_EQ(surface.defect().target, no_index);
+}
+
+TEST(Triangulated_surface, has_borders_if_the_pairing_is_given)
+{
+  const CSCD::test::Shape shape = CSCD::test::tube(6, 1, 12, CSCD::test::Tube_end::open);
+  Indexed_triangles triangles = CSCD::test::to_indexed_triangles(shape);
+  CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  const Triangulated_surface surface(std::move(triangles), std::move(pairing));
+  EXPECT_FALSE(surface.defect());
+  std::size_t number_of_border_halfedges = 0;
+  std::size_t sum = 0;
+  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
+    const auto outgoing = surface.outgoing(vertex);
+    ASSERT_EQ(outgoing.size(), surface.degree(vertex));
+    sum += outgoing.size();
+    for (std::size_t i = 0; i < outgoing.size(); ++i) {
+      const Index h = outgoing.begin()[i];
+      ASSERT_EQ(surface.origin(h), vertex);
+      const bool is_on_border = surface.twin(h) == no_index;
+      number_of_border_halfedges += is_on_border ? 1 : 0;
+      ASSERT_TRUE(!is_on_border || i == 0) << "the fan begins at the border";
+      ASSERT_EQ(surface.edge(h), is_on_border ? h : std::min(h, surface.twin(h)));
+      const bool is_last_of_fan = surface.twin(outgoing.begin()[0]) == no_index && i + 1 == outgoing.size();
+      ASSERT_EQ(surface.next_around_origin(h), is_last_of_fan ? no_index : outgoing.begin()[(i + 1) % outgoing.size()]);
+    }
+  }
+  EXPECT_EQ(sum, surface.number_of_halfedges());
+  EXPECT_EQ(number_of_border_halfedges, 2u * 12u);
 }
 
 } // namespace

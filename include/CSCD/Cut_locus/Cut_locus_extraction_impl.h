@@ -10,9 +10,7 @@
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_locus_smoothing.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
-#include <CSCD/Cut_locus/Org_tree.h>
 #include <CSCD/Cut_locus/Point_derivatives.h>
-#include <CSCD/Cut_locus/Smoothing_domains.h>
 #include <CSCD/Cut_locus/Surface_walk.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/close_loops.h>

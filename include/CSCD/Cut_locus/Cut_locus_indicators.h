@@ -116,7 +116,7 @@ private:
   const std::vector<double>& m_distances;
 };
 
-/// The derivatives of a distance field at the vertices, each computed when it is asked for, from the faces around the
+/// The derivatives of a distance field at the vertices, each computed on request, from the faces around the
 /// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise; samples beyond a
 /// constant number are thinned out evenly before they are compared pair by pair.
 template <class Triangulation>
@@ -248,7 +248,7 @@ private:
 };
 
 /// What `Cut_locus_indicators` are on a triangulation, on a point complex (supplement, appendix G.2): the derivatives
-/// of a distance field at the vertices, each computed when it is asked for. The gradient that a vertex has is the mean
+/// of a distance field at the vertices, each computed on request. The gradient that a vertex has is the mean
 /// of those of its immediate neighbors and its own: a single one follows the noise of a few points. Only the immediate
 /// neighbors of a vertex are compared.
 class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators>

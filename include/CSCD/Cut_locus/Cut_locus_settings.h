@@ -68,8 +68,8 @@ struct Cut_criterion
   double angle_threshold = boost::math::double_constants::third_pi;
 };
 
-/// When a vertex of a cloud counts as a point of the cut locus. Less is asked than on a mesh, since means over
-/// neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,
+/// When a vertex of a cloud counts as a point of the cut locus. The criterion is weaker than on a mesh, since means
+/// over neighbors round a ridge off. Chosen on samples of a sphere, a capsule, a torus, an ellipsoid and a flat tube,
 /// random or even, with noise or without: of what passes, 99.8 % lies within two edges of the true cut locus (of
 /// single gradients 97.9 %, and 70 % on the worst cloud), and the cut locus where fronts meet at 60 degrees is near
 /// such a vertex everywhere. At a threshold of 60 degrees it is not (doc/cut_locus.md).

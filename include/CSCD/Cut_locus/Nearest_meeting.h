@@ -15,9 +15,9 @@
 
 namespace CSCD::internal {
 
-/// Observes a front and keeps the meeting that is nearest in space to the source (the target of section 3.1.3), among
-/// those seen across the body: the chord from the source must enter the surface at the source and leave it at the
-/// meeting. Tells the front to stop soon after the first such meeting.
+/// Observes geodesic polar coordinates while they grow and keeps the meeting that is nearest in space to the source
+/// (the target of section 3.1.3), among those seen across the body: the chord from the source must enter the surface at
+/// the source and leave it at the meeting. It stops the front soon after the first such meeting.
 class Nearest_meeting
 {
 public:

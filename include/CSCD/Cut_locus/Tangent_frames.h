@@ -42,7 +42,7 @@ public:
   {
     double length = 0; ///< of the halfedge
     double cosine = 1; ///< of the angle at its origin
-    double sine = 0;   ///< 0 if the face has no area or is bridging: it then tells nothing about the surface
+    double sine = 0;   ///< 0 if the face has no area or fills a hole, and is to be ignored
     Complex turn = 1;  ///< turns a vector of the face, seen from the halfedge, into the frame of the origin
   };
 

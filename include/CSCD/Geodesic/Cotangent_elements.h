@@ -114,7 +114,8 @@ public:
   const std::vector<Face>& faces() const { return m_faces; }
   /// The number of all faces of the triangulation.
   Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
-  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces only.
+  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces
+  /// only.
   double mass(Index vertex) const { return m_masses[vertex]; }
 
   Index number_of_components() const { return Index(m_units.size()); }

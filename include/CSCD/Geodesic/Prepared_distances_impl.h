@@ -24,8 +24,7 @@ namespace CSCD::internal {
 struct Prepared_distances::Data
 {
   Data(Triangulated_surface&& closed_surface, double time_step_factor)
-      : surface(std::move(closed_surface)),
-        method(make_intrinsic_delaunay(surface, surface.first_hole_filling_face()), time_step_factor)
+      : surface(std::move(closed_surface)), method(make_intrinsic_delaunay(surface), time_step_factor)
   {
   }
   Data(const Point_complex& complex, double time_step_factor)

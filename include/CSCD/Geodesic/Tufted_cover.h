@@ -27,7 +27,7 @@ namespace CSCD::internal {
 /// edge is a border, whatever the complex is, and edges can be flipped until all are Delaunay, which gives the points a
 /// Laplacian with a maximum principle.
 ///
-/// It has the interface of `Triangulated_surface`, and is the input of an `Intrinsic_triangulation`. Its vertices are
+/// It is an input of `Intrinsic_triangulation`. Its vertices are
 /// those of the complex: the fronts and the backs around a vertex are two fans, or more. So walks around a vertex see
 /// one of them only, and masses and stiffnesses of its elements are twice those of the complex.
 class Tufted_cover : public Triangle_halfedges

@@ -90,8 +90,7 @@ public:
   /// The number of handles of the bridged surface, over all components.
   std::size_t genus() const
   {
-    // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
-    return (2 * m_number_of_components + m_surface.number_of_faces() / 2 - m_surface.number_of_vertices()) / 2;
+    return genus_of_closed_surface(m_number_of_components, m_surface.number_of_vertices(), m_surface.number_of_faces());
   }
 
 private:

@@ -159,8 +159,8 @@ private:
 
   std::size_t genus() const
   {
-    const Indexed_triangles& triangles = m_result.triangles;
-    return (2 * m_number_of_components + triangles.faces.size() / 2 - triangles.points.size()) / 2;
+    return genus_of_closed_surface(m_number_of_components, m_result.triangles.points.size(),
+                                   m_result.triangles.faces.size());
   }
 
   /// Cuts small handles, round by round: loops of one round have no vertex in common.

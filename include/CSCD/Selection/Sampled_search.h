@@ -7,7 +7,6 @@
 #define CSCD_SELECTION_SAMPLED_SEARCH_H
 
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Field_separator_finder.h>

@@ -26,7 +26,7 @@ public:
   const std::vector<Edge_crossing>& crossings() const { return m_crossings; }
 
   void clear() { m_crossings.clear(); }
-  /// Adds the next edge to be crossed; `straighten()` returns where.
+  /// Adds the next edge to be crossed; `straighten()` finds where.
   void cross(Index halfedge) { m_crossings.push_back({halfedge, 0.5}); }
 
   /// Unfolds the faces along the line and sets the positions of all crossings. Linear.

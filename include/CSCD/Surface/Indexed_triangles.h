@@ -17,7 +17,7 @@
 
 namespace CSCD {
 
-/// Halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise: so the way around a face needs no memory.
+/// Halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise: so going around a face needs no memory.
 /// Triangulations are derived from this.
 struct Triangle_halfedges
 {
@@ -28,6 +28,14 @@ struct Triangle_halfedges
   /// The face of `halfedge`.
   static Index face(Index halfedge) { return halfedge / 3; }
 };
+
+/// The genus of a closed surface, all components together: their Euler numbers V - E + F = V - F/2, each 2 - 2 g, add
+/// up.
+constexpr std::size_t genus_of_closed_surface(std::size_t number_of_components, std::size_t number_of_vertices,
+                                              std::size_t number_of_faces)
+{
+  return (2 * number_of_components + number_of_faces / 2 - number_of_vertices) / 2;
+}
 
 /// Points and triangles, counterclockwise seen from outside.
 struct Indexed_triangles

@@ -129,9 +129,9 @@ Flat_diamond flat_diamond(const Triangulation& triangulation, Index halfedge)
 }
 
 /// Faces, in the layout of `Triangulated_surface`, whose edges are straight lines over an input triangulation with the
-/// same vertices. What is stored tells exactly, whatever rounding does to lengths, which input edges each edge crosses:
-/// its normal coordinate, and the input corner into which each of its halfedges leaves its origin (Gillespie, Sharp,
-/// Crane: Integer coordinates for intrinsic geometry processing, 2021; their roundabouts, counted from the input
+/// same vertices. What is stored determines exactly, whatever rounding does to lengths, which input edges each edge
+/// crosses: its normal coordinate, and the input corner into which each of its halfedges leaves its origin (Gillespie,
+/// Sharp, Crane: Integer coordinates for intrinsic geometry processing, 2021; their roundabouts, counted from the input
 /// halfedge before instead of after).
 /// Edges may have equal ends, and several may have the same two.
 /// What owns the faces is derived from this: a whole triangulation, or the part of it that was touched.

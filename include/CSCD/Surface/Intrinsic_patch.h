@@ -35,7 +35,7 @@ const Triangulation& input_of(const Intrinsic_triangulation<Triangulation>& tria
 template <class Triangulation>
 using Input_of = std::decay_t<decltype(input_of(std::declval<const Triangulation&>()))>;
 
-/// A triangulation of which only those faces are held that were asked for, in the order in which they were, so that
+/// A triangulation of which only those faces are held that were requested, in this order, so that
 /// edges can be flipped without touching it. It is emptied in constant time: what is done here costs nothing of the
 /// size of the surface. The source is only read, so that any number of patches, of several threads, may share one; each
 /// keeps one index for every halfedge of it. Halfedges have numbers of their own, vertices keep theirs.
@@ -134,14 +134,14 @@ private:
   static constexpr double unknown_angle = -1;
 
   /// Whether there is a halfedge that runs along `source_halfedge`. Numbers that are left over from a patch before, or
-  /// from before a flip, tell on themselves, so that they need not be cleared.
+  /// from before a flip, are recognized, so that they need not be cleared.
   bool has_along(Index source_halfedge) const
   {
     const Index h = m_halfedge_along[source_halfedge];
     return h < this->number_of_halfedges() && m_source_halfedge[h] == source_halfedge;
   }
 
-  /// Takes notice that a halfedge has moved, and a new one has taken its place.
+  /// Records that a halfedge has moved and that a new one has taken its place.
   void move_source(Index from, Index to)
   {
     const Index source_halfedge = std::exchange(m_source_halfedge[from], no_index);

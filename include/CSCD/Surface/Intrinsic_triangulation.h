@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Edge_trace.h>
 #include <CSCD/Surface/Flat_triangle.h>
 #include <CSCD/Surface/Intrinsic_halfedges.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -301,11 +302,15 @@ Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulati
   return result;
 }
 
-/// The same of all faces.
+/// The same of the faces that are part of the surface: those that fill holes, which are the last ones, are left out.
 template <class Triangulation>
 Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulation& surface)
 {
-  return make_intrinsic_delaunay(surface, surface.number_of_faces());
+  Index number_of_faces = surface.number_of_faces();
+  while (number_of_faces > 0 && is_hole_filling_face(surface, number_of_faces - 1)) {
+    --number_of_faces;
+  }
+  return make_intrinsic_delaunay(surface, number_of_faces);
 }
 
 } // namespace CSCD::internal

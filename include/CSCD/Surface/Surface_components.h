@@ -40,7 +40,7 @@ struct Surface_components
   {
     double area = 0;                      ///< without hole-filling faces
     double volume = 0;                    ///< signed: negative where the faces look inwards
-    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centres where there is no area
+    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers where there is no area
   };
 
   Index number() const { return Index(measures.size()); }

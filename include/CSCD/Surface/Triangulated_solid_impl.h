@@ -45,9 +45,8 @@ CSCD_INLINE Index Triangulated_solid::component(Index vertex) const
 
 CSCD_INLINE std::size_t Triangulated_solid::genus() const
 {
-  // The Euler numbers V - E + F = V - F/2 of the components, each 2 - 2g, add up.
-  const Triangulated_surface& surface = triangulation();
-  return (2 * number_of_components() + surface.number_of_faces() / 2 - surface.number_of_vertices()) / 2;
+  return genus_of_closed_surface(number_of_components(), triangulation().number_of_vertices(),
+                                 triangulation().number_of_faces());
 }
 
 CSCD_INLINE const Triangulated_surface& Triangulated_solid::query_surface() const

@@ -130,7 +130,7 @@ private:
 
   void close(std::vector<Index>& hole)
   {
-    start_at_least_point(hole);
+    start_at_min_point(hole);
     Open_polygon polygon(hole);
     m_ears = {};
     for (Index corner = 0; corner < polygon.size; ++corner) {
@@ -160,7 +160,7 @@ private:
 
   /// Rotates `hole` to begin at its lexicographically least point. Ties between ears are broken by the number of the
   /// corner, which thus does not depend on the numbering of the input.
-  void start_at_least_point(std::vector<Index>& hole) const
+  void start_at_min_point(std::vector<Index>& hole) const
   {
     const auto is_less = [this](Index a, Index b) {
       const Vector_3& p = m_triangles.points[a];
@@ -173,12 +173,12 @@ private:
   /// Every diagonal of what is left is an edge of the surface already: only a new vertex can close it.
   void close_by_fan(const Open_polygon& polygon, Index first)
   {
-    const Index centre = Index(m_triangles.points.size());
+    const Index center = Index(m_triangles.points.size());
     Vector_3 sum = Vector_3::Zero();
     Index corner = first;
     do {
       sum += m_triangles.points[polygon.vertex[corner]];
-      m_triangles.faces.push_back({polygon.vertex[corner], polygon.vertex[polygon.next[corner]], centre});
+      m_triangles.faces.push_back({polygon.vertex[corner], polygon.vertex[polygon.next[corner]], center});
       corner = polygon.next[corner];
     } while (corner != first);
     m_triangles.points.push_back(sum / double(polygon.size));

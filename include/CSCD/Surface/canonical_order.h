@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Renumbers a surface so that the numbers depend on its shape alone, and neighbours have near numbers.
+// Renumbers a surface so that the numbers depend on its shape alone, and neighbors have near numbers.
 
 #ifndef CSCD_SURFACE_CANONICAL_ORDER_H
 #define CSCD_SURFACE_CANONICAL_ORDER_H
@@ -29,7 +29,7 @@ struct Canonical_order
 
 /// Finds the canonical order: breadth-first over the rings, in counterclockwise order, which the root and its first
 /// halfedge determine. Root is the vertex farthest from the centroid of its component, and its first halfedge leads to
-/// the farthest neighbour; components come in order of decreasing area.
+/// the farthest neighbor; components come in order of decreasing area.
 class Canonical_ordering
 {
 public:
@@ -81,7 +81,7 @@ private:
     return {-float(m_components.measures[component].area), -float(m_greatest[component]), root.x(), root.y(), root.z()};
   }
 
-  /// Among equally far vertices the lexicographically smallest is the root; likewise for its neighbours.
+  /// Among equally far vertices the lexicographically smallest is the root; likewise for its neighbors.
   void find_roots()
   {
     const std::size_t n = m_triangles.points.size();

@@ -20,12 +20,12 @@
 
 namespace CSCD::internal {
 
-/// Splits the second face of every component of two faces at its centre. Such a pillow is what a single triangle
+/// Splits the second face of every component of two faces at its center. Such a component is what a single triangle
 /// becomes when its border is bridged; refined as it is, it would get several edges between the same vertices. Linear.
 /// \return the number of inserted vertices
 /// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
 inline std::size_t split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                 Surface_components& components)
+                                             Surface_components& components)
 {
   std::vector<Index> number_of_faces(components.number(), 0);
   for (Index component : components.component) {
@@ -112,7 +112,7 @@ private:
     for (const Surface_components::Measure& measure : m_components.measures) {
       // A component without area cannot be sampled: its edges count as short.
       m_squared_bound.push_back(measure.area > min_area ? measure.area * edge_factor * edge_factor / size
-                                                             : std::numeric_limits<double>::max());
+                                                        : std::numeric_limits<double>::max());
     }
   }
 

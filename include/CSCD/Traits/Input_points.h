@@ -26,7 +26,8 @@
 #include <utility>
 #include <vector>
 
-namespace CSCD::internal {
+namespace CSCD {
+namespace internal {
 
 /// The elements over which a range iterates.
 template <class Range>
@@ -45,10 +46,16 @@ struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
 {
 };
 
+} // namespace internal
+
 /// What identifies a point of a range: its index in a `CGAL::Point_set_3`, else its number in the order of iteration.
 template <class PointRange>
-using Point_descriptor =
-    std::conditional_t<Is_range_of_indices<PointRange>::value, Range_value<PointRange>, std::size_t>;
+using Point_descriptor = std::conditional_t<internal::Is_range_of_indices<PointRange>::value,
+                                            internal::Range_value<PointRange>, std::size_t>;
+
+namespace internal {
+
+using CSCD::Point_descriptor;
 
 /// Calls `function(number, descriptor)` for every point of a range, in the order of iteration.
 template <class PointRange, class Function>
@@ -241,6 +248,7 @@ private:
   Compressed_rows<Descriptor> m_descriptors; // of every vertex
 };
 
-} // namespace CSCD::internal
+} // namespace internal
+} // namespace CSCD
 
 #endif // CSCD_TRAITS_INPUT_POINTS_H

@@ -7,7 +7,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
-#include <CSCD/Cut_locus/Smoothing_domains.h>
+#include <CSCD/Cut_locus/Cut_locus_smoothing.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@
 
 namespace {
 
-using CSCD::internal::Cloud_point;
 using CSCD::Index;
+using CSCD::Vector_3;
+using CSCD::internal::Cloud_point;
 using CSCD::internal::Point_cut_locus_indicators;
 using CSCD::internal::Point_smoothing_domain;
-using CSCD::Vector_3;
 using CSCD::test::Measured_cloud;
 
 TEST(Point_smoothing_domain, keeps_points_on_a_sphere)
