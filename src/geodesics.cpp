@@ -5,4 +5,3 @@
 
 #include <CSCD/Cut_locus/Cut_locus_extraction_impl.h>
 #include <CSCD/Geodesic/Prepared_distances_impl.h>
-

@@ -310,8 +310,7 @@ TEST(extract_cut_locus, takes_distances_as_they_are)
   EXPECT_FLOAT_EQ(float(graph[0].distance), float(std::acos(std::clamp(graph[0].point.z(), -1., 1.))));
 
   distance[Vertex(3)] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance)),
-               CSCD::Input_error);
+  EXPECT_THROW(CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance)), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 1u) << "it is left as it was";
 }
 

@@ -11,10 +11,10 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Traits/Input_points.h>
+#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/Tree_skeletonization.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -21,12 +21,12 @@
 namespace {
 
 using CSCD::Cut_loop_outcome;
-using CSCD::Target_rule;
-using CSCD::internal::Cut_loop;
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Point_cut_locus_indicators;
+using CSCD::Target_rule;
 using CSCD::Vector_3;
+using CSCD::internal::Cut_loop;
+using CSCD::internal::Point_cut_locus_indicators;
 using CSCD::test::Measured_cloud;
 using CSCD::test::pi;
 using CSCD::test::Triple;
@@ -38,8 +38,8 @@ Cut_loop find_loop(const Measured_cloud& cloud, Index source, Target_rule rule, 
   Finder finder(cloud.frames(), cloud.complex().points());
   const std::vector<double> distances = cloud.distances(source);
   Cut_loop loop;
-  finder(Point_cut_locus_indicators(cloud.derivatives(), distances), source, Point_cut_locus_indicators::default_criterion(), rule,
-         loop);
+  finder(Point_cut_locus_indicators(cloud.derivatives(), distances), source,
+         Point_cut_locus_indicators::default_criterion(), rule, loop);
   vertices = finder.vertices(loop);
   return loop;
 }

@@ -3,9 +3,9 @@
 //
 // Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
 
-#include <CSCD/Measure/reconstruction_fields.h>
-#include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/Isosurface_tracker.h>
+#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 

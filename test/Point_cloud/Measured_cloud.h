@@ -27,7 +27,6 @@ namespace CSCD::test {
 class Measured_cloud
 {
 public:
-
   /// Has the triangles of `shape`.
   explicit Measured_cloud(const Shape& shape) : Measured_cloud(to_point_complex(shape)) {}
   /// Joins `points`, in normalized coordinates.

@@ -22,8 +22,7 @@
 namespace CSCD::test {
 
 /// The separator of `crossings`, with its measures.
-inline Separator make_separator(const CSCD::Triangulated_surface& surface,
-                                std::vector<CSCD::Edge_crossing> crossings)
+inline Separator make_separator(const CSCD::Triangulated_surface& surface, std::vector<CSCD::Edge_crossing> crossings)
 {
   Separator separator;
   separator.crossings = std::move(crossings);
@@ -35,9 +34,8 @@ inline Separator make_separator(const CSCD::Triangulated_surface& surface,
 }
 
 /// The cycle that the plane through `point` normal to `axis` cuts off `surface` and that comes nearest to `near`.
-inline Separator section_separator(const CSCD::Triangulated_surface& surface,
-                                   const CSCD::Vector_3& point, const CSCD::Vector_3& axis,
-                                   const CSCD::Vector_3& near)
+inline Separator section_separator(const CSCD::Triangulated_surface& surface, const CSCD::Vector_3& point,
+                                   const CSCD::Vector_3& axis, const CSCD::Vector_3& near)
 {
   CSCD::internal::Plane_section section(surface);
   Separator best;
@@ -64,8 +62,7 @@ inline Separator tube_section(const CSCD::Triangulated_surface& surface, double 
 }
 
 /// The circle around `vertex` that crosses every edge there at `position` from the vertex. The vertex is on its right.
-inline Separator circle_separator(const CSCD::Triangulated_surface& surface, CSCD::Index vertex,
-                                  double position)
+inline Separator circle_separator(const CSCD::Triangulated_surface& surface, CSCD::Index vertex, double position)
 {
   std::vector<CSCD::Edge_crossing> crossings;
   for (const CSCD::Index h : surface.outgoing(vertex)) {

@@ -15,10 +15,10 @@
 
 namespace {
 
+using CSCD::Vector_3;
 using CSCD::internal::is_in_outline;
 using CSCD::internal::section_disc;
 using CSCD::internal::Section_disc;
-using CSCD::Vector_3;
 using Outline = std::vector<Vector_3>;
 
 const Outline l_shape{{0, 0, 1}, {3, 0, 1}, {3, 1, 1}, {1, 1, 1}, {1, 3, 1}, {0, 3, 1}};

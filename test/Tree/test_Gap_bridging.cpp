@@ -14,12 +14,12 @@
 
 namespace {
 
-using CSCD::internal::Gap_bridging;
 using CSCD::Index;
-using CSCD::internal::Neighbor_graph;
 using CSCD::no_index;
-using CSCD::internal::Root_distances;
 using CSCD::Vector_3;
+using CSCD::internal::Gap_bridging;
+using CSCD::internal::Neighbor_graph;
+using CSCD::internal::Root_distances;
 
 constexpr double thin = 0.05; // of poles, and what is between their points
 

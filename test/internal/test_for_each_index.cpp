@@ -21,8 +21,8 @@
 
 namespace {
 
-using CSCD::internal::For_each_index;
 using CSCD::Index;
+using CSCD::internal::For_each_index;
 
 /// Knows whether two threads use it at once.
 struct Worker

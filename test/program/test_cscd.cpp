@@ -181,7 +181,8 @@ TEST_F(Cscd, refuses_to_overwrite_its_input)
   m_folder.write("torus.obj", obj(torus()));
   m_folder.write("circle.obj", "v 3 0 0\nv 0 3 0\nl 1 2\n");
   std::filesystem::create_symlink("torus.obj", m_folder.path() / "link.obj");
-  for (const char* output : {"-o torus.obj", "-o ./torus.obj", "-o link.obj", "--report torus.obj", "--html torus.obj"}) {
+  for (const char* output :
+       {"-o torus.obj", "-o ./torus.obj", "-o link.obj", "--report torus.obj", "--html torus.obj"}) {
     expect_refusal(std::string("skeletonize torus.obj ") + output, 1, {"is the input", "name another file"});
   }
   expect_refusal("skeletonize link.obj -o torus.obj", 1, {"is the input"});

@@ -9,8 +9,8 @@
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/Epoch_marks.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

@@ -6,9 +6,9 @@
 #ifndef CSCD_SKELETON_VERTEX_ASSIGNMENT_H
 #define CSCD_SKELETON_VERTEX_ASSIGNMENT_H
 
-#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -30,7 +30,8 @@ public:
   {
     collect_starts(cut_graph);
     for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
-      m_node[vertex] = descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
+      m_node[vertex] =
+          descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
     }
     measure_radii();
   }

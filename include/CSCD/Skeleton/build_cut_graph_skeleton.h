@@ -6,7 +6,6 @@
 #ifndef CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 #define CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
@@ -16,6 +15,7 @@
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 
 #include <utility>
 #include <vector>
@@ -24,8 +24,9 @@ namespace CSCD::internal {
 
 /// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined and
 /// smoothed, and what left the body is brought back; what could not be is counted in `report`.
-inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                                           const Separator_packing& packing, Skeletonization_report& report)
+inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
+                                                  const std::vector<Separator>& separators,
+                                                  const Separator_packing& packing, Skeletonization_report& report)
 {
   Node_placement placement(solid, separators, packing.packed(), packing.cut_graph());
   Embedded_skeleton result;

@@ -8,8 +8,8 @@
 
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -50,10 +50,7 @@ public:
   }
 
   Index number_of_vertices() const { return Index(m_spacing.size()); }
-  CGAL::Iterator_range<const Index*> neighbors(Index point) const
-  {
-    return m_neighbors[point];
-  }
+  CGAL::Iterator_range<const Index*> neighbors(Index point) const { return m_neighbors[point]; }
   /// The mean distance of the nearest points, a median over the neighborhood.
   double spacing(Index point) const { return m_spacing[point]; }
 
