@@ -38,9 +38,9 @@ class Point_complex;
 /// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface` |
 /// | `t.surface()` | the surface: a `const T::Surface&` |
 /// | `t.descriptors(v)` | a range of what identifies, in the input, that which belongs to vertex `v`; may be empty |
-/// | `t.to_input_point(p)`, `t.to_input_length(l)` | a point and a length of the surface in the coordinates of the
-/// input | | `t.describe_input(report)` | writes what is known of the input to a `Skeletonization_report&`: counts,
-/// genus, warnings |
+/// | `t.to_input_point(p)` | a point of the surface in the coordinates of the input |
+/// | `t.to_input_length(l)` | a length on the surface in the unit of the input |
+/// | `t.describe_input(report)` | writes counts, genus and warnings to a `Skeletonization_report&` |
 ///
 /// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`}
 /// \cgalArchetype{Skeletonization_traits_archetype.h}
@@ -86,10 +86,12 @@ constexpr void check_skeletonization_traits()
 /// |---|---|
 /// | `t.number_of_vertices()`, `t.number_of_halfedges()`, `t.number_of_faces()` | the numbers of elements |
 /// | `T::face(h)`, `T::next(h)`, `T::previous(h)` | as numbered above; inherited from `Triangle_halfedges` |
-/// | `t.origin(h)`, `t.target(h)`, `t.twin(h)` | the ends of halfedge `h`, and the halfedge from its target to its
-/// origin | | `t.outgoing(v)` | a range of the halfedges from vertex `v`, in any order | | `t.points()` | the positions
-/// of the vertices: a `const std::vector<Vector_3>&` | | `t.length(h)` | the length of halfedge `h` | |
-/// `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
+/// | `t.origin(h)`, `t.target(h)` | the ends of halfedge `h` |
+/// | `t.twin(h)` | the halfedge from the target of `h` to its origin |
+/// | `t.outgoing(v)` | a range of the halfedges from vertex `v`, in any order |
+/// | `t.points()` | the positions of the vertices: a `const std::vector<Vector_3>&` |
+/// | `t.length(h)` | the length of halfedge `h` |
+/// | `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
 ///
 /// There may be a function `t.is_hole_filling(f)`: faces for which it is true are no part of the surface.
 ///
@@ -140,8 +142,7 @@ constexpr void check_surface_triangulation()
 /// | `s.triangulation()` | the triangles: a reference to a model of `SurfaceTriangulation`, or to a `Point_complex` |
 /// | `s.is_inside(p)` | whether the body contains the point `p` |
 /// | `s.middle_behind(p)` | an optional point: the middle of the body behind where the surface is nearest to `p` |
-/// | `s.crossings(p, q, v)` | fills the vector `v` with the ascending distances from `p` at which segment `p` `q` meets
-/// the surface |
+/// | `s.crossings(p, q, v)` | fills `v`: the ascending distances from `p` at which segment `p` `q` meets the surface |
 ///
 /// \cgalHasModels{`Triangulated_solid`, `Point_solid`}
 /// \cgalArchetype{Surface_archetype.h}

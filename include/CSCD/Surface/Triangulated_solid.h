@@ -6,6 +6,7 @@
 #ifndef CSCD_SURFACE_TRIANGULATED_SOLID_H
 #define CSCD_SURFACE_TRIANGULATED_SOLID_H
 
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
@@ -92,6 +93,8 @@ public:
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
   /// The number of components that were oriented inwards in the input.
   std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
+  /// Writes these numbers and those of the surface to `report`.
+  void describe(Skeletonization_report& report) const;
   /// @}
 
 private:

@@ -82,6 +82,16 @@ CSCD_INLINE void Triangulated_solid::crossings(const Vector_3& from, const Vecto
   queries().crossings(from, to, distances);
 }
 
+CSCD_INLINE void Triangulated_solid::describe(Skeletonization_report& report) const
+{
+  report.number_of_surface_components = number_of_components();
+  report.number_of_bridged_borders = number_of_bridged_borders();
+  report.number_of_inserted_vertices = number_of_inserted_vertices();
+  report.number_of_degenerate_faces = number_of_degenerate_faces();
+  report.number_of_levels = levels().size();
+  report.genus = genus();
+}
+
 CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
 {
   std::call_once(m_queries_built,

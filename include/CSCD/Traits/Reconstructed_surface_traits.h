@@ -13,7 +13,6 @@
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Traits/describe_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -109,7 +108,7 @@ public:
   /// Writes what is known of the input to `report`.
   void describe_input(Skeletonization_report& report) const
   {
-    internal::describe_solid(*m_surface, report);
+    m_surface->describe(report);
     report.number_of_input_vertices = m_points.number_of_points();
     report.number_of_bridged_borders = m_report.number_of_holes;
     report.reconstruction = m_report;

@@ -11,7 +11,6 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/describe_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Iterator_range.h>
@@ -93,7 +92,7 @@ public:
   /// Writes what is known of the input to `report`.
   void describe_input(Skeletonization_report& report) const
   {
-    internal::describe_solid(*m_surface, report);
+    m_surface->describe(report);
     report.number_of_input_vertices = m_descriptors.size();
     report.number_of_isolated_vertices = m_number_of_isolated_vertices;
     report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
