@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pipeline one stage after the other, with a weight of one's own for the separators and a visitor that shows
+// The pipeline one stage after the other, with a cost of one's own for the separators and a visitor that shows
 // progress and stops the work when it takes too long. Between the stages the separators can be read.
-// Usage: step_by_step_example [mesh file [most seconds]]
+// Usage: step_by_step_example [mesh file [maximum number of seconds]]
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -28,8 +28,8 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
 
 //! [A weight of one's own]
-/// Prefers separators that are short and round: of two that overlap, the lighter one is packed.
-struct Short_and_round_weight
+/// Prefers separators that are short and round: of two that overlap, the one of lower cost is packed.
+struct Short_and_round_cost
 {
   double operator()(const CSCD::Separator& separator) const
   {
@@ -43,17 +43,17 @@ struct Short_and_round_weight
 
 //! [A visitor]
 /// Names the stages as they begin and end, and stops the work after some seconds.
-class Impatient_visitor : public CSCD::Default_skeletonization_visitor
+class Time_limit_visitor : public CSCD::Default_skeletonization_visitor
 {
 public:
-  explicit Impatient_visitor(double max_seconds) : m_max_seconds(max_seconds) {}
+  explicit Time_limit_visitor(double max_seconds) : m_max_seconds(max_seconds) {}
 
   void on_stage_begin(CSCD::Skeletonization_stage stage) { std::cout << name(stage) << " ... " << std::flush; }
   void on_stage_end(CSCD::Skeletonization_stage) { std::cout << "done\n"; }
   void progress(double fraction)
   {
-    if (fraction >= m_told + 0.25) {
-      m_told = fraction;
+    if (fraction >= m_last_fraction + 0.25) {
+      m_last_fraction = fraction;
       std::cout << int(100 * fraction) << " % ... " << std::flush;
     }
   }
@@ -65,13 +65,12 @@ public:
 
 private:
   double m_max_seconds;
-  double m_told = 0;
+  double m_last_fraction = 0;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 //! [A visitor]
 
-using Policies = CSCD::Local_policies<Traits, Short_and_round_weight>;
-using Skeletonization = CSCD::Curve_skeletonization<Traits, Policies, Impatient_visitor>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Time_limit_visitor>;
 
 /// Writes the packed separators as closed polylines, one a line.
 void write_packed_separators(const Skeletonization& skeletonization, const char* filename)
@@ -111,7 +110,8 @@ try {
   //! [Step by step]
   const Traits traits(mesh);
 
-  Skeletonization skeletonization(traits, Policies(), Impatient_visitor(max_seconds));
+  const CSCD::Local_policies policies{Short_and_round_cost()};
+  Skeletonization skeletonization(traits, policies, Time_limit_visitor(max_seconds));
   skeletonization.set_random_seed(7);
   skeletonization.find_separators();
   skeletonization.pack_separators();

@@ -18,11 +18,11 @@
 
 namespace {
 
-using CSCD::internal::Enclosed_area_test;
 using CSCD::Index;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Enclosed_area_test;
 using CSCD::test::pi;
 
 constexpr double no_limit = 1e9;

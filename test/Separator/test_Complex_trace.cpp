@@ -8,10 +8,10 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Point_complex.h>
-#include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Separator/Curve_trace.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
@@ -27,12 +27,12 @@
 
 namespace {
 
-using CSCD::internal::Complex_trace;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::Point_complex;
-using CSCD::internal::Projected_point;
 using CSCD::Vector_3;
+using CSCD::internal::Complex_trace;
+using CSCD::internal::Projected_point;
 using CSCD::test::pi;
 using CSCD::test::Tube_end;
 

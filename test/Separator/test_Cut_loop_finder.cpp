@@ -8,11 +8,11 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Descent.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
@@ -28,16 +28,16 @@
 namespace {
 
 using CSCD::Cut_loop_outcome;
-using CSCD::Target_rule;
-using CSCD::internal::Cut_criterion;
-using CSCD::internal::Cut_loop;
-using CSCD::internal::Cut_loop_finder;
-using CSCD::internal::Cut_locus_indicators;
 using CSCD::Index;
 using CSCD::Open_triangulation;
-using CSCD::internal::Tangent_frames;
+using CSCD::Target_rule;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Cut_criterion;
+using CSCD::internal::Cut_locus_indicators;
+using CSCD::internal::Cut_loop;
+using CSCD::internal::Cut_loop_finder;
+using CSCD::internal::Tangent_frames;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 

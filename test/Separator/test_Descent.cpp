@@ -21,11 +21,11 @@
 
 namespace {
 
+using CSCD::Index;
+using CSCD::Open_triangulation;
 using CSCD::internal::Cut_locus_indicators;
 using CSCD::internal::Descent;
 using CSCD::internal::Edge_steps;
-using CSCD::Index;
-using CSCD::Open_triangulation;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::Triple;
 

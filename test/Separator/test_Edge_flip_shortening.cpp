@@ -9,18 +9,17 @@
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
-#include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
-#include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Intrinsic_triangulation.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
-
 
 #include <gtest/gtest.h>
 
@@ -34,14 +33,14 @@
 
 namespace {
 
-using CSCD::Shortening_outcome;
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Locality_ball;
-using CSCD::internal::Surface_path;
+using CSCD::Shortening_outcome;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Locality_ball;
+using CSCD::internal::Surface_path;
 using CSCD::test::pi;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
@@ -526,8 +525,8 @@ TEST(Edge_flip_shortening, gives_the_same_on_several_threads_and_with_used_objec
   }
   std::vector<Surface_path> paths(curves.size());
   using Worker = std::unique_ptr<Edge_flip_shortening>;
-  CSCD::internal::For_each_index<Worker> for_each([&surface] { return std::make_unique<Edge_flip_shortening>(surface); },
-                                                  0);
+  CSCD::internal::For_each_index<Worker> for_each(
+      [&surface] { return std::make_unique<Edge_flip_shortening>(surface); }, 0);
   for_each(Index(curves.size()), [&](Index i, Worker& shorten) { (*shorten)(curves[i], true, paths[i]); });
   for (std::size_t i = 0; i < curves.size(); ++i) {
     Edge_flip_shortening shorten(surface);

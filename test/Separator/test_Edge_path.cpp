@@ -5,8 +5,8 @@
 
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Intrinsic_patch.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Surface/Intrinsic_patch.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 

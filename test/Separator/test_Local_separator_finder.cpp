@@ -17,9 +17,9 @@
 
 namespace {
 
+using CSCD::Index;
 using CSCD::Search_outcome;
 using CSCD::Search_result;
-using CSCD::Index;
 using CSCD::Surface_levels;
 using Finder = CSCD::Local_separator_finder;
 

@@ -22,12 +22,12 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::internal::Loop_projection;
 using CSCD::no_index;
 using CSCD::Surface_level;
 using CSCD::Surface_levels;
 using CSCD::Triangulated_surface;
 using CSCD::Vertex_loop;
+using CSCD::internal::Loop_projection;
 
 double length(const Triangulated_surface& surface, const Vertex_loop& loop)
 {

@@ -7,9 +7,9 @@
 #include "Point_cloud/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
+#include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Point_neighborhoods.h>
-#include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -22,11 +22,11 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::internal::Moving_least_squares_projection;
 using CSCD::Point_complex;
+using CSCD::Vector_3;
+using CSCD::internal::Moving_least_squares_projection;
 using CSCD::internal::Point_neighborhoods;
 using CSCD::internal::Projected_point;
-using CSCD::Vector_3;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
 

@@ -23,9 +23,9 @@ namespace {
 
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Plane_section;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Plane_section;
 using CSCD::test::is_closed_curve;
 using CSCD::test::pi;
 

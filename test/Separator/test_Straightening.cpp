@@ -11,8 +11,8 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -26,11 +26,11 @@ namespace {
 
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Polygon_measures;
-using CSCD::internal::Straightening;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
 using CSCD::Vertex_loop;
+using CSCD::internal::Polygon_measures;
+using CSCD::internal::Straightening;
 using CSCD::test::pi;
 
 Polygon_measures measures(const Triangulated_surface& surface, const std::vector<Edge_crossing>& crossings)

@@ -6,10 +6,10 @@
 #include "Traits/to_surface.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Surface_projection.h>
 #include <CSCD/Separator/Edge_flip_shortening.h>
-#include <CSCD/Separator/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Surface_projection.h>
+#include <CSCD/Separator/Variational_shortening.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -26,13 +26,13 @@
 namespace {
 
 using CSCD::Shortening_outcome;
+using CSCD::Triangulated_surface;
+using CSCD::Vector_3;
 using CSCD::internal::Closest_point_projection;
 using CSCD::internal::Projected_point;
 using CSCD::internal::Solid_queries;
-using CSCD::Triangulated_surface;
 using CSCD::internal::Variational_report;
 using CSCD::internal::Variational_shortening;
-using CSCD::Vector_3;
 using CSCD::test::pi;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -10,8 +10,8 @@
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -24,16 +24,16 @@
 
 namespace {
 
-using CSCD::Vertex_fan_table;
 using CSCD::Edge_crossing;
 using CSCD::Index;
-using CSCD::internal::Nearest_meeting;
 using CSCD::no_index;
-using CSCD::internal::Geodesic_polar_coordinates;
-using CSCD::internal::push_off;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::Vertex_fan_table;
 using CSCD::Vertex_loop;
+using CSCD::internal::Geodesic_polar_coordinates;
+using CSCD::internal::Nearest_meeting;
+using CSCD::internal::push_off;
 
 /// The ring of vertices of a tube around x = 5.
 Vertex_loop middle_ring(Index around)

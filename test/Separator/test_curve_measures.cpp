@@ -16,9 +16,9 @@
 
 namespace {
 
+using CSCD::Vector_3;
 using CSCD::internal::measure_polygon;
 using CSCD::internal::Polygon_measures;
-using CSCD::Vector_3;
 using CSCD::test::pi;
 
 TEST(curve_measures, of_a_square)

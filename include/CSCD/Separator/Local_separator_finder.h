@@ -36,8 +36,8 @@ class Local_separator_finder
 public:
   /// Prepares the working memory; `levels` is referred to and must outlive this object.
   explicit Local_separator_finder(const Surface_levels& levels)
-      : m_levels(levels), m_workspaces(m_levels.size()), m_projection(m_levels),
-        m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
+      : m_levels(levels), m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
+        m_straightening(m_levels.finest().surface)
   {
   }
 
@@ -190,8 +190,7 @@ private:
         continue;
       }
       const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
-      if (measures.length >= max_section_length * loop_length ||
-          measures.length <= min_section_length * loop_length ||
+      if (measures.length >= max_section_length * loop_length || measures.length <= min_section_length * loop_length ||
           (measures.center - loop_center).norm() >= max_center_shift * loop_length) {
         break;
       }

@@ -102,21 +102,23 @@ void collect_incident_edges(const Measures& measures, Index vertex, Incident_edg
   const auto& frames = measures.frames();
   frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
     const bool is_reversed = frames.triangulation().origin(halfedge) != vertex;
-    incident_edges.push_back({{halfedge, is_reversed},
-                      measures.distance(neighbor),
-                      is_reversed ? frames.direction_at_target(halfedge) : frames.direction_at_origin(halfedge)});
+    incident_edges.push_back(
+        {{halfedge, is_reversed},
+         measures.distance(neighbor),
+         is_reversed ? frames.direction_at_target(halfedge) : frames.direction_at_origin(halfedge)});
   });
 }
 
-/// The two nearest ends of `incident edges` that are nearer than their neighbors in the ring and at least a right angle apart;
-/// null where there are none.
+/// The two nearest ends of `incident_edges` that are nearer than their neighbors in the ring and at least a right angle
+/// apart; null where there are none.
 inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& incident_edges)
 {
   const std::size_t size = incident_edges.size();
   const bool is_border = incident_edges.back().step.is_reversed;
   // Of equal ones that follow each other the first counts.
   const auto is_nearer = [&](std::size_t a, std::size_t b) {
-    return incident_edges[a].distance < incident_edges[b].distance || (incident_edges[a].distance == incident_edges[b].distance && a < b);
+    return incident_edges[a].distance < incident_edges[b].distance ||
+           (incident_edges[a].distance == incident_edges[b].distance && a < b);
   };
   const auto is_minimum = [&](std::size_t i) {
     const bool has_before = i > 0 || !is_border;
@@ -140,22 +142,24 @@ inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& inc
   return result;
 }
 
-/// The edge of `incident edges` that is closest in direction to the way of the front whose distance has the gradient
-/// `gradient`.
-inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges, const std::complex<double>& gradient)
+/// The edge of `incident_edges` that is closest in direction to the geodesic of the front whose distance has the
+/// gradient `gradient`.
+inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges,
+                                               const std::complex<double>& gradient)
 {
   const auto cosine = [&](const Incident_edge& incident_edge) {
     return -gradient.real() * std::cos(incident_edge.angle) - gradient.imag() * std::sin(incident_edge.angle);
   };
-  const auto closest = std::max_element(incident_edges.begin(), incident_edges.end(),
-                                        [&](const Incident_edge& a, const Incident_edge& b) { return cosine(a) < cosine(b); });
+  const auto closest =
+      std::max_element(incident_edges.begin(), incident_edges.end(),
+                       [&](const Incident_edge& a, const Incident_edge& b) { return cosine(a) < cosine(b); });
   return &*closest;
 }
 
 /// The edges along which to leave the cut point `vertex` towards the source, on one side and on the other (section
 /// 3.1.4, which is missing): the edges to the two minima of the distance in the ring around it. They need not be nearer
 /// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
-/// are closest in direction to the ways of the fronts. Nothing if the fronts have no two sides, or one edge serves
+/// are closest in direction to the geodesics. Nothing if the fronts have no two sides, or one edge serves
 /// both. O(d^2) for degree d up to a constant.
 template <class Measures>
 std::optional<std::array<Edge_step, 2>> incoming_directions(const Measures& measures, Index vertex)
@@ -171,7 +175,8 @@ std::optional<std::array<Edge_step, 2>> incoming_directions(const Measures& meas
     if (!sides) {
       return std::nullopt;
     }
-    chosen = {closest_to_descent(incident_edges, sides.gradient(0)), closest_to_descent(incident_edges, sides.gradient(1))};
+    chosen = {closest_to_descent(incident_edges, sides.gradient(0)),
+              closest_to_descent(incident_edges, sides.gradient(1))};
     if (chosen[0] == chosen[1]) {
       return std::nullopt;
     }

@@ -30,15 +30,15 @@ class TriangleMesh
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// Whether `T` looks like a `FaceListGraph`; may be asked of any type.
-// boost::graph_traits is not asked: it fails hard on what is no graph.
+/// Whether `T` is a `FaceListGraph`, judged by its faces; for any type.
+// Without boost::graph_traits, which is a hard error for what is no graph.
 template <class T>
 inline constexpr bool is_triangle_mesh_v = CSCD_IS_VALID(const T&, *std::begin(faces(t)));
 
-/// Whether `T` is a range of points, or of elements with points, and no mesh; may be asked of any type.
+/// Whether `T` is a range of points, or of elements with points, and no mesh; for any type.
 template <class T>
-inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) && CSCD_IS_VALID(const T&, std::end(t)) &&
-                                         !is_triangle_mesh_v<T>;
+inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) &&
+                                         CSCD_IS_VALID(const T&, std::end(t)) && !is_triangle_mesh_v<T>;
 
 /// refuses at compile time a type that is no `FaceListGraph`.
 template <class T>
