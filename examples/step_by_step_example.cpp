@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pipeline one stage after the other, with another cost of separators and a visitor that shows progress and stops
-// the work when it takes too long. Between the stages the separators can be read.
-// Usage: step_by_step_example [mesh file [maximum of seconds]]
+// The pipeline one stage after the other, with a cost of one's own for the separators and a visitor that shows
+// progress and stops the work when it takes too long. Between the stages the separators can be read.
+// Usage: step_by_step_example [mesh file [maximum number of seconds]]
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -43,17 +43,17 @@ struct Short_and_round_cost
 
 //! [A visitor]
 /// Names the stages as they begin and end, and stops the work after some seconds.
-class Impatient_visitor : public CSCD::Default_skeletonization_visitor
+class Time_limit_visitor : public CSCD::Default_skeletonization_visitor
 {
 public:
-  explicit Impatient_visitor(double max_seconds) : m_max_seconds(max_seconds) {}
+  explicit Time_limit_visitor(double max_seconds) : m_max_seconds(max_seconds) {}
 
   void on_stage_begin(CSCD::Skeletonization_stage stage) { std::cout << name(stage) << " ... " << std::flush; }
   void on_stage_end(CSCD::Skeletonization_stage) { std::cout << "done\n"; }
   void progress(double fraction)
   {
-    if (fraction >= m_shown + 0.25) {
-      m_shown = fraction;
+    if (fraction >= m_last_fraction + 0.25) {
+      m_last_fraction = fraction;
       std::cout << int(100 * fraction) << " % ... " << std::flush;
     }
   }
@@ -65,12 +65,12 @@ public:
 
 private:
   double m_max_seconds;
-  double m_shown = 0;
+  double m_last_fraction = 0;
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 //! [A visitor]
 
-using Skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Impatient_visitor>;
+using Skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Time_limit_visitor>;
 
 /// Writes the packed separators as closed polylines, one a line.
 void write_packed_separators(const Skeletonization& skeletonization, const char* filename)
@@ -111,7 +111,7 @@ try {
   const Traits traits(mesh);
 
   const CSCD::Local_policies policies{Short_and_round_cost()};
-  Skeletonization skeletonization(traits, policies, Impatient_visitor(max_seconds));
+  Skeletonization skeletonization(traits, policies, Time_limit_visitor(max_seconds));
   skeletonization.set_random_seed(7);
   skeletonization.find_separators();
   skeletonization.pack_separators();

@@ -40,7 +40,10 @@ Cut_loop find_loop(const Measured_cloud& cloud, Index source, Target_rule rule, 
   Cut_loop loop;
   finder(Point_cut_locus_indicators(cloud.derivatives(), distances), source,
          Point_cut_locus_indicators::default_criterion(), rule, loop);
-  vertices = finder.vertices(loop);
+  vertices.clear();
+  for (const Index h : finder.halfedges(loop)) {
+    vertices.push_back(cloud.complex().origin(h));
+  }
   return loop;
 }
 

@@ -133,9 +133,9 @@ private:
   {
     m_candidates.clear();
     bool has_more = false;
-    const double least = min_distance * m_frames.mean_edge_length();
+    const double min_key = min_distance * m_frames.mean_edge_length();
     for (Index vertex = 0; vertex < m_points.size(); ++vertex) {
-      if (!(measures.is_reached(vertex) && measures.distance(vertex) >= least)) {
+      if (!(measures.is_reached(vertex) && measures.distance(vertex) >= min_key)) {
         continue;
       }
       const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_points[source]).norm()
@@ -233,7 +233,7 @@ private:
   const Triangulation& m_triangulation;
   const std::vector<Vector_3>& m_points;
   Descent<Frames> m_descent;
-  std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the least first
+  std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<Edge_steps, 2> m_path;                   ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
 };

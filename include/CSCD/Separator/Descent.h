@@ -47,10 +47,10 @@ Edge_step reversed(const Triangulation& triangulation, const Edge_step& step)
   return twin != no_index ? Edge_step{twin, step.is_reversed} : Edge_step{step.halfedge, !step.is_reversed};
 }
 
-/// Traces ways along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
-/// must lead down. Where none does, the way goes on along a shortest path to a vertex that is nearer than all before:
-/// so it cannot run in a circle, and ends at the source whatever the field is like.
-/// One object serves one thread, and keeps working memory of the size of the surface.
+/// Traces paths along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
+/// must lead down. Where none does, the path continues along a shortest path to a vertex that is nearer than all
+/// before: so it has no cycle, and ends at the source whatever the field is like. One object serves one thread, and
+/// keeps working memory of the size of the surface.
 /// \tparam Frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
 template <class Frames>
 class Descent
@@ -72,10 +72,10 @@ public:
     const std::size_t begin = path.size();
     while (vertex != source) {
       Edge_step best;
-      double least = measures.distance(vertex);
+      double min_distance = measures.distance(vertex);
       m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
-        if (neighbor == source || measures.distance(neighbor) < least) {
-          least = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
+        if (neighbor == source || measures.distance(neighbor) < min_distance) {
+          min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
           best = step_from(vertex, neighbor, halfedge);
         }
       });
@@ -93,7 +93,7 @@ public:
     return true;
   }
 
-  /// How often a way came to a vertex without a nearer neighbor, over all calls.
+  /// How often a path reached a vertex without a nearer neighbor, over all calls.
   std::size_t number_of_minima() const { return m_number_of_minima; }
 
 private:

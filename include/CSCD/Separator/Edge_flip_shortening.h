@@ -211,7 +211,7 @@ public:
   /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about that of
   /// the faces between the curve before and after.
   /// \param halfedges those of the triangulation, each from where the one before leads to, and so on if the curve is closed
-  /// \param is_pinned tells of a vertex whether the curve must not be taken off it; it may be taken onto it (E.2)
+  /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2)
   /// \return what has become of it; `collapsed` leaves no points
   /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
   template <class IsPinned>

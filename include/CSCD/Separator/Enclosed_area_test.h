@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells a loop around a limb from one that only encircles a bump.
+// Distinguishes loops around a limb from those that only encircle a bump.
 
 #ifndef CSCD_SEPARATOR_ENCLOSED_AREA_TEST_H
 #define CSCD_SEPARATOR_ENCLOSED_AREA_TEST_H
@@ -21,12 +21,12 @@ namespace CSCD::internal {
 
 /// Measures how much surface a loop cuts off, relative to the square of its length.
 /// A flat disc gives 1 / (4 pi) = 0.080, a hemisphere 1 / (2 pi) = 0.159, the end of a limb of length l and radius R
-/// about (l / R + 1) / (2 pi). Work is bounded by the area asked for, not by the surface. Reuse one object.
+/// about (l / R + 1) / (2 pi). Work is bounded by the limit on the area, not by the surface. Reuse one object.
 class Enclosed_area_test
 {
 public:
-  /// The least ratio of what separates: between a flat disc and a hemisphere. A higher value loses good loops at tips
-  /// and keeps tilted ones.
+  /// The minimum ratio of a separator: between a flat disc and a hemisphere. A higher value rejects good loops
+  /// at tips and keeps tilted ones.
   static constexpr double min_area_ratio = 0.11;
 
   explicit Enclosed_area_test(const Triangulated_surface& surface)

@@ -13,8 +13,8 @@ namespace CSCD {
 /// Which cut point is the target of a source.
 enum class Target_rule
 {
-  nearest_in_space,     ///< least Euclidean distance: around the limb, however wide it is
-  nearest_along_surface ///< least geodesic distance: on a wide body that may be around another limb (supplement, J.1)
+  nearest_in_space,     ///< minimum Euclidean distance: around the limb, however wide it is
+  nearest_along_surface ///< minimum geodesic distance: on a wide body that may be around another limb (supplement, J.1)
 };
 
 /// How the published method shortens the loop of a source.

@@ -86,8 +86,8 @@ inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loo
   return crossings.size() >= 3;
 }
 
-/// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from the way in to the
-/// way out. `before`, `vertex` and `after` are consecutive points of the path.
+/// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from where it
+/// comes in to where it goes out. `before`, `vertex` and `after` are consecutive points of the path.
 template <class Surface>
 void push_off_vertex(const Surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
                      const Edge_crossing& after, std::vector<Edge_crossing>& crossings)
@@ -100,7 +100,7 @@ void push_off_vertex(const Surface& surface, const Edge_crossing& before, const 
   const Index way_in = comes_along ? back : Surface::previous(back);
   const Index way_out = vertex.halfedge;
   Index incident_edge = comes_along ? previous_around_origin(way_in) : way_in;
-  // Both ways in one face: the left side holds all incident edges or none.
+  // Both ends in one face: the left side holds all incident edges or none.
   if (way_in == way_out && !comes_along && !is_vertex(after) && 1 - before.position < after.position) {
     crossings.push_back({incident_edge, offset});
     incident_edge = previous_around_origin(incident_edge);

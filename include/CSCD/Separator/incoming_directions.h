@@ -109,7 +109,7 @@ void collect_incident_edges(const Measures& measures, Index vertex, Incident_edg
   });
 }
 
-/// The two nearest ends of `incident edges` that are nearer than their neighbors in the ring and at least a right angle
+/// The two nearest ends of `incident_edges` that are nearer than their neighbors in the ring and at least a right angle
 /// apart; null where there are none.
 inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& incident_edges)
 {
@@ -142,8 +142,8 @@ inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& inc
   return result;
 }
 
-/// The edge of `incident edges` that is closest in direction to the way of the front whose distance has the gradient
-/// `gradient`.
+/// The edge of `incident_edges` that is closest in direction to the geodesic of the front whose distance has the
+/// gradient `gradient`.
 inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges,
                                                const std::complex<double>& gradient)
 {
@@ -159,7 +159,7 @@ inline const Incident_edge* closest_to_descent(const Incident_edges& incident_ed
 /// The edges along which to leave the cut point `vertex` towards the source, on one side and on the other (section
 /// 3.1.4, which is missing): the edges to the two minima of the distance in the ring around it. They need not be nearer
 /// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
-/// are closest in direction to the ways of the fronts. Nothing if the fronts have no two sides, or one edge serves
+/// are closest in direction to the geodesics. Nothing if the fronts have no two sides, or one edge serves
 /// both. O(d^2) for degree d up to a constant.
 template <class Measures>
 std::optional<std::array<Edge_step, 2>> incoming_directions(const Measures& measures, Index vertex)

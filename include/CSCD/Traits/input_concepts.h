@@ -30,12 +30,12 @@ class TriangleMesh
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// Whether `T` looks like a `FaceListGraph`; valid for any type.
-// boost::graph_traits is not used: on what is no graph it is a hard error.
+/// Whether `T` is a `FaceListGraph`, judged by its faces; for any type.
+// Without boost::graph_traits, which is a hard error for what is no graph.
 template <class T>
 inline constexpr bool is_triangle_mesh_v = CSCD_IS_VALID(const T&, *std::begin(faces(t)));
 
-/// Whether `T` is a range of points, or of elements with points, and no mesh; valid for any type.
+/// Whether `T` is a range of points, or of elements with points, and no mesh; for any type.
 template <class T>
 inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) &&
                                          CSCD_IS_VALID(const T&, std::end(t)) && !is_triangle_mesh_v<T>;
