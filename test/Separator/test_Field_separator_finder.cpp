@@ -7,7 +7,6 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Selection/Sampled_search.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
