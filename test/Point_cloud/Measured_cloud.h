@@ -11,8 +11,8 @@
 #include "support/Shape.h"
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Heat_method.h>
+#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Point_complex.h>
@@ -28,7 +28,6 @@ namespace CSCD::test {
 class Measured_cloud
 {
 public:
-
   /// Has the triangles of `shape`.
   explicit Measured_cloud(const Shape& shape) : Measured_cloud(to_point_complex(shape)) {}
   /// Joins `points`, in normalized coordinates.

@@ -8,8 +8,8 @@
 
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,8 +19,7 @@
 namespace CSCD::test {
 
 /// The vertex with edges that is nearest to `point`.
-inline CSCD::Index nearest_vertex(const CSCD::Point_complex& complex,
-                                            const CSCD::Vector_3& point)
+inline CSCD::Index nearest_vertex(const CSCD::Point_complex& complex, const CSCD::Vector_3& point)
 {
   CSCD::Index nearest = CSCD::no_index;
   for (CSCD::Index v = 0; v < complex.number_of_vertices(); ++v) {
@@ -34,8 +33,7 @@ inline CSCD::Index nearest_vertex(const CSCD::Point_complex& complex,
 }
 
 /// Appends the vertices of the shortest way from `from` to `to`, without the latter, to `loop`.
-inline void append_way(const CSCD::Point_complex& complex, CSCD::Index from,
-                       CSCD::Index to, CSCD::Vertex_loop& loop)
+inline void append_way(const CSCD::Point_complex& complex, CSCD::Index from, CSCD::Index to, CSCD::Vertex_loop& loop)
 {
   using CSCD::Index;
   CSCD::internal::Dijkstra_search front(complex.number_of_vertices());
@@ -54,8 +52,7 @@ inline void append_way(const CSCD::Point_complex& complex, CSCD::Index from,
 }
 
 /// The loop along edges through the vertices nearest to `places`.
-inline CSCD::Vertex_loop loop_through(const CSCD::Point_complex& complex,
-                                                const std::vector<CSCD::Vector_3>& places)
+inline CSCD::Vertex_loop loop_through(const CSCD::Point_complex& complex, const std::vector<CSCD::Vector_3>& places)
 {
   CSCD::Vertex_loop loop;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -73,9 +70,8 @@ inline bool anywhere(CSCD::Index)
 
 /// The vertices that can be reached from `seeds` over edges not crossed, where `is_allowed(vertex)`.
 template <class Predicate>
-std::set<CSCD::Index> flooded(const CSCD::Point_complex& complex,
-                                        const std::vector<CSCD::Edge_crossing>& crossings,
-                                        const std::set<CSCD::Index>& seeds, const Predicate& is_allowed)
+std::set<CSCD::Index> flooded(const CSCD::Point_complex& complex, const std::vector<CSCD::Edge_crossing>& crossings,
+                              const std::set<CSCD::Index>& seeds, const Predicate& is_allowed)
 {
   using CSCD::Index;
   std::set<Index> crossed;
@@ -100,8 +96,8 @@ std::set<CSCD::Index> flooded(const CSCD::Point_complex& complex,
 /// Whether no way over edges that are not crossed leads from the left ends of crossed edges to the right ends, among
 /// the vertices where `is_allowed(vertex)`.
 template <class Predicate>
-bool separates(const CSCD::Point_complex& complex,
-               const std::vector<CSCD::Edge_crossing>& crossings, const Predicate& is_allowed)
+bool separates(const CSCD::Point_complex& complex, const std::vector<CSCD::Edge_crossing>& crossings,
+               const Predicate& is_allowed)
 {
   std::set<CSCD::Index> left;
   for (const auto& crossing : crossings) {

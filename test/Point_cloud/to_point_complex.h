@@ -8,9 +8,9 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/Shape.h"
+#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/build_point_complex.h>
-#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Vector_3.h>
 
 #include <utility>

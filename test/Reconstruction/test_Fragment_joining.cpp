@@ -21,12 +21,12 @@
 
 namespace {
 
-using CSCD::internal::Fragment_joining;
 using CSCD::Halfedge_pairing;
 using CSCD::Index;
 using CSCD::Indexed_triangles;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Fragment_joining;
 using CSCD::test::Shape;
 using CSCD::test::Tube_end;
 

@@ -24,14 +24,14 @@
 
 namespace {
 
-using CSCD::Separator;
-using CSCD::internal::Cut_graph;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::internal::Separator_arrangement;
+using CSCD::Separator;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Cut_graph;
+using CSCD::internal::Separator_arrangement;
 using CSCD::test::circle_separator;
 using CSCD::test::Cut_surface;
 using CSCD::test::section_separator;

@@ -6,13 +6,13 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Separator_overlaps.h>
 #include <CSCD/Selection/Region_packing.h>
+#include <CSCD/Selection/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Surface_levels.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,10 @@
 
 namespace {
 
-using CSCD::Separator;
 using CSCD::Index;
-using CSCD::internal::Separator_regions;
+using CSCD::Separator;
 using CSCD::Surface_level;
+using CSCD::internal::Separator_regions;
 using CSCD::test::tube_section;
 
 Surface_level level_of(const CSCD::test::Shape& shape)

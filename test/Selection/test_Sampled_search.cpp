@@ -16,8 +16,8 @@
 
 namespace {
 
-using CSCD::internal::Distance_sampling;
 using CSCD::Index;
+using CSCD::internal::Distance_sampling;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 

@@ -19,13 +19,13 @@
 
 namespace {
 
-using CSCD::Separator;
 using CSCD::Edge_crossing;
 using CSCD::Index;
 using CSCD::no_index;
-using CSCD::internal::Separator_arrangement;
+using CSCD::Separator;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Separator_arrangement;
 using CSCD::test::circle_separator;
 
 class Separator_arrangement_test : public testing::Test

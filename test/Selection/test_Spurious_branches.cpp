@@ -6,9 +6,9 @@
 #include "Separator/make_separator.h"
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Spurious_branches.h>
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Selection/Spurious_branches.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -20,8 +20,8 @@
 
 namespace {
 
-using CSCD::Separator;
 using CSCD::Index;
+using CSCD::Separator;
 using CSCD::Triangulated_surface;
 using CSCD::test::circle_separator;
 using CSCD::test::nearest_vertex;

@@ -4,9 +4,9 @@
 // What changes a builder keeps its cycles: splitting, bypassing, contracting, merging, making simple, dropping
 // overshoots, smoothing.
 
+#include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/place_junctions.h>
-#include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -50,7 +50,8 @@ bool is_consistent(const Skeleton_builder& builder)
     for (Index b : builder[a].neighbors) {
       const auto& back = builder[b].neighbors;
       const auto& forth = builder[a].neighbors;
-      if (builder[b].is_removed || std::count(back.begin(), back.end(), a) != std::count(forth.begin(), forth.end(), b)) {
+      if (builder[b].is_removed ||
+          std::count(back.begin(), back.end(), a) != std::count(forth.begin(), forth.end(), b)) {
         return false;
       }
     }

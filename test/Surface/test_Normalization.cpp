@@ -16,9 +16,9 @@
 namespace {
 
 using CSCD::Indexed_triangles;
-using CSCD::Vector_3;
 using CSCD::normalize_area;
 using CSCD::normalize_extent;
+using CSCD::Vector_3;
 using CSCD::test::message_of;
 using CSCD::test::names;
 

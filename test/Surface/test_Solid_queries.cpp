@@ -19,9 +19,9 @@
 namespace {
 
 using CSCD::Index;
-using CSCD::internal::Solid_queries;
 using CSCD::Triangulated_surface;
 using CSCD::Vector_3;
+using CSCD::internal::Solid_queries;
 using CSCD::test::to_surface;
 
 Vector_3 random_vector(std::mt19937_64& random, double size)

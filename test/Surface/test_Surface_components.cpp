@@ -14,8 +14,8 @@ namespace {
 using CSCD::Halfedge_pairing;
 using CSCD::Index;
 using CSCD::Indexed_triangles;
-using CSCD::internal::Surface_components;
 using CSCD::Vector_3;
+using CSCD::internal::Surface_components;
 
 TEST(Surface_components, measures_each_component)
 {

@@ -6,10 +6,10 @@
 #include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Coarsening.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -23,12 +23,12 @@
 
 namespace {
 
-using CSCD::internal::Coarsening;
 using CSCD::Index;
 using CSCD::Indexed_triangles;
 using CSCD::Surface_level;
 using CSCD::Surface_levels;
 using CSCD::Triangulated_surface;
+using CSCD::internal::Coarsening;
 
 int euler_number(const Triangulated_surface& surface)
 {

@@ -20,8 +20,8 @@
 
 namespace {
 
-using CSCD::internal::Delaunay_star;
 using CSCD::Index;
+using CSCD::internal::Delaunay_star;
 
 /// The neighbors of the origin, counterclockwise; from behind the border on, if there is one.
 std::vector<Index> neighbors_by_cgal(const std::vector<Eigen::Vector2d>& points)

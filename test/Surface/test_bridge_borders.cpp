@@ -5,9 +5,9 @@
 
 #include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
+#include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
 
 #include <gtest/gtest.h>
 

@@ -27,11 +27,11 @@
 
 namespace {
 
-using CSCD::internal::build_point_complex;
 using CSCD::Index;
 using CSCD::Point_cloud;
 using CSCD::Point_complex;
 using CSCD::Vector_3;
+using CSCD::internal::build_point_complex;
 using CSCD::test::Shape;
 using CSCD::test::Shape_maker;
 using CSCD::test::to_point_cloud;

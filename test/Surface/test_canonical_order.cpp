@@ -6,8 +6,8 @@
 #include "Traits/to_indexed_triangles.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/canonical_order.h>
 #include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/canonical_order.h>
 
 #include <gtest/gtest.h>
 
@@ -17,12 +17,12 @@
 
 namespace {
 
-using CSCD::internal::Canonical_order;
 using CSCD::Halfedge_pairing;
 using CSCD::Index;
 using CSCD::Indexed_triangles;
-using CSCD::internal::Surface_components;
 using CSCD::Vector_3;
+using CSCD::internal::Canonical_order;
+using CSCD::internal::Surface_components;
 using CSCD::test::Shape;
 
 struct Ordered

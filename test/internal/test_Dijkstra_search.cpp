@@ -18,9 +18,9 @@
 namespace {
 
 using CSCD::Index;
+using CSCD::no_index;
 using CSCD::internal::Dijkstra_search;
 using CSCD::internal::Multi_source_dijkstra_search;
-using CSCD::no_index;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 

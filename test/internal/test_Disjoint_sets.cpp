@@ -3,8 +3,8 @@
 //
 // Disjoint sets against labels that are rewritten at every union, on random operations.
 
-#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@
 
 namespace {
 
-using CSCD::internal::Disjoint_sets;
 using CSCD::Index;
+using CSCD::internal::Disjoint_sets;
 
 /// Whether `sets` are those of the indices with equal labels, each represented by one of them.
 testing::AssertionResult are_those_of(Disjoint_sets& sets, const std::vector<Index>& labels)

@@ -3,8 +3,8 @@
 //
 // The heap against the standard queue, on random operations.
 
-#include <CSCD/internal/Indexed_heap.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Indexed_heap.h>
 
 #include <gtest/gtest.h>
 

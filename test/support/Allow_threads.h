@@ -20,8 +20,7 @@ class Allow_threads
 {
 public:
 #ifdef CGAL_LINKED_WITH_TBB
-  explicit Allow_threads(std::size_t max_threads)
-      : m_control(tbb::global_control::max_allowed_parallelism, max_threads)
+  explicit Allow_threads(std::size_t max_threads) : m_control(tbb::global_control::max_allowed_parallelism, max_threads)
   {
   }
 

@@ -22,10 +22,10 @@ namespace CSCD::test {
 /// Distances in units of the body's radius at the nearest point of its centreline.
 struct Centreline_error
 {
-  double mean_of_nodes = 0;    ///< distance of a node from the centreline
-  double max_of_nodes = 0; ///< the largest of these
-  double max_gap = 0;      ///< distance from a point of the centreline to the skeleton
-  double max_of_radii = 0; ///< how wrong the radius is at nodes of degree 2, relative to the true one
+  double mean_of_nodes = 0; ///< distance of a node from the centreline
+  double max_of_nodes = 0;  ///< the largest of these
+  double max_gap = 0;       ///< distance from a point of the centreline to the skeleton
+  double max_of_radii = 0;  ///< how wrong the radius is at nodes of degree 2, relative to the true one
 };
 
 namespace internal {
@@ -70,8 +70,7 @@ Centreline_error centreline_error(const Shape& shape, const Skeleton& skeleton)
     error.mean_of_nodes += relative_distance / static_cast<double>(num_vertices(skeleton));
     error.max_of_nodes = std::max(error.max_of_nodes, relative_distance);
     if (degree(v, skeleton) == 2) {
-      error.max_of_radii =
-          std::max(error.max_of_radii, std::fabs(skeleton[v].radius - true_radius) / true_radius);
+      error.max_of_radii = std::max(error.max_of_radii, std::fabs(skeleton[v].radius - true_radius) / true_radius);
     }
   }
   const std::vector<Centreline_segment> segments = internal::segments_of(skeleton);

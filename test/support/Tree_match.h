@@ -84,7 +84,7 @@ public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:
-  static constexpr double step = 0.02;       // between samples of an axis
+  static constexpr double step = 0.02;     // between samples of an axis
   static constexpr double min_share = 0.5; // of a limb that a branch must follow, and of a branch that must be on it
 
   static double median(std::vector<double>& values)
