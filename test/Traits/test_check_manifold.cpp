@@ -34,7 +34,7 @@ Indexed_triangles combinatorial(std::vector<std::array<Index, 3>> faces, std::si
 
 std::string message(const Indexed_triangles& triangles)
 {
-  return message_of([&] { CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex + 100; }); });
+  return message_of([&] { CSCD::check_manifold(triangles, [](Index vertex) { return vertex + 100; }); });
 }
 
 TEST(check_manifold, accepts_closed_and_open_surfaces)
