@@ -81,7 +81,7 @@ TEST(Intrinsic_triangulation, keeps_the_surface_whatever_is_flipped)
 Triangulated_surface to_bridged_surface(const Shape& shape)
 {
   auto triangles = CSCD::test::to_indexed_triangles(shape);
-  const auto pairing = CSCD::internal::check_manifold(triangles, [](Index vertex) { return vertex; });
+  const auto pairing = CSCD::check_manifold(triangles, [](Index vertex) { return vertex; });
   CSCD::internal::bridge_borders(triangles, pairing);
   return Triangulated_surface(std::move(triangles));
 }
