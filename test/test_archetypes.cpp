@@ -3,7 +3,7 @@
 //
 // The library runs on types that have no more than the concepts ask for.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "archetypes/Policies_archetype.h"
 #include "archetypes/Separator_cost_archetype.h"
 #include "archetypes/Separator_finder_archetype.h"

@@ -3,7 +3,7 @@
 //
 // Points that move over a point complex stay on its surface, near the vertex that is named.
 
-#include "Point_cloud/Measured_cloud.h"
+#include "Surface/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>

@@ -5,7 +5,7 @@
 // no scale, at one place on a sampled sphere.
 
 #include "Cut_locus/to_surface_with_borders.h"
-#include "Point_cloud/Measured_cloud.h"
+#include "Surface/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>

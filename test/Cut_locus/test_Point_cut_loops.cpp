@@ -3,7 +3,7 @@
 //
 // Loops of sources on point clouds: around tubes and through holes, simple closed curves along edges.
 
-#include "Point_cloud/Measured_cloud.h"
+#include "Surface/Measured_cloud.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>

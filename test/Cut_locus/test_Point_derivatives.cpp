@@ -4,7 +4,7 @@
 // Tangent planes of a point complex: vectors in them and in space, and what is carried from one to the next.
 
 #include "Cut_locus/to_surface_with_borders.h"
-#include "Point_cloud/to_point_complex.h"
+#include "Surface/to_point_complex.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Surface/Point_complex.h>

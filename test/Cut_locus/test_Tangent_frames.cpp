@@ -4,7 +4,7 @@
 // Tangent frames: transport is that of the plane where the surface is flat, and turns by the curvature elsewhere.
 
 #include "Cut_locus/to_surface_with_borders.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -4,7 +4,7 @@
 // Loops of cut loci: as many as the surface has, whatever the distances are, on triangulations of every kind.
 
 #include "Cut_locus/to_surface_with_borders.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_tree.h>

@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_CUT_LOCUS_TO_SURFACE_WITH_BORDERS_H
 #define CSCD_TEST_CUT_LOCUS_TO_SURFACE_WITH_BORDERS_H
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/Shape.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>

@@ -4,8 +4,8 @@
 // Masses, components and matrices of linear finite elements.
 
 #include "Geodesic/Length_triangulation.h"
-#include "Traits/to_bridged_surface.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_bridged_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -3,7 +3,7 @@
 //
 // Distances of the front where the exact ones are known, and when it stops.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Surface/Triangulated_surface.h>

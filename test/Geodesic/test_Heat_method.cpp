@@ -5,8 +5,8 @@
 // of numbers.
 
 #include "Geodesic/Length_triangulation.h"
-#include "Traits/to_bridged_surface.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_bridged_surface.h"
+#include "Surface/to_surface.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>

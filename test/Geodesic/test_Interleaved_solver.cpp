@@ -3,8 +3,8 @@
 //
 // Solutions for one and for several right-hand sides, and matrices that have none.
 
+#include "Surface/to_surface.h"
 #include "Traits/message_of.h"
-#include "Traits/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Interleaved_solver.h>

@@ -3,9 +3,9 @@
 //
 // Tufted covers: how copies are glued, and the elements on them beside those of meshes.
 
-#include "Point_cloud/to_point_cloud.h"
-#include "Point_cloud/to_point_complex.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_point_cloud.h"
+#include "Surface/to_point_complex.h"
+#include "Surface/to_surface.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Cotangent_elements.h>

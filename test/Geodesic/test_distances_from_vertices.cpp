@@ -3,7 +3,7 @@
 //
 // Distances from one and several vertices where the exact ones are known.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Surface/Triangulated_surface.h>

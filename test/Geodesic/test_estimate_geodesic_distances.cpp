@@ -3,8 +3,8 @@
 //
 // Distances on meshes beside exact shortest paths and CGAL's heat method; kinds of meshes, sources and parameters.
 
+#include "Surface/to_surface.h"
 #include "Traits/message_of.h"
-#include "Traits/to_surface.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Heat_method.h>

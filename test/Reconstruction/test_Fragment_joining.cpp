@@ -3,7 +3,7 @@
 //
 // Which fragments are joined, and that the result is an oriented manifold.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Surface/Halfedge_pairing.h>

@@ -3,7 +3,7 @@
 //
 // Which handles are cut: those of a few edges, and no others; and the steps of the cut.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/Handle_repair.h>
 #include <CSCD/Reconstruction/Local_handle_search.h>

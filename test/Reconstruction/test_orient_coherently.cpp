@@ -3,7 +3,7 @@
 //
 // Turned faces are turned back, and surfaces with one side are cut open.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Reconstruction/orient_coherently.h>
 #include <CSCD/Surface/Halfedge_pairing.h>

@@ -4,7 +4,7 @@
 // The sides of separators, their balance and roundness.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Balance_and_roundness.h>
 #include <CSCD/Separator/Separator.h>

@@ -3,7 +3,7 @@
 //
 // Which vertices separators cover, and the order of sources.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Coverage.h>
 #include <CSCD/Separator/Local_separator_finder.h>

@@ -3,7 +3,7 @@
 //
 // The search for separators: complete, bounded, and the same for any number of threads.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Covering_search.h>

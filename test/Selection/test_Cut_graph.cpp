@@ -5,7 +5,7 @@
 
 #include "Selection/Cut_surface.h"
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>

@@ -4,7 +4,7 @@
 // Every vertex belongs to the nearest packed separator; regions are connected and not empty.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Separator_overlaps.h>

@@ -4,7 +4,7 @@
 // Separators that are disjoint are accepted, those that cross refused, and refused ones leave no trace.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>

@@ -4,7 +4,7 @@
 // Where separators overlap, and packing by it.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Selection/Separator_overlaps.h>

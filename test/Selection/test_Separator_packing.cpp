@@ -4,7 +4,7 @@
 // Separators packed by cost, and their disjointness.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_cost.h>
 #include <CSCD/Selection/Separator_packing.h>

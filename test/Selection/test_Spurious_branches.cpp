@@ -4,7 +4,7 @@
 // A branch is a bump if none of its separators cuts off a limb.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>

@@ -6,7 +6,7 @@
 #include "Selection/Cut_surface.h"
 #include "Separator/is_closed_curve.h"
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/Shape_solid.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"

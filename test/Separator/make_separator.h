@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
 #define CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -3,7 +3,7 @@
 //
 // What a loop cuts off: flat discs, hemispheres, limbs.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Vertex_loop.h>

@@ -3,9 +3,9 @@
 //
 // The edges that curves around tubes cross: they cut, on manifolds and others.
 
-#include "Point_cloud/edge_ways.h"
-#include "Point_cloud/joined_shell.h"
-#include "Point_cloud/to_point_complex.h"
+#include "Surface/edge_ways.h"
+#include "Surface/joined_shell.h"
+#include "Surface/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Curve_trace.h>

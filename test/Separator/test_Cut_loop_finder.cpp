@@ -4,7 +4,7 @@
 // From a distance field to a loop: opposite targets, simple closed curves, stated reasons where there is none.
 
 #include "Cut_locus/to_surface_with_borders.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>

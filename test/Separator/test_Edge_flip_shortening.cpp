@@ -4,8 +4,8 @@
 // Shortening by edge flips ends in geodesics, and says so where it does not.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_indexed_triangles.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>

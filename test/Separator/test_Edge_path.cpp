@@ -3,7 +3,7 @@
 //
 // Strands on one edge keep their order, whatever is added, removed or flipped beside them.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Surface/Intrinsic_patch.h>

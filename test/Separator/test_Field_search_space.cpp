@@ -3,7 +3,7 @@
 //
 // What the published method prepares to measure distances along a surface.
 
-#include "Traits/to_bridged_surface.h"
+#include "Surface/to_bridged_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Separator/Field_separator_finder.h>

@@ -4,7 +4,7 @@
 // Separators from whole distance fields.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Selection/Sampled_search.h>

@@ -4,7 +4,7 @@
 // The finder of local separators on bodies whose limbs are known.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Local_separator_finder.h>

@@ -3,7 +3,7 @@
 //
 // Loops of a coarse level on the edges of the finest one.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>

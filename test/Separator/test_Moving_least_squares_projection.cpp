@@ -3,8 +3,8 @@
 //
 // How near projected points come to the surfaces that were sampled.
 
-#include "Point_cloud/joined_shell.h"
-#include "Point_cloud/to_point_complex.h"
+#include "Surface/joined_shell.h"
+#include "Surface/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Surface_projection.h>

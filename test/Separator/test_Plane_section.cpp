@@ -4,7 +4,7 @@
 // Plane sections: known lengths, planes through vertices, edges and whole faces, and the axis of a limb.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>

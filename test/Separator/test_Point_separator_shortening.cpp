@@ -3,9 +3,9 @@
 //
 // Separators of point clouds: how long they are, where they come to rest, and that they separate.
 
-#include "Point_cloud/edge_ways.h"
-#include "Point_cloud/to_point_complex.h"
 #include "Separator/halfedges_along.h"
+#include "Surface/edge_ways.h"
+#include "Surface/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Curve_trace.h>

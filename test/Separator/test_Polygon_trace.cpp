@@ -4,7 +4,7 @@
 // Polygons are traced over a surface, or refused.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Curve_trace.h>
 #include <CSCD/Surface/Solid_queries.h>

@@ -5,7 +5,7 @@
 
 #include "Separator/halfedges_along.h"
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>

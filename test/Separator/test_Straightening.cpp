@@ -4,7 +4,7 @@
 // Straightening shortens curves and keeps them curves.
 
 #include "Separator/is_closed_curve.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>

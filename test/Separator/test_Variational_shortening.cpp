@@ -3,7 +3,7 @@
 //
 // Curves that are shortened to known lengths, are held by a ball, or collapse.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Edge_flip_shortening.h>

@@ -4,7 +4,7 @@
 // Length, center, normal and planarity of polygons for which they are known.
 
 #include "Separator/make_separator.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>

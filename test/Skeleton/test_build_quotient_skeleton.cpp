@@ -3,7 +3,7 @@
 //
 // The quotient graph of regions and the skeleton built of it.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/Shape_solid.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"

@@ -3,8 +3,8 @@
 //
 // The pairing of halfedges, and what it tells of manifolds.
 
+#include "Surface/to_indexed_triangles.h"
 #include "Traits/message_of.h"
-#include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 

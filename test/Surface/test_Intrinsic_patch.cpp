@@ -3,7 +3,7 @@
 //
 // A patch behaves as the whole triangulation does, and holds no more than what was touched.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Edge_trace.h>
 #include <CSCD/Surface/Intrinsic_patch.h>

@@ -4,8 +4,8 @@
 // Flips keep the surface, and every edge can be traced, whatever was flipped.
 
 #include "Surface/expect_consistent.h"
-#include "Traits/to_indexed_triangles.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Edge_trace.h>
 #include <CSCD/Surface/Halfedge_pairing.h>

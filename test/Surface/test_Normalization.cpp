@@ -3,8 +3,8 @@
 //
 // Unit area or unit extent, centered, whatever the size and the place.
 
+#include "Surface/to_indexed_triangles.h"
 #include "Traits/message_of.h"
-#include "Traits/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Normalization.h>
 

@@ -3,7 +3,7 @@
 //
 // Halfedges, areas and components of complexes made by hand, also where they are no surface.
 
-#include "Point_cloud/to_point_complex.h"
+#include "Surface/to_point_complex.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Point_complex.h>

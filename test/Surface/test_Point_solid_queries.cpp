@@ -3,8 +3,8 @@
 //
 // Winding numbers against their exact sums, and against what meshes hold.
 
-#include "Point_cloud/to_point_complex.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_point_complex.h"
+#include "Surface/to_surface.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Point_complex.h>

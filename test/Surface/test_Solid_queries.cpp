@@ -3,7 +3,7 @@
 //
 // The answers about the body are those that its known shape gives.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Solid_queries.h>
 

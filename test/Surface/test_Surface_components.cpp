@@ -3,7 +3,7 @@
 //
 // Components are told apart and measured, and look outwards in the end.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Surface_components.h>
 

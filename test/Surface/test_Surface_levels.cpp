@@ -3,7 +3,7 @@
 //
 // Coarser surfaces keep the topology, the hole-filling faces, and a part of the vertices.
 
-#include "Traits/to_surface.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Coarsening.h>
 #include <CSCD/Surface/Indexed_triangles.h>

@@ -3,8 +3,8 @@
 //
 // The flat arrays agree with the triangles that they were compiled from.
 
-#include "Traits/to_indexed_triangles.h"
-#include "Traits/to_surface.h"
+#include "Surface/to_indexed_triangles.h"
+#include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Triangulated_surface.h>

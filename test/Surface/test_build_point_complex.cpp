@@ -4,7 +4,7 @@
 // Complexes of samples of shapes: their topology, sides, sheets that are near each other, noise and defects; what must
 // not change them, and points that are no surface.
 
-#include "Point_cloud/to_point_cloud.h"
+#include "Surface/to_point_cloud.h"
 #include "Traits/message_of.h"
 #include "support/Shape.h"
 #include "support/Similarity.h"

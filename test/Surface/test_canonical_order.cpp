@@ -3,7 +3,7 @@
 //
 // The numbers of the surface depend on its shape alone: not on the numbers of the input, nor on its pose.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Indexed_triangles.h>

@@ -3,7 +3,7 @@
 //
 // Refinement of faces that are too large, and of pillows.
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>

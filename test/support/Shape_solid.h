@@ -7,7 +7,7 @@
 #define CSCD_TEST_SUPPORT_SHAPE_SOLID_H
 
 #include "Shape.h"
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>

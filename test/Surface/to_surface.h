@@ -3,10 +3,10 @@
 //
 // A test shape compiled as the finest level, or as all levels, without any change of numbers or coordinates.
 
-#ifndef CSCD_TEST_TRAITS_TO_SURFACE_H
-#define CSCD_TEST_TRAITS_TO_SURFACE_H
+#ifndef CSCD_TEST_SURFACE_TO_SURFACE_H
+#define CSCD_TEST_SURFACE_TO_SURFACE_H
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/Shape.h"
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -37,4 +37,4 @@ inline CSCD::Index nearest_vertex(const CSCD::Triangulated_surface& surface, con
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_TRAITS_TO_SURFACE_H
+#endif // CSCD_TEST_SURFACE_TO_SURFACE_H

@@ -3,8 +3,8 @@
 //
 // Thin shells whose two sides are joined by wrong triangles, as those of point clouds may be.
 
-#ifndef CSCD_TEST_POINT_CLOUD_JOINED_SHELL_H
-#define CSCD_TEST_POINT_CLOUD_JOINED_SHELL_H
+#ifndef CSCD_TEST_SURFACE_JOINED_SHELL_H
+#define CSCD_TEST_SURFACE_JOINED_SHELL_H
 
 #include "support/Shape.h"
 #include "support/shape_operations.h"
@@ -28,4 +28,4 @@ inline Shape joined_shell(const Shape& outer, const Shape& inner, std::size_t st
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_POINT_CLOUD_JOINED_SHELL_H
+#endif // CSCD_TEST_SURFACE_JOINED_SHELL_H

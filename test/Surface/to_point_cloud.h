@@ -3,8 +3,8 @@
 //
 // Points of tests as clouds.
 
-#ifndef CSCD_TEST_POINT_CLOUD_TO_POINT_CLOUD_H
-#define CSCD_TEST_POINT_CLOUD_TO_POINT_CLOUD_H
+#ifndef CSCD_TEST_SURFACE_TO_POINT_CLOUD_H
+#define CSCD_TEST_SURFACE_TO_POINT_CLOUD_H
 
 #include "support/Shape.h"
 #include "support/point_skeletons.h"
@@ -27,4 +27,4 @@ inline CSCD::Point_cloud to_point_cloud(const std::vector<Triple>& triples)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_POINT_CLOUD_TO_POINT_CLOUD_H
+#endif // CSCD_TEST_SURFACE_TO_POINT_CLOUD_H

@@ -3,10 +3,10 @@
 //
 // A test shape with borders, compiled with them bridged but without any other change.
 
-#ifndef CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H
-#define CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H
+#ifndef CSCD_TEST_SURFACE_TO_BRIDGED_SURFACE_H
+#define CSCD_TEST_SURFACE_TO_BRIDGED_SURFACE_H
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/Shape.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -26,4 +26,4 @@ inline CSCD::Triangulated_surface to_bridged_surface(const Shape& shape)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_TRAITS_TO_BRIDGED_SURFACE_H
+#endif // CSCD_TEST_SURFACE_TO_BRIDGED_SURFACE_H

@@ -3,10 +3,10 @@
 //
 // Point complexes made of the triangles of a test shape, or of points alone.
 
-#ifndef CSCD_TEST_POINT_CLOUD_TO_POINT_COMPLEX_H
-#define CSCD_TEST_POINT_CLOUD_TO_POINT_COMPLEX_H
+#ifndef CSCD_TEST_SURFACE_TO_POINT_COMPLEX_H
+#define CSCD_TEST_SURFACE_TO_POINT_COMPLEX_H
 
-#include "Traits/to_indexed_triangles.h"
+#include "Surface/to_indexed_triangles.h"
 #include "support/Shape.h"
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Point_complex.h>
@@ -51,4 +51,4 @@ inline CSCD::Point_complex to_point_complex(const std::vector<Triple>& points)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_POINT_CLOUD_TO_POINT_COMPLEX_H
+#endif // CSCD_TEST_SURFACE_TO_POINT_COMPLEX_H

@@ -3,11 +3,11 @@
 //
 // A point complex with all that is needed to differentiate functions on it.
 
-#ifndef CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
-#define CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
+#ifndef CSCD_TEST_SURFACE_MEASURED_CLOUD_H
+#define CSCD_TEST_SURFACE_MEASURED_CLOUD_H
 
-#include "Point_cloud/to_point_cloud.h"
-#include "Point_cloud/to_point_complex.h"
+#include "Surface/to_point_cloud.h"
+#include "Surface/to_point_complex.h"
 #include "support/Shape.h"
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
@@ -89,4 +89,4 @@ private:
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_POINT_CLOUD_MEASURED_CLOUD_H
+#endif // CSCD_TEST_SURFACE_MEASURED_CLOUD_H

@@ -3,8 +3,8 @@
 //
 // A test shape in the form in which the library checks and completes its input.
 
-#ifndef CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
-#define CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
+#ifndef CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H
+#define CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H
 
 #include "support/Shape.h"
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -26,4 +26,4 @@ inline CSCD::Indexed_triangles to_indexed_triangles(const Shape& shape)
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_TRAITS_TO_INDEXED_TRIANGLES_H
+#endif // CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H

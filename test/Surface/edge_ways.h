@@ -3,8 +3,8 @@
 //
 // Ways along the edges of a point complex: loops through given places, and what can be reached without crossed edges.
 
-#ifndef CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
-#define CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
+#ifndef CSCD_TEST_SURFACE_EDGE_WAYS_H
+#define CSCD_TEST_SURFACE_EDGE_WAYS_H
 
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -111,4 +111,4 @@ bool separates(const CSCD::Point_complex& complex, const std::vector<CSCD::Edge_
 
 } // namespace CSCD::test
 
-#endif // CSCD_TEST_POINT_CLOUD_EDGE_WAYS_H
+#endif // CSCD_TEST_SURFACE_EDGE_WAYS_H
