@@ -36,7 +36,9 @@ inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
       node["radius"] = skeleton.radii[v];
     }
     node["degree"] = degree[v];
-    node["number_of_sites"] = skeleton.number_of_vertices[v];
+    if (!skeleton.number_of_vertices.empty()) {
+      node["number_of_sites"] = skeleton.number_of_vertices[v];
+    }
     document["nodes"].push_back(std::move(node));
   }
   for (const auto& [source, target] : skeleton.edges) {

@@ -106,8 +106,7 @@ private:
         result.push_back(trial[i]);
       }
     }
-    std::reverse(result.begin(), result.end());
-    return result;
+    return {result.rbegin(), result.rend()};
   }
 
   /// Packs `separators`, which are disjoint from the packed ones and from each other. \return their number

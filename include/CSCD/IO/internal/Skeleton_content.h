@@ -10,6 +10,7 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/detection.h>
 
 #include <boost/io/ios_state.hpp>
 #include <boost/range/iterator_range_core.hpp>
@@ -56,17 +57,20 @@ private:
 struct Skeleton_content : Indexed_skeleton
 {
   bool has_radius = false;                     ///< whether the type of the nodes has a radius, even if there are none
-  std::vector<std::size_t> number_of_vertices; ///< of the input, that belong to each node
+  std::vector<std::size_t> number_of_vertices; ///< of the input, that belong to each node; empty if nodes have none
 };
 
-/// Copies what files hold of `skeleton`, a model of `CurveSkeletonGraph`; expectedly linear.
+/// Copies what files hold of `skeleton`, a model of `CurveSkeletonGraph` or a graph of points, such as a
+/// `Cut_locus_graph`; expectedly linear.
 template <class Skeleton>
 Skeleton_content skeleton_content(const Skeleton& skeleton)
 {
   Skeleton_content result{index_skeleton(skeleton), has_radius_v<Skeleton>, {}};
-  result.number_of_vertices.reserve(result.number_of_nodes());
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    result.number_of_vertices.push_back(skeleton[node].vertices.size());
+  if constexpr (CSCD_IS_VALID(const Skeleton&, t[*vertices(t).first].vertices.size())) {
+    result.number_of_vertices.reserve(result.number_of_nodes());
+    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+      result.number_of_vertices.push_back(skeleton[node].vertices.size());
+    }
   }
   return result;
 }
