@@ -12,7 +12,6 @@
 #include <CSCD/Cut_locus/Point_derivatives.h>
 #include <CSCD/Geodesic/Cotangent_elements.h>
 #include <CSCD/Geodesic/Heat_method.h>
-#include <CSCD/Geodesic/Heat_operators.h>
 #include <CSCD/Geodesic/Tufted_cover.h>
 #include <CSCD/Surface/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Point_complex.h>
