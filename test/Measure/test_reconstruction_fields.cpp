@@ -22,6 +22,7 @@
 
 namespace {
 
+using namespace CSCD;
 using namespace CSCD::internal;
 constexpr double pi = boost::math::double_constants::pi;
 
