@@ -68,6 +68,8 @@ Json separators_part(const CSCD::Skeletonization_report& r)
           {"number_of_sources_without_cut", r.number_of_sources_without_cut},
           {"number_of_rejections", rejections(r)},
           {"number_of_collapsed_loops", r.number_of_collapsed_loops},
+          {"number_of_held_loops", r.number_of_held_loops},
+          {"number_of_unfinished_loops", r.number_of_unfinished_loops},
           {"number_of_bumps", r.number_of_bumps},
           {"number_of_tunnels", r.number_of_tunnels},
           {"number_of_separators", r.number_of_separators},
