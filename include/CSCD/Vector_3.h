@@ -6,16 +6,138 @@
 #ifndef CSCD_VECTOR_3_H
 #define CSCD_VECTOR_3_H
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
-
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
 namespace CSCD {
 
-/// Points and vectors of the normalized surface.
-using Vector_3 = Eigen::Vector3d;
+/// Points and vectors of the normalized surface. Members are named as those of `Eigen::Vector3d`, whose expression
+/// templates cost each file that calls the library a quarter of its compile time.
+class Vector_3
+{
+public:
+  /// The zero vector.
+  constexpr Vector_3() = default;
+  constexpr Vector_3(double x, double y, double z) : m_coordinates{x, y, z} {}
+
+  static constexpr Vector_3 Constant(double value) { return {value, value, value}; }
+  static constexpr Vector_3 Zero() { return {}; }
+  static constexpr Vector_3 UnitX() { return {1, 0, 0}; }
+  static constexpr Vector_3 UnitY() { return {0, 1, 0}; }
+  static constexpr Vector_3 UnitZ() { return {0, 0, 1}; }
+
+  constexpr double x() const { return m_coordinates[0]; }
+  constexpr double y() const { return m_coordinates[1]; }
+  constexpr double z() const { return m_coordinates[2]; }
+  constexpr double& x() { return m_coordinates[0]; }
+  constexpr double& y() { return m_coordinates[1]; }
+  constexpr double& z() { return m_coordinates[2]; }
+  template <class Axis>
+  constexpr double operator[](Axis axis) const
+  {
+    return m_coordinates[axis];
+  }
+  template <class Axis>
+  constexpr double& operator[](Axis axis)
+  {
+    return m_coordinates[axis];
+  }
+  constexpr const double* begin() const { return m_coordinates; }
+  constexpr const double* end() const { return m_coordinates + 3; }
+  constexpr double* begin() { return m_coordinates; }
+  constexpr double* end() { return m_coordinates + 3; }
+
+  constexpr Vector_3& operator+=(const Vector_3& v) { return *this = *this + v; }
+  constexpr Vector_3& operator-=(const Vector_3& v) { return *this = *this - v; }
+  constexpr Vector_3& operator*=(double factor) { return *this = *this * factor; }
+  constexpr Vector_3& operator/=(double divisor) { return *this = *this / divisor; }
+
+  friend constexpr Vector_3 operator-(const Vector_3& v) { return {-v.x(), -v.y(), -v.z()}; }
+  friend constexpr Vector_3 operator+(const Vector_3& a, const Vector_3& b)
+  {
+    return {a.x() + b.x(), a.y() + b.y(), a.z() + b.z()};
+  }
+  friend constexpr Vector_3 operator-(const Vector_3& a, const Vector_3& b)
+  {
+    return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
+  }
+  friend constexpr Vector_3 operator*(const Vector_3& v, double factor)
+  {
+    return {v.x() * factor, v.y() * factor, v.z() * factor};
+  }
+  friend constexpr Vector_3 operator*(double factor, const Vector_3& v) { return v * factor; }
+  friend constexpr Vector_3 operator/(const Vector_3& v, double divisor)
+  {
+    return {v.x() / divisor, v.y() / divisor, v.z() / divisor};
+  }
+  friend constexpr bool operator==(const Vector_3& a, const Vector_3& b)
+  {
+    return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+  }
+  friend constexpr bool operator!=(const Vector_3& a, const Vector_3& b) { return !(a == b); }
+
+  constexpr double dot(const Vector_3& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
+  constexpr Vector_3 cross(const Vector_3& v) const
+  {
+    return {y() * v.z() - z() * v.y(), z() * v.x() - x() * v.z(), x() * v.y() - y() * v.x()};
+  }
+  constexpr double squaredNorm() const { return dot(*this); }
+  double norm() const { return std::sqrt(squaredNorm()); }
+  /// Of unit length; what is too short to tell its direction is returned as it is.
+  Vector_3 normalized() const
+  {
+    const double squared_norm = squaredNorm();
+    return squared_norm > 0 ? *this / std::sqrt(squared_norm) : *this;
+  }
+  void normalize() { *this = normalized(); }
+  /// `normalized()` without overflow or underflow.
+  Vector_3 stableNormalized() const
+  {
+    const double greatest = cwiseAbs().maxCoeff();
+    const double squared_norm = (*this / greatest).squaredNorm();
+    return squared_norm > 0 ? *this / (std::sqrt(squared_norm) * greatest) : *this;
+  }
+  /// A vector of unit length perpendicular to this one.
+  Vector_3 unitOrthogonal() const
+  {
+    constexpr double negligible = 1e-12; // beside the third coordinate
+    if (std::abs(x()) > std::abs(z()) * negligible || std::abs(y()) > std::abs(z()) * negligible) {
+      const double inverse = 1 / std::sqrt(x() * x() + y() * y());
+      return {-y() * inverse, x() * inverse, 0};
+    }
+    const double inverse = 1 / std::sqrt(y() * y() + z() * z());
+    return {0, -z() * inverse, y() * inverse};
+  }
+
+  Vector_3 cwiseAbs() const { return {std::abs(x()), std::abs(y()), std::abs(z())}; }
+  constexpr Vector_3 cwiseMin(const Vector_3& v) const
+  {
+    return {std::min(x(), v.x()), std::min(y(), v.y()), std::min(z(), v.z())};
+  }
+  constexpr Vector_3 cwiseMax(const Vector_3& v) const
+  {
+    return {std::max(x(), v.x()), std::max(y(), v.y()), std::max(z(), v.z())};
+  }
+  constexpr double minCoeff() const { return std::min(x(), std::min(y(), z())); }
+  constexpr double maxCoeff() const { return std::max(x(), std::max(y(), z())); }
+  bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
+  /// Whether the distance is at most `precision`, relative to the shorter of both vectors.
+  bool isApprox(const Vector_3& v, double precision) const
+  {
+    return (*this - v).norm() <= precision * std::min(norm(), v.norm());
+  }
+
+private:
+  double m_coordinates[3] = {0, 0, 0};
+};
+
+/// The order by x, then by y, then by z.
+constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
+{
+  return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
+}
 
 /// Index of a vertex, halfedge, face, separator or piece.
 using Index = std::uint32_t;

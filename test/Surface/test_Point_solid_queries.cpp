@@ -86,9 +86,14 @@ TEST(Winding_number, is_wrong_by_the_fifth_power_of_the_distance)
   std::mt19937_64 random(3);
   std::vector<Vector_3> points;
   std::vector<Vector_3> area_vectors;
+  const auto random_vector = [&random] {
+    Vector_3 result;
+    std::generate(result.begin(), result.end(), [&random] { return CSCD::test::random_signed_unit(random); });
+    return result;
+  };
   for (int i = 0; i < 100; ++i) {
-    points.emplace_back(Vector_3::NullaryExpr([&] { return CSCD::test::random_signed_unit(random); }));
-    area_vectors.emplace_back(Vector_3::NullaryExpr([&] { return CSCD::test::random_signed_unit(random); }));
+    points.push_back(random_vector());
+    area_vectors.push_back(random_vector());
   }
   const Winding_number winding_number(points, area_vectors);
   for (const Vector_3& direction : {Vector_3(1, 0, 0), Vector_3(0.6, 0.8, 0), Vector_3(0.48, -0.6, 0.64)}) {

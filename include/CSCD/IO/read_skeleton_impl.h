@@ -332,7 +332,7 @@ inline void add_json_node(const nlohmann::json& node, Skeleton_collector& collec
     if (!coordinate.is_number()) {
       collector.fail(name + " has a coordinate that is no number");
     }
-    point[Eigen::Index(i)] = coordinate.get<double>();
+    point[i] = coordinate.get<double>();
   }
   if (!node.contains("radius")) {
     collector.add_node(point);

@@ -12,12 +12,11 @@
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -45,18 +44,18 @@ public:
   Vector_3 center() const
   {
     // Halved before they are added, so that coordinates near the greatest double do not overflow.
-    return m_box.isEmpty() ? Vector_3(Vector_3::Zero()) : Vector_3(m_box.min() / 2 + m_box.max() / 2);
+    return m_box.is_empty() ? Vector_3(Vector_3::Zero()) : Vector_3(m_box.min() / 2 + m_box.max() / 2);
   }
 
   /// Half the longest extent; 1 if there is none.
   double half_extent() const
   {
-    const double longest = m_box.isEmpty() ? 0 : (m_box.max() / 2 - m_box.min() / 2).maxCoeff();
+    const double longest = m_box.is_empty() ? 0 : (m_box.max() / 2 - m_box.min() / 2).maxCoeff();
     return longest > 0 ? longest : 1;
   }
 
 private:
-  Eigen::AlignedBox3d m_box;
+  Bounding_box m_box;
 };
 
 /// The arrays and figures of the page. Points are three consecutive numbers in the frame.
@@ -116,7 +115,7 @@ private:
   void append(std::vector<float>& target, const std::vector<Vector_3>& points) const
   {
     for (const Vector_3& point : points) {
-      for (Eigen::Index i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i) {
         target.push_back(static_cast<float>((point[i] - m_data.center[i]) / m_data.half_extent));
       }
     }

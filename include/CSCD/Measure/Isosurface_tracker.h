@@ -12,7 +12,6 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 
-#include <Eigen/Core>
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
 
@@ -303,9 +302,9 @@ Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skel
       if (tracker.is_too_large()) {
         break;
       }
-      Eigen::Index axis = 0;
-      sample.tangent.cwiseAbs().minCoeff(&axis);
-      number_unresolved += tracker.track_around(sample.point, int(axis)) ? 0 : 1;
+      const Vector_3 lengths = sample.tangent.cwiseAbs();
+      const auto axis = int(std::min_element(lengths.begin(), lengths.end()) - lengths.begin());
+      number_unresolved += tracker.track_around(sample.point, axis) ? 0 : 1;
     }
     for (const Vector_3& point : skeleton.points) { // nodes without edges, and edges shorter than a cell
       if (!tracker.is_too_large()) {

@@ -8,18 +8,15 @@
 
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Box_tree.h>
 
 #include <CGAL/assertions.h>
-
-#include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -43,14 +40,12 @@ public:
   /// Builds the hierarchy in O(n log n).
   explicit Segment_bvh(std::vector<Segment> segments) : m_segments(std::move(segments))
   {
-    std::vector<Index> indices(m_segments.size());
-    std::iota(indices.begin(), indices.end(), Index(0));
-    std::vector<Eigen::AlignedBox3d> boxes(m_segments.size());
+    std::vector<Bounding_box> boxes(m_segments.size());
     for (std::size_t i = 0; i < m_segments.size(); ++i) {
       boxes[i].extend(m_segments[i][0]);
       boxes[i].extend(m_segments[i][1]);
     }
-    m_tree.init(indices.begin(), indices.end(), boxes.begin(), boxes.end());
+    m_tree = Box_tree(boxes);
   }
 
   bool empty() const { return m_segments.empty(); }
@@ -60,41 +55,29 @@ public:
   Segment_point nearest(const Vector_3& point) const
   {
     CGAL_precondition(!empty());
-    Distance_minimizer minimizer{m_segments, point, {}, std::numeric_limits<double>::infinity()};
-    Eigen::BVMinimize(m_tree, minimizer);
-    minimizer.nearest.distance = std::sqrt(minimizer.squared_distance);
-    return minimizer.nearest;
+    Segment_point nearest;
+    double least = std::numeric_limits<double>::infinity(); // squared distance
+    m_tree.minimize(
+        [&point](const Bounding_box& box) { return box.squared_distance(point); },
+        [&](Index i) {
+          const auto& [source, target] = m_segments[i];
+          const Vector_3 along = target - source;
+          const double squared_length = along.squaredNorm();
+          const double t = squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+          const double candidate = (source + t * along - point).squaredNorm();
+          if (nearest.segment == no_index || candidate < least || (candidate == least && i < nearest.segment)) {
+            least = candidate;
+            nearest = {i, t, 0};
+          }
+          return candidate;
+        });
+    nearest.distance = std::sqrt(least);
+    return nearest;
   }
 
 private:
-  struct Distance_minimizer
-  {
-    using Scalar = double; // as Eigen names it
-
-    const std::vector<Segment>& segments;
-    Vector_3 point;
-    Segment_point nearest;
-    double squared_distance;
-
-    double minimumOnVolume(const Eigen::AlignedBox3d& box) const { return box.squaredExteriorDistance(point); }
-    double minimumOnObject(Index i)
-    {
-      const Vector_3 along = segments[i][1] - segments[i][0];
-      const double squared_length = along.squaredNorm();
-      const double t =
-          squared_length > 0 ? std::clamp((point - segments[i][0]).dot(along) / squared_length, 0., 1.) : 0;
-      const double candidate = (segments[i][0] + t * along - point).squaredNorm();
-      if (nearest.segment == no_index || candidate < squared_distance ||
-          (candidate == squared_distance && i < nearest.segment)) {
-        squared_distance = candidate;
-        nearest = {i, t, 0};
-      }
-      return candidate;
-    }
-  };
-
   std::vector<Segment> m_segments;
-  Eigen::KdBVH<double, 3, Index> m_tree;
+  Box_tree m_tree;
 };
 
 /// The ends of the edges of `skeleton`, in order, and after them twice the number of each node that has no edge: such a

@@ -14,9 +14,8 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/config.h>
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -185,7 +184,7 @@ public:
   /// farther apart than `match_distance`, since then no point is nearer.
   double distance(const Branch_curve& other, double match_distance) const
   {
-    if (m_box.exteriorDistance(other.m_box) > match_distance) {
+    if (m_box.distance(other.m_box) > match_distance) {
       return std::numeric_limits<double>::infinity();
     }
     return std::max(mean_distance(other), other.mean_distance(*this));
@@ -234,7 +233,7 @@ private:
 
   Segment_bvh m_tree;
   std::vector<Vector_3> m_samples;
-  Eigen::AlignedBox3d m_box;
+  Bounding_box m_box;
 };
 
 /// A skeleton prepared for comparison, in coordinates in which lengths are relative to the common diagonal.
@@ -337,13 +336,14 @@ inline void check_skeleton(const Indexed_skeleton& skeleton, const std::string& 
 /// \throw Input_error if the coordinates are too large
 inline Normalization common_normalization(const Indexed_skeleton& a, const Indexed_skeleton& b)
 {
-  Eigen::AlignedBox3d box;
+  Bounding_box box;
   for (const Indexed_skeleton* skeleton : {&a, &b}) {
     for (const Vector_3& point : skeleton->points) {
       box.extend(point);
     }
   }
-  const double diagonal = (box.max() - box.min()).stableNorm();
+  const Vector_3 extent = box.max() - box.min();
+  const double diagonal = std::hypot(extent.x(), extent.y(), extent.z());
   if (!std::isfinite(diagonal)) {
     throw Input_error("the skeletons are too large to be measured: scale the coordinates");
   }

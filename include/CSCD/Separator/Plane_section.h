@@ -9,8 +9,8 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/principal_axes.h>
 
-#include <Eigen/Eigenvalues>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -63,21 +63,18 @@ public:
   /// limb around the section (the rotational symmetry axis of Tagliasacchi et al. 2009, with centered normals).
   Vector_3 symmetry_axis() const
   {
-    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    Moment_matrix moment;
     Vector_3 mean = Vector_3::Zero();
     double weight = 0;
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
       const Vector_3& before = m_points[i > 0 ? i - 1 : m_points.size() - 1];
       const double length = (m_points[i] - before).norm();
       const Vector_3 normal = m_surface.face_vector(Triangulated_surface::face(m_crossings[i].halfedge)).normalized();
-      moment += length * normal * normal.transpose();
+      moment += Moment_matrix::product(length * normal, normal);
       mean += length * normal;
       weight += length;
     }
-    const Eigen::Matrix3d covariance = moment / weight - mean * mean.transpose() / (weight * weight);
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-    solver.computeDirect(covariance);
-    return solver.eigenvectors().col(0);
+    return principal_axes(moment / weight - Moment_matrix::product(mean, mean) / (weight * weight)).vectors[0];
   }
 
 private:

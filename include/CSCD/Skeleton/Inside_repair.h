@@ -8,8 +8,7 @@
 
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
-
-#include <Eigen/Geometry>
+#include <CSCD/internal/Box_tree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,11 +65,11 @@ private:
 
   static double diagonal(const std::vector<Vector_3>& points)
   {
-    Eigen::AlignedBox3d box;
+    Bounding_box box;
     for (const Vector_3& point : points) {
       box.extend(point);
     }
-    return box.diagonal().norm();
+    return box.diagonal();
   }
 
   void repair_nodes()

@@ -8,11 +8,12 @@
 
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/principal_axes.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -46,20 +47,18 @@ struct Quadric_fit
 /// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
 /// \param unit what offsets are measured in
 template <class Neighbors>
-Eigen::Matrix3d principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
-                               double unit)
+std::array<Vector_3, 3> principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
+                                       double unit)
 {
   const double size = double(neighbors.size()) + 1;
   Vector_3 mean = Vector_3::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Moment_matrix moments;
   for (const Index neighbor : neighbors) {
     const Vector_3 offset = (points[neighbor] - points[point]) / unit;
     mean += offset / size;
-    moments += offset * offset.transpose() / size;
+    moments += Moment_matrix::product(offset, offset) / size;
   }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(moments - mean * mean.transpose());
-  return solver.eigenvectors();
+  return principal_axes(moments - Moment_matrix::product(mean, mean)).vectors;
 }
 
 /// Fits the plane and the height field through `point` and `neighbors`.
@@ -72,9 +71,9 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   constexpr std::size_t number_of_coefficients = 6;
   // Relative to the point and the reach, so that nothing is lost by cancellation.
   const double unit = reach;
-  const Eigen::Matrix3d axes = principal_axes(points, point, neighbors, unit);
+  const std::array<Vector_3, 3> axes = principal_axes(points, point, neighbors, unit);
   Quadric_fit result;
-  result.normal = axes.col(0);
+  result.normal = axes[0];
   result.surface_normal = result.normal;
   result.projection = points[point];
   if (neighbors.size() < 2 * number_of_coefficients) {
@@ -84,8 +83,8 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   Coefficients right_side = Coefficients::Zero();
   double squared_heights = 0;
   const auto add = [&](const Vector_3& offset) {
-    const double x = offset.dot(axes.col(1));
-    const double y = offset.dot(axes.col(2));
+    const double x = offset.dot(axes[1]);
+    const double y = offset.dot(axes[2]);
     const double height = offset.dot(result.normal);
     Coefficients row;
     row << 1, x, y, x * x, x * y, y * y;
@@ -101,8 +100,7 @@ Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const 
   const double squared_error = squared_heights - coefficients.dot(right_side);
   if (std::isfinite(squared_error) && std::abs(coefficients[0]) <= 1) {
     result.projection += unit * coefficients[0] * result.normal;
-    result.surface_normal =
-        (result.normal - coefficients[1] * axes.col(1) - coefficients[2] * axes.col(2)).normalized();
+    result.surface_normal = (result.normal - coefficients[1] * axes[1] - coefficients[2] * axes[2]).normalized();
     const double size = double(neighbors.size()) + 1;
     result.deviation = unit * std::sqrt(std::max(0., squared_error) / (size - double(number_of_coefficients)));
   }

@@ -8,6 +8,7 @@
 
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Eigen_vector.h>
 #include <CSCD/internal/config.h>
 
 #include <cstddef>
@@ -29,11 +30,17 @@ public:
   explicit Canonical_pose(const std::vector<Vector_3>& points);
 
   /// The place of `point` in the pose.
-  Vector_3 operator()(const Vector_3& point) const { return m_scale * (m_rotation * (point - m_centroid)); }
+  Vector_3 operator()(const Vector_3& point) const { return m_scale * turn(point - m_centroid); }
   /// `direction` in the pose.
-  Vector_3 turn(const Vector_3& direction) const { return m_rotation * direction; }
+  Vector_3 turn(const Vector_3& direction) const
+  {
+    return internal::from_eigen(m_rotation * internal::to_eigen(direction));
+  }
   /// The direction that is `direction` in the pose.
-  Vector_3 turn_back(const Vector_3& direction) const { return m_rotation.transpose() * direction; }
+  Vector_3 turn_back(const Vector_3& direction) const
+  {
+    return internal::from_eigen(m_rotation.transpose() * internal::to_eigen(direction));
+  }
   /// Lengths in the pose, relative to those of the points.
   double scale() const { return m_scale; }
 

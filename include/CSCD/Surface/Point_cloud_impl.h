@@ -65,12 +65,8 @@ inline void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>
 {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index(0));
-  const auto key = [&points](Index i) { return std::make_pair(points[i].data(), points[i].data() + 3); };
-  std::sort(order.begin(), order.end(), [&key](Index i, Index j) {
-    const auto [a, a_end] = key(i);
-    const auto [b, b_end] = key(j);
-    return std::lexicographical_compare(a, a_end, b, b_end);
-  });
+  std::sort(order.begin(), order.end(),
+            [&points](Index i, Index j) { return is_lexicographically_less(points[i], points[j]); });
   cloud.points.reserve(points.size());
   cloud.input_point.resize(points.size());
   for (Index i : order) {
@@ -102,14 +98,17 @@ CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector_3>& points)
   }
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
   for (const Vector_3& point : points) {
-    moments += (point - m_centroid) * (point - m_centroid).transpose() / size;
+    const Eigen::Vector3d offset = internal::to_eigen(point - m_centroid);
+    moments += offset * offset.transpose() / size;
   }
   // The iterative solver is exact to rounding, unlike the direct one.
   m_rotation = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().transpose();
   m_scale = 1 / std::sqrt(moments.trace());
   Vector_3 third_moments = Vector_3::Zero();
   for (const Vector_3& point : points) {
-    third_moments += (*this)(point).array().cube().matrix();
+    const Vector_3 place = (*this)(point);
+    third_moments +=
+        {place.x() * place.x() * place.x(), place.y() * place.y() * place.y(), place.z() * place.z() * place.z()};
   }
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     if (third_moments[axis] < 0) {

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Eigen_vector.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
@@ -185,7 +186,7 @@ private:
     const Vector_3 offset = dipole.point - node.center;
     const Vector_3& area_vector = dipole.area_vector;
     const Eigen::Matrix3d unit = Eigen::Matrix3d::Identity();
-    const Eigen::Matrix3d product = offset * area_vector.transpose();
+    const Eigen::Matrix3d product = to_eigen(offset) * to_eigen(area_vector).transpose();
     const double trace = area_vector.dot(offset);
     node.area_vector += area_vector;
     node.first += trace * unit - 3 * product;
@@ -197,11 +198,12 @@ private:
 
   static double far_field(const Node& node, const Vector_3& offset, double squared_distance)
   {
+    const Eigen::Vector3d eigen_offset = to_eigen(offset);
     double second = 0;
     for (int k = 0; k < 3; ++k) {
-      second += offset[k] * offset.dot(node.second[std::size_t(k)] * offset);
+      second += offset[k] * eigen_offset.dot(node.second[std::size_t(k)] * eigen_offset);
     }
-    const double first = offset.dot(node.first * offset) + second / squared_distance;
+    const double first = eigen_offset.dot(node.first * eigen_offset) + second / squared_distance;
     return (node.area_vector.dot(offset) + first / squared_distance) / (squared_distance * std::sqrt(squared_distance));
   }
 

@@ -9,9 +9,7 @@
 #include <CSCD/Surface/Cloud_sampling.h>
 #include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
-
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include <CSCD/internal/principal_axes.h>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +67,7 @@ private:
     const auto neighbors = m_neighbors.neighbors(point);
     const double unit = m_neighbors.reach(point);
     Vector_3 sum = Vector_3::Zero();
-    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Moment_matrix moments;
     Vector_3 result = Vector_3::UnitZ();
     double min_thickness = std::numeric_limits<double>::infinity();
     auto neighbor = neighbors.begin();
@@ -77,14 +75,14 @@ private:
       for (; neighbor != neighbors.end() && neighbor - neighbors.begin() < std::ptrdiff_t(size); ++neighbor) {
         const Vector_3 offset = (m_points[*neighbor] - m_points[point]) / unit;
         sum += offset;
-        moments += offset * offset.transpose();
+        moments += Moment_matrix::product(offset, offset);
       }
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> frame;
-      frame.computeDirect(moments - sum * sum.transpose() / double(neighbor - neighbors.begin() + 1));
-      const double thickness = std::max(0., frame.eigenvalues()[0]) / frame.eigenvalues()[1];
+      const Principal_axes axes =
+          principal_axes(moments - Moment_matrix::product(sum, sum) / double(neighbor - neighbors.begin() + 1));
+      const double thickness = std::max(0., axes.values[0]) / axes.values[1];
       if (thickness < min_thickness) {
         min_thickness = thickness;
-        result = frame.eigenvectors().col(0);
+        result = axes.vectors[0];
       }
     }
     return result;

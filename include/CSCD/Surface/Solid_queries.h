@@ -8,9 +8,7 @@
 
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-
-#include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
+#include <CSCD/internal/Box_tree.h>
 
 #include <algorithm>
 #include <array>
@@ -32,18 +30,16 @@ public:
   explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
   {
     const Index number_of_blocks = (surface.number_of_faces() + block_size - 1) / block_size;
-    std::vector<Index> blocks(number_of_blocks);
-    std::vector<Box> boxes(number_of_blocks);
-    Box whole;
+    std::vector<Bounding_box> boxes(number_of_blocks);
+    Bounding_box whole;
     for (Index block = 0; block < number_of_blocks; ++block) {
-      blocks[block] = block;
       for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
         boxes[block].extend(surface.point(surface.origin(h)));
       }
       whole.extend(boxes[block]);
     }
-    m_offset = relative_offset * whole.diagonal().norm();
-    m_tree.init(blocks.begin(), blocks.end(), boxes.begin(), boxes.end());
+    m_offset = relative_offset * whole.diagonal();
+    m_tree = Box_tree(boxes);
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
 
@@ -52,21 +48,38 @@ public:
   bool is_inside(const Vector_3& point) const
   {
     // Any direction will do; faces of designed parts are often perpendicular or parallel to the axes.
-    Parity_counter counter{*this, Ray(point, Vector_3(0.8523, 0.4127, 0.3211)), false};
-    Eigen::BVIntersect(m_tree, counter);
-    return counter.is_odd;
+    const Ray ray(point, Vector_3(0.8523, 0.4127, 0.3211));
+    bool is_odd = false;
+    visit_hits(ray, infinity, [&is_odd](double) { is_odd = !is_odd; });
+    return is_odd;
   }
 
   /// The point of the surface that is nearest to `point`.
   /// \param near a face that may be near, such as that of the answer for a neighbor of `point`: it saves time
   Surface_point closest_point(const Vector_3& point, Index near = no_index) const
   {
-    Distance_minimizer minimizer{*this, point, {}, {}};
+    Surface_point nearest;
+    double least = std::numeric_limits<double>::max();
+    const auto try_face = [&](Index face) {
+      const Vector_3 candidate = closest_point_of_face(face, point);
+      const double distance = (candidate - point).squaredNorm();
+      if (nearest.face == no_index || distance < least) {
+        least = distance;
+        nearest = {candidate, face};
+      }
+      return distance;
+    };
     if (near != no_index) {
-      minimizer.try_face(near);
+      try_face(near);
     }
-    Eigen::BVMinimize(m_tree, minimizer);
-    return minimizer.nearest;
+    // Boxes that hold nothing nearer than what is known are not entered.
+    m_tree.minimize(
+        [&](const Bounding_box& box) {
+          const double distance = box.squared_distance(point);
+          return distance < least ? distance : infinity;
+        },
+        [&](Index block) { return min_of_block(block, try_face); });
+    return nearest;
   }
 
   /// The first point in which the ray from `origin` along `direction`, not necessarily of unit length, meets the
@@ -74,12 +87,18 @@ public:
   /// \pre `direction` is not zero
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {
-    Hit_minimizer minimizer{*this, Ray(origin, direction.normalized()), {}};
-    Eigen::BVMinimize(m_tree, minimizer);
-    if (minimizer.hit.face == no_index) {
-      return std::nullopt;
-    }
-    return minimizer.hit;
+    const Ray ray(origin, direction.normalized());
+    std::optional<Surface_hit> hit;
+    const auto try_face = [&](Index face) {
+      const double distance = hit_distance(face, ray);
+      if (distance < infinity && (!hit || distance < hit->distance)) {
+        hit = {face, ray.origin + distance * ray.direction, distance};
+      }
+      return distance;
+    };
+    m_tree.minimize([&ray](const Bounding_box& box) { return ray.entry(box); },
+                    [&](Index block) { return min_of_block(block, try_face); });
+    return hit;
   }
 
   /// The middle of the body behind the point of the surface that is nearest to `point`: half way to where the line from
@@ -110,8 +129,7 @@ public:
     if (!(length > 0)) {
       return;
     }
-    Crossing_collector collector{*this, Ray(from, (to - from) / length), length, distances};
-    Eigen::BVIntersect(m_tree, collector);
+    visit_hits(Ray(from, (to - from) / length), length, [&](double distance) { distances.push_back(distance); });
     std::sort(distances.begin(), distances.end());
   }
 
@@ -156,9 +174,6 @@ public:
   }
 
 private:
-  using Box = Eigen::AlignedBox3d;
-  using Tree = Eigen::KdBVH<double, 3, Index>;
-
   /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and asking is no slower.
   static constexpr Index block_size = 4;
   /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
@@ -175,7 +190,8 @@ private:
       for (int i = 0; i < 3; ++i) {
         inverse[i] = direction[i] != 0 ? 1 / direction[i] : 0;
       }
-      ray_direction.cwiseAbs().maxCoeff(&main_axis);
+      const Vector_3 lengths = direction.cwiseAbs();
+      main_axis = int(std::max_element(lengths.begin(), lengths.end()) - lengths.begin());
       first_axis = (main_axis + 1) % 3;
       second_axis = (main_axis + 2) % 3;
     }
@@ -190,7 +206,7 @@ private:
     }
 
     /// The distance at which the ray enters `box`, `infinity` if it does not.
-    double entry(const Box& box) const
+    double entry(const Bounding_box& box) const
     {
       double from = 0;
       double to = infinity;
@@ -215,100 +231,35 @@ private:
     int main_axis = 0, first_axis = 1, second_axis = 2;
   };
 
-  struct Parity_counter
+  /// The least `value(face)` of the faces of `block`.
+  template <class Value>
+  double min_of_block(Index block, const Value& value) const
   {
-    const Solid_queries& queries;
-    Ray ray;
-    bool is_odd = false;
-
-    bool intersectVolume(const Box& box) const { return ray.entry(box) < infinity; }
-    bool intersectObject(Index block)
-    {
-      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        is_odd ^= queries.hit_distance(face, ray) < infinity;
-      }
-      return false;
+    double least = infinity;
+    for (Index face = begin_of(block); face < end_of(block); ++face) {
+      least = std::min(least, value(face));
     }
-  };
+    return least;
+  }
 
-  struct Crossing_collector
+  /// Calls `visit` with every distance, up to `max_distance`, at which the ray meets the surface.
+  template <class Visit>
+  void visit_hits(const Ray& ray, double max_distance, const Visit& visit) const
   {
-    const Solid_queries& queries;
-    Ray ray;
-    double length;
-    std::vector<double>& distances;
-
-    bool intersectVolume(const Box& box) const { return ray.entry(box) <= length; }
-    bool intersectObject(Index block)
-    {
-      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        const double distance = queries.hit_distance(face, ray);
-        if (distance <= length) {
-          distances.push_back(distance);
-        }
-      }
-      return false;
-    }
-  };
-
-  struct Hit_minimizer
-  {
-    using Scalar = double; // as Eigen names it
-
-    const Solid_queries& queries;
-    Ray ray;
-    Surface_hit hit;
-
-    double minimumOnVolume(const Box& box) const { return ray.entry(box); }
-    double minimumOnObject(Index block)
-    {
-      double least = infinity;
-      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        const double distance = queries.hit_distance(face, ray);
-        least = std::min(least, distance);
-        if (distance < infinity && (hit.face == no_index || distance < hit.distance)) {
-          hit = {face, ray.origin + distance * ray.direction, distance};
-        }
-      }
-      return least;
-    }
-  };
-
-  struct Distance_minimizer
-  {
-    using Scalar = double; // as Eigen names it
-
-    const Solid_queries& queries;
-    Vector_3 point;
-    Surface_point nearest;
-    std::optional<double> squared_distance;
-
-    /// \return the squared distance of `face`
-    double try_face(Index face)
-    {
-      const Vector_3 candidate = queries.closest_point_of_face(face, point);
-      const double distance = (candidate - point).squaredNorm();
-      if (!squared_distance || distance < *squared_distance) {
-        squared_distance = distance;
-        nearest = {candidate, face};
-      }
-      return distance;
-    }
-    /// Boxes that hold nothing nearer than what is known are not entered.
-    double minimumOnVolume(const Box& box) const
-    {
-      const double distance = box.squaredExteriorDistance(point);
-      return squared_distance && distance >= *squared_distance ? infinity : distance;
-    }
-    double minimumOnObject(Index block)
-    {
-      double least = infinity;
-      for (Index face = queries.begin_of(block); face < queries.end_of(block); ++face) {
-        least = std::min(least, try_face(face));
-      }
-      return least;
-    }
-  };
+    m_tree.visit(
+        [&](const Bounding_box& box) {
+          const double distance = ray.entry(box);
+          return distance < infinity && distance <= max_distance;
+        },
+        [&](Index block) {
+          for (Index face = begin_of(block); face < end_of(block); ++face) {
+            const double distance = hit_distance(face, ray);
+            if (distance < infinity && distance <= max_distance) {
+              visit(distance);
+            }
+          }
+        });
+  }
 
   std::array<Index, 3> corners(Index face) const
   {
@@ -357,7 +308,7 @@ private:
 
   const Triangulated_surface& m_surface;
   double m_offset = 0;
-  Tree m_tree;
+  Box_tree m_tree;
 };
 
 } // namespace CSCD::internal

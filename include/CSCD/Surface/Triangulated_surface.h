@@ -14,10 +14,9 @@
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -190,7 +189,11 @@ public:
   /// A third of the area of the incident faces.
   float vertex_area(Index vertex) const { return m_vertex_area[vertex]; }
   /// Area-weighted mean of the normals of the incident faces, of unit length.
-  Vector_3 vertex_normal(Index vertex) const { return m_vertex_normal[vertex].cast<double>(); }
+  Vector_3 vertex_normal(Index vertex) const
+  {
+    const auto& [x, y, z] = m_vertex_normal[vertex];
+    return {x, y, z};
+  }
   /// Twice the area times the normal of the face, bridging or not.
   Vector_3 face_vector(Index face) const
   {
@@ -259,7 +262,7 @@ private:
   {
     m_face_area.resize(number_of_faces());
     m_vertex_area.assign(m_points.size(), 0.f);
-    m_vertex_normal.assign(m_points.size(), Eigen::Vector3f::Zero());
+    m_vertex_normal.assign(m_points.size(), {0.f, 0.f, 0.f});
     m_total_area = 0;
     for (Index f = 0; f < number_of_faces(); ++f) {
       const Vector_3 vector = face_vector(f);
@@ -268,13 +271,17 @@ private:
       m_total_area += area;
       for (Index h = 3 * f; h < 3 * f + 3; ++h) {
         m_vertex_area[m_origin[h]] += float(area / 3);
-        m_vertex_normal[m_origin[h]] += vector.cast<float>();
+        for (std::size_t i = 0; i < 3; ++i) {
+          m_vertex_normal[m_origin[h]][i] += float(vector[i]);
+        }
       }
     }
-    for (Eigen::Vector3f& normal : m_vertex_normal) {
-      const float norm = normal.norm();
+    for (auto& [x, y, z] : m_vertex_normal) {
+      const float norm = std::sqrt(x * x + (y * y + z * z));
       if (norm > 0) {
-        normal /= norm;
+        x /= norm;
+        y /= norm;
+        z /= norm;
       }
     }
   }
@@ -285,7 +292,7 @@ private:
   internal::Compressed_rows<Index> m_outgoing; // of every vertex
   std::vector<float> m_face_area;
   std::vector<float> m_vertex_area;
-  std::vector<Eigen::Vector3f> m_vertex_normal;
+  std::vector<std::array<float, 3>> m_vertex_normal;
   Index m_first_hole_filling_face = 0;
   double m_total_area = 0;
   Defect m_defect;

@@ -163,9 +163,7 @@ private:
   void start_at_min_point(std::vector<Index>& hole) const
   {
     const auto is_less = [this](Index a, Index b) {
-      const Vector_3& p = m_triangles.points[a];
-      const Vector_3& q = m_triangles.points[b];
-      return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+      return is_lexicographically_less(m_triangles.points[a], m_triangles.points[b]);
     };
     std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), is_less), hole.end());
   }

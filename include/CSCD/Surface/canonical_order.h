@@ -69,11 +69,6 @@ private:
     return (m_triangles.points[vertex] - m_components.measures[component].centroid).squaredNorm();
   }
 
-  static bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
-  {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-  }
-
   /// The sums are rounded to single precision, so that the order of their terms does not matter.
   std::tuple<float, float, double, double, double> key(Index component) const
   {

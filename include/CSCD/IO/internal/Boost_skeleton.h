@@ -70,7 +70,7 @@ inline boost::dynamic_properties node_properties(const Skeleton_content& skeleto
 {
   boost::dynamic_properties properties;
   const char* names[] = {"x", "y", "z"};
-  for (Eigen::Index i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3; ++i) {
     std::vector<double> coordinates;
     for (const Vector_3& point : skeleton.points) {
       coordinates.push_back(point[i]);

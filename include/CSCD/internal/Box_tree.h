@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Axis-parallel boxes, and a hierarchy of them for searches in space.
+
+#ifndef CSCD_INTERNAL_BOX_TREE_H
+#define CSCD_INTERNAL_BOX_TREE_H
+
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The smallest box with sides parallel to the axes around some points; empty without any.
+class Bounding_box
+{
+public:
+  void extend(const Vector_3& point)
+  {
+    m_min = m_min.cwiseMin(point);
+    m_max = m_max.cwiseMax(point);
+  }
+  void extend(const Bounding_box& other)
+  {
+    m_min = m_min.cwiseMin(other.m_min);
+    m_max = m_max.cwiseMax(other.m_max);
+  }
+
+  bool is_empty() const { return m_min.x() > m_max.x(); }
+  const Vector_3& min() const { return m_min; }
+  const Vector_3& max() const { return m_max; }
+  double diagonal() const { return (m_max - m_min).norm(); }
+  double squared_distance(const Vector_3& point) const
+  {
+    return (m_min - point).cwiseMax(point - m_max).cwiseMax(Vector_3::Zero()).squaredNorm();
+  }
+  double distance(const Bounding_box& other) const
+  {
+    return (m_min - other.m_max).cwiseMax(other.m_min - m_max).cwiseMax(Vector_3::Zero()).norm();
+  }
+
+private:
+  Vector_3 m_min = Vector_3::Constant(std::numeric_limits<double>::infinity());
+  Vector_3 m_max = Vector_3::Constant(-std::numeric_limits<double>::infinity());
+};
+
+/// A balanced binary tree of boxes over objects, which are known by number. The hierarchies of CGAL and Eigen do the
+/// same, but each would be a tenth of the compile time of a file that calls the library.
+class Box_tree
+{
+public:
+  Box_tree() = default;
+  /// O(n log n).
+  /// \param boxes those of the objects
+  explicit Box_tree(const std::vector<Bounding_box>& boxes)
+  {
+    std::vector<Entry> entries;
+    entries.reserve(boxes.size());
+    for (Index i = 0; i < boxes.size(); ++i) {
+      entries.push_back({(boxes[i].min() + boxes[i].max()) / 2, i});
+    }
+    if (!boxes.empty()) {
+      m_boxes.reserve(boxes.size() - 1);
+      m_children.reserve(boxes.size() - 1);
+      m_root = build(boxes, entries, 0, Index(boxes.size()), 0);
+    }
+  }
+
+  /// Calls `visit(object)` for all objects but those inside boxes for which `must_enter(box)` is false.
+  template <class Must_enter, class Visit>
+  void visit(const Must_enter& must_enter, const Visit& visit) const
+  {
+    std::vector<Index> to_do;
+    const auto meet = [&](Index child) {
+      if (is_object(child)) {
+        visit(child - first_object);
+      } else if (is_node(child) && must_enter(m_boxes[child])) {
+        to_do.push_back(child);
+      }
+    };
+    meet(m_root);
+    while (!to_do.empty()) {
+      const auto [lower, upper] = m_children[to_do.back()];
+      to_do.pop_back();
+      meet(lower);
+      meet(upper);
+    }
+  }
+
+  /// Calls `visit(object)`, which returns the value of the object, for all that can have the least value, those in the
+  /// most promising box first.
+  /// \param bound `bound(box)` is at most the value of every object in the box
+  template <class Bound, class Visit>
+  void minimize(const Bound& bound, const Visit& visit) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    using Bounded_node = std::pair<double, Index>;
+    std::priority_queue<Bounded_node, std::vector<Bounded_node>, std::greater<>> to_do;
+    const auto meet = [&](const std::array<Index, 2>& children) {
+      for (const Index child : children) {
+        if (is_object(child)) {
+          least = std::min(least, visit(child - first_object));
+        }
+      }
+      for (const Index child : children) {
+        if (is_node(child)) {
+          if (const double value = bound(m_boxes[child]); value < least) {
+            to_do.emplace(value, child);
+          }
+        }
+      }
+    };
+    meet({m_root, no_index});
+    while (!to_do.empty()) {
+      const Index node = to_do.top().second;
+      to_do.pop();
+      meet(m_children[node]);
+    }
+  }
+
+private:
+  struct Entry
+  {
+    Vector_3 center;
+    Index object;
+  };
+
+  /// Nodes are less than this, objects are offset by it.
+  static constexpr Index first_object = Index(1) << 31;
+
+  static bool is_node(Index child) { return child < first_object; }
+  static bool is_object(Index child) { return !is_node(child) && child != no_index; }
+
+  /// Builds the tree over a range of `entries`, which is halved at the median center along each axis in turn.
+  /// \return its root, a node or an object
+  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end, int axis)
+  {
+    if (end - begin == 1) {
+      return first_object + entries[begin].object;
+    }
+    const Index middle = begin + (end - begin + (end - begin == 3 ? 1 : 0)) / 2;
+    if (end - begin > 2) {
+      std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
+                       [axis](const Entry& a, const Entry& b) { return a.center[axis] < b.center[axis]; });
+    }
+    const Index lower = build(boxes, entries, begin, middle, (axis + 1) % 3);
+    const Index upper = build(boxes, entries, middle, end, (axis + 1) % 3);
+    const auto box_of = [&](Index child) { return is_node(child) ? m_boxes[child] : boxes[child - first_object]; };
+    Bounding_box box = box_of(lower);
+    box.extend(box_of(upper));
+    m_boxes.push_back(box);
+    m_children.push_back({lower, upper});
+    return Index(m_boxes.size()) - 1;
+  }
+
+  std::vector<Bounding_box> m_boxes; // of the inner nodes
+  std::vector<std::array<Index, 2>> m_children;
+  Index m_root = no_index;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_INTERNAL_BOX_TREE_H
