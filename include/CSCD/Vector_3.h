@@ -18,6 +18,9 @@ namespace CSCD {
 class Vector_3
 {
 public:
+  using iterator = double*;
+  using const_iterator = const double*;
+
   /// The zero vector.
   constexpr Vector_3() = default;
   constexpr Vector_3(double x, double y, double z) : m_coordinates{x, y, z} {}

@@ -70,7 +70,7 @@ TEST(Convolution_field, agrees_with_quadrature)
     const Vector_3 near = s.points[0] + 0.1 * point();
     for (const Vector_3& p : {near, point(), Vector_3(3 * point())}) {
       const double expected = quadrature(s, p);
-      EXPECT_NEAR(1, Convolution_field(s).convolution(p) / expected, 1e-4) << i << ": " << p.transpose();
+      EXPECT_NEAR(1, Convolution_field(s).convolution(p) / expected, 1e-4) << i << ": " << testing::PrintToString(p);
     }
   }
 }
@@ -146,7 +146,7 @@ TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
       const double t = double(k) / steps;
       least = std::min(least, (p - Vector_3(2 * t, 0, 0)).norm() - (0.5 - 0.3 * t));
     }
-    EXPECT_NEAR(least, field(p), 1e-6) << p.transpose();
+    EXPECT_NEAR(least, field(p), 1e-6) << testing::PrintToString(p);
   }
 }
 

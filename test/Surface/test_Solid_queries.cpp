@@ -38,13 +38,13 @@ TEST(Solid_queries, knows_the_cube)
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
     const Vector_3 point = random_vector(random, 1) + Vector_3::Constant(0.5);
-    const Vector_3 clamped = point.cwiseMax(0).cwiseMin(1);
+    const Vector_3 clamped = point.cwiseMax(Vector_3::Zero()).cwiseMin(Vector_3::Constant(1));
     const bool is_inside = clamped == point;
-    ASSERT_EQ(queries.is_inside(point), is_inside) << point.transpose();
+    ASSERT_EQ(queries.is_inside(point), is_inside) << testing::PrintToString(point);
     const auto nearest = queries.closest_point(point);
     const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
     const double distance = is_inside ? depth : (clamped - point).norm();
-    ASSERT_NEAR((nearest.point - point).norm(), distance, 1e-14) << point.transpose();
+    ASSERT_NEAR((nearest.point - point).norm(), distance, 1e-14) << testing::PrintToString(point);
     ASSERT_LT(nearest.face, surface.number_of_faces());
   }
 }
@@ -67,8 +67,8 @@ TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
         for (const double distance : {1., 1e-3}) {
           const Vector_3 point = center + aside + (0.5 + distance) * Vector_3(x, y, z);
           const auto middle = queries.middle_behind(point);
-          ASSERT_TRUE(middle) << point.transpose();
-          EXPECT_LT((*middle - center - aside).norm(), 1e-12) << point.transpose();
+          ASSERT_TRUE(middle) << testing::PrintToString(point);
+          EXPECT_LT((*middle - center - aside).norm(), 1e-12) << testing::PrintToString(point);
         }
       }
     }
@@ -95,7 +95,7 @@ TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
         const Vector_3 point = Vector_3(x, y, z) / 16;
         const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
         if (depth != 0) {
-          ASSERT_EQ(queries.is_inside(point), depth > 0) << point.transpose();
+          ASSERT_EQ(queries.is_inside(point), depth > 0) << testing::PrintToString(point);
         }
       }
     }
