@@ -3,10 +3,11 @@
 #
 """Measures what it costs to compile programs that use the library, and writes the table of doc/performance.md.
 
-Usage: compile_time.py [--rounds N] [--revision REVISION] [--print]
-Each file is compiled N times, by default 3, by $CXX or g++, one at a time, header-only and with the macro CSCD_COMPILED
-that the target CSCD::compiled defines. With --revision the header-only columns of that revision of the repository stand
-beside them. With --print the table goes to standard output only.
+Usage: compile_time.py [--rounds N] [--revision REVISION] [--parts] [--print]
+Each file is compiled N times, by default 1, by $CXX or g++, one at a time, header-only and with the macro CSCD_COMPILED
+that the target CSCD::compiled defines. With --revision, header-only columns of that revision of the repository stand
+beside them for one call and for the program of the README. With --parts the files of src/ follow, which take as long as
+all others together. With --print the table goes to standard output only.
 """
 
 import argparse
@@ -28,14 +29,17 @@ FLAGS = ["-std=c++17", "-O2", "-frounding-math", "-DCGAL_LINKED_WITH_TBB"]
 EIGEN = pathlib.Path("/usr/include/eigen3")
 COMPILED = "-DCSCD_COMPILED"
 CALL = "benchmark/compile_time/call.cpp"
+ONE_CALL = "one call, of a `Surface_mesh`"
+README_PROGRAM = "the program of the README"
+COMPARED = [ONE_CALL, README_PROGRAM]
 # What is compiled, by the name in the table: the file, its macros, and whether it uses the library.
 PROGRAMS = {
     "`CGAL/Surface_mesh.h` alone": (CALL, ["NUMBER_OF_MESH_TYPES=0"], False),
-    "one call, of a `Surface_mesh`": (CALL, ["NUMBER_OF_MESH_TYPES=1"], True),
+    ONE_CALL: (CALL, ["NUMBER_OF_MESH_TYPES=1"], True),
     "… with `CGAL/Polyhedron_3.h` included": (CALL, ["NUMBER_OF_MESH_TYPES=1", "WITH_POLYHEDRON"], True),
     "… and a call of a `Polyhedron_3`": (CALL, ["NUMBER_OF_MESH_TYPES=2", "WITH_POLYHEDRON"], True),
     "… and a call with a point map of another type": (CALL, ["NUMBER_OF_MESH_TYPES=3", "WITH_POLYHEDRON"], True),
-    "the program of the README": ("examples/readme_example.cpp", [], True),
+    README_PROGRAM: ("examples/readme_example.cpp", [], True),
 }
 
 
@@ -64,16 +68,16 @@ def cells(result):
     return [f"{result[0]:.1f}", f"{result[1]:,.0f}"] if result else ["–", "–"]
 
 
-def jobs_of(root, revision_root):
+def jobs_of(root, revision_root, with_parts):
     """What is to be compiled, by the name of the row and the column."""
     jobs = {}
     for name, (source, macros, uses_library) in PROGRAMS.items():
         jobs[name, "header-only"] = (root / source, macros, root)
         if uses_library:
             jobs[name, "compiled"] = (root / source, [*macros, COMPILED.removeprefix("-D")], root)
-            if revision_root:
+            if revision_root and name in COMPARED:
                 jobs[name, "revision"] = (root / source, macros, revision_root)
-    for source in sorted((root / "src").glob("*.cpp")):
+    for source in sorted((root / "src").glob("*.cpp")) if with_parts else []:
         jobs[f"`src/{source.name}`, once", "compiled"] = (source, [COMPILED.removeprefix("-D")], root)
     return jobs
 
@@ -91,8 +95,9 @@ def table(results, revision):
 
 def main():
     parser = argparse.ArgumentParser()
-    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--rounds", type=int, default=1)
     parser.add_argument("--revision")
+    parser.add_argument("--parts", action="store_true")
     parser.add_argument("--print", action="store_true")
     arguments = parser.parse_args()
 
@@ -104,7 +109,7 @@ def main():
             revision_root = pathlib.Path(folder) / "revision"
             output("git", "worktree", "add", "--detach", str(revision_root), revision)
         try:
-            results = measure(jobs_of(ROOT, revision_root), arguments.rounds)
+            results = measure(jobs_of(ROOT, revision_root, arguments.parts), arguments.rounds)
         finally:
             if revision_root:
                 shutil.rmtree(revision_root)

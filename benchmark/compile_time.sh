@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Installs what is missing (Debian, Ubuntu), measures what it costs to compile programs that use the library, and writes
-# the table to doc/performance.md. Takes five minutes on a machine without other work.
-# Usage: benchmark/compile_time.sh [--rounds N] [--revision REVISION] [--print], see benchmark/compile_time.py.
+# the table to doc/performance.md. A round takes four minutes on a machine without other work, with a revision five.
+# Usage: benchmark/compile_time.sh [--rounds N] [--revision REVISION] [--parts] [--print], see benchmark/compile_time.py.
 
 set -euo pipefail
 
