@@ -8,11 +8,26 @@
 
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Eigen_vector.h>
 #include <CSCD/internal/config.h>
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <vector>
+
+namespace CSCD::internal {
+
+/// For the few places that multiply vectors by matrices.
+inline Eigen::Vector3d to_eigen(const Vector_3& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+inline Vector_3 from_eigen(const Eigen::Vector3d& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+
+} // namespace CSCD::internal
 
 namespace CSCD {
 
@@ -30,7 +45,10 @@ public:
   explicit Canonical_pose(const std::vector<Vector_3>& points);
 
   /// The place of `point` in the pose.
-  Vector_3 operator()(const Vector_3& point) const { return m_scale * turn(point - m_centroid); }
+  Vector_3 operator()(const Vector_3& point) const
+  {
+    return internal::from_eigen(m_scale * (m_rotation * internal::to_eigen(point - m_centroid)));
+  }
   /// `direction` in the pose.
   Vector_3 turn(const Vector_3& direction) const
   {

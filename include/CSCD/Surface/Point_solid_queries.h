@@ -7,9 +7,9 @@
 #define CSCD_SURFACE_POINT_SOLID_QUERIES_H
 
 #include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Eigen_vector.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
