@@ -28,7 +28,7 @@ struct Indexed_skeleton
   std::vector<Vector_3> points;
   std::vector<double> radii; ///< one for each node, or empty if they are not known
   std::vector<std::array<Index, 2>> edges;
-  std::vector<char> is_joined; ///< for each edge, whether it was added to join components
+  std::vector<char> is_joined{}; ///< for each edge, whether it was added to join components
 
   std::size_t number_of_nodes() const { return points.size(); }
   bool has_radii() const { return radii.size() == points.size(); }
