@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -43,11 +44,16 @@ constexpr const char* compare_examples =
     R"(  cscd compare bunny.graph other.swc                 how alike two skeletons are
 )";
 
+constexpr const char* simplify_examples =
+    R"(  cscd simplify bunny.json -o less.json --min-significance 1     leave out what hardly stands out
+  cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
+)";
+
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
 to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
-Skeletons to measure: .graph .json .obj .ply .polylines.txt .swc.
+Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
 /// Puts the examples of a command, or of all, before the rest of its help.
@@ -60,7 +66,7 @@ public:
     std::string examples = "Examples:\n";
     for (const auto& [its_command, its_examples] :
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
-          std::pair("compare", compare_examples)}) {
+          std::pair("compare", compare_examples), std::pair("simplify", simplify_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -81,6 +87,26 @@ std::string check_count(const std::string& text)
 std::string check_name(const std::string& text)
 {
   return text.empty() ? "must not be empty" : "";
+}
+
+/// Refuses what is no number that is at least 0, with an r behind it if it may be one of radii.
+std::string check_length(const std::string& text, bool may_be_relative)
+{
+  const bool is_relative = may_be_relative && !text.empty() && text.back() == 'r';
+  const std::string number = text.substr(0, text.size() - (is_relative ? 1 : 0));
+  double value = 0;
+  const bool is_length = CLI::detail::lexical_cast(number, value) && value >= 0 && std::isfinite(value);
+  return is_length ? "" : "must be a number that is at least 0, not " + text;
+}
+
+void add_fragments(CLI::App& command, cscd::Fragment_options& options, const std::string& unit)
+{
+  command
+      .add_option("--min-component", options.min_component_size,
+                  "leave out components of less than N " + unit + ", but for the largest")
+      ->check(check_count)
+      ->type_name("N");
+  command.add_flag("--join", options.joins_components, "join components into one by the shortest straight edges");
 }
 
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
@@ -124,6 +150,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
           "published method")
       ->check(check_count)
       ->type_name("N");
+  add_fragments(*command, options.fragments, "vertices or points");
   command->add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
       ->check(check_name)
       ->type_name("FILE");
@@ -183,6 +210,55 @@ void add_compare(CLI::App& app, cscd::Compare_options& options)
   command->add_flag("--json", options.is_json, "write all figures as JSON");
 }
 
+void add_simplify(CLI::App& app, cscd::Simplify_options& options)
+{
+  CLI::App* command =
+      app.add_subcommand("simplify", "leave out, merge, join, sample anew or smooth parts of a skeleton");
+  command
+      ->add_option("SKELETON", options.skeleton,
+                   "skeleton file, its ending names the format; - reads .graph from standard input")
+      ->required();
+  command
+      ->add_option("-o,--output", options.outputs,
+                   "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
+      ->type_name("OUT")
+      ->allow_extra_args(false)
+      ->required();
+  command->add_option(
+      "--mesh", options.mesh,
+      "the mesh of the skeleton: what is inside stays inside, and radii are estimated if there are none");
+  command->add_option("--format", options.format, "format of the mesh instead of that of its ending, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+  const auto add_length = [&](const std::string& name, double& value, const std::string& description) {
+    command->add_option(name, value, description)
+        ->check([](const std::string& text) { return check_length(text, false); })
+        ->type_name("X");
+  };
+  add_length("--min-significance", options.min_significance,
+             "prune limbs that reach less than this beyond the body they stand on, in their radii");
+  add_length("--min-length", options.min_length, "prune limbs that are shorter");
+  add_length("--min-length-over-radius", options.min_length_over_radius,
+             "prune limbs that are shorter, in their radii");
+  add_length("--merge-junctions", options.junction_distance,
+             "merge junctions that are nearer to each other along a branch, in radii");
+  command
+      ->add_option_function<std::string>(
+          "--spacing",
+          [&options](const std::string& text) {
+            const bool is_relative = text.back() == 'r';
+            CLI::detail::lexical_cast(text.substr(0, text.size() - (is_relative ? 1 : 0)),
+                                      is_relative ? options.spacing_over_radius : options.spacing);
+          },
+          "distance of nodes along branches; with an r behind it, as in 0.5r, in local radii")
+      ->check([](const std::string& text) { return check_length(text, true); })
+      ->type_name("D");
+  command->add_option("--smooth", options.number_of_smoothing_steps, "number of steps of smoothing")
+      ->check(check_count)
+      ->type_name("N");
+  add_fragments(*command, options.fragments, "nodes");
+  command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
+}
+
 /// Says what is wrong in one line.
 void complain(std::string message)
 {
@@ -203,6 +279,8 @@ int run(int argc, char** argv)
   add_skeletonize(app, skeletonize_options);
   add_evaluate(app, evaluate_options);
   add_compare(app, compare_options);
+  cscd::Simplify_options simplify_options;
+  add_simplify(app, simplify_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // help or version
@@ -214,6 +292,8 @@ int run(int argc, char** argv)
     cscd::evaluate(evaluate_options);
   } else if (app.got_subcommand("compare")) {
     cscd::compare(compare_options);
+  } else if (app.got_subcommand("simplify")) {
+    cscd::simplify(simplify_options);
   } else {
     cscd::skeletonize(skeletonize_options);
   }

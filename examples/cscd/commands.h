@@ -35,6 +35,13 @@ inline constexpr const char* surface_shape = "surface";
 inline constexpr const char* tree_shape = "tree";
 /// @}
 
+/// What to do with components of a skeleton that are fragments.
+struct Fragment_options
+{
+  std::size_t min_component_size = 0; ///< in vertices or points, or in nodes of a skeleton from a file; 0 keeps all
+  bool joins_components = false;
+};
+
 /// What to skeletonize, how, and where the results go.
 struct Skeletonize_options
 {
@@ -49,8 +56,9 @@ struct Skeletonize_options
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
-  std::string report;                        ///< file name for the report as JSON, `standard_stream`, or empty
-  std::string html;                          ///< likewise for the viewer page
+  Fragment_options fragments;
+  std::string report; ///< file name for the report as JSON, `standard_stream`, or empty
+  std::string html;   ///< likewise for the viewer page
   bool is_quiet = false;
 };
 
@@ -81,6 +89,24 @@ struct Compare_options
   bool is_json = false;
 };
 
+/// How to simplify which skeleton; 0 is for what is not to be done.
+struct Simplify_options
+{
+  std::string skeleton;             ///< a file name, or `standard_stream` for GEL's graph format
+  std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
+  std::string mesh;                 ///< a file name, `standard_stream`, or empty
+  std::string format;               ///< of the mesh: off, obj, ply or stl; by its ending if empty
+  double min_significance = 0;
+  double min_length = 0; ///< in the unit of the skeleton
+  double min_length_over_radius = 0;
+  double junction_distance = 0; ///< in radii
+  double spacing = 0;           ///< in the unit of the skeleton
+  double spacing_over_radius = 0;
+  std::size_t number_of_smoothing_steps = 0;
+  Fragment_options fragments;
+  bool is_quiet = false;
+};
+
 /// Reads a mesh or points, skeletonizes it and writes the results.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void skeletonize(const Skeletonize_options& options);
@@ -92,6 +118,10 @@ void evaluate(const Evaluate_options& options);
 /// Reads two skeletons and writes how alike they are.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void compare(const Compare_options& options);
+
+/// Reads a skeleton, simplifies it and writes it.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void simplify(const Simplify_options& options);
 
 /// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
 std::string printable(const std::string& text);

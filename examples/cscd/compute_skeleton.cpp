@@ -106,7 +106,7 @@ Skeleton convert_skeleton(const CSCD::Skeleton_graph<Point, std::size_t>& skelet
     }
   }
   for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-    add_edge(source(edge, skeleton), target(edge, skeleton), result);
+    add_edge(source(edge, skeleton), target(edge, skeleton), skeleton[edge], result);
   }
   return result;
 }

@@ -21,9 +21,6 @@
 
 namespace cscd {
 
-namespace {
-
-/// Refuses files from which no skeleton can be read, by their endings.
 void check_skeleton_argument(const std::string& filename)
 {
   if (filename == standard_stream) {
@@ -36,15 +33,18 @@ void check_skeleton_argument(const std::string& filename)
   }
 }
 
-/// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
-Skeleton read_skeleton_argument(const std::string& filename)
+bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton)
+{
+  return filename == standard_stream ? CSCD::read_skeleton(std::cin, ".graph", "standard input", skeleton)
+                                     : CSCD::read_skeleton(filename, skeleton);
+}
+
+namespace {
+
+Skeleton skeleton_argument(const std::string& filename)
 {
   Skeleton skeleton;
-  if (filename == standard_stream) {
-    CSCD::read_skeleton(std::cin, ".graph", "standard input", skeleton);
-  } else {
-    CSCD::read_skeleton(filename, skeleton);
-  }
+  read_skeleton_argument(filename, skeleton);
   return skeleton;
 }
 
@@ -105,7 +105,7 @@ void evaluate(const Evaluate_options& options)
 {
   check_options(options);
   const Input input = read_input(options.input, options.format, options.is_quiet);
-  const Skeleton skeleton = read_skeleton_argument(options.skeleton);
+  const Skeleton skeleton = skeleton_argument(options.skeleton);
   const CSCD::Skeleton_measures measures =
       input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
   if (options.is_json) {
@@ -122,8 +122,8 @@ void compare(const Compare_options& options)
   if (options.first == standard_stream && options.second == standard_stream) {
     throw Usage_error("only one of the skeletons can be standard input");
   }
-  const Skeleton first = read_skeleton_argument(options.first);
-  const Skeleton second = read_skeleton_argument(options.second);
+  const Skeleton first = skeleton_argument(options.first);
+  const Skeleton second = skeleton_argument(options.second);
   const CSCD::Skeleton_comparison comparison =
       CSCD::compare_skeletons(first, second, CSCD::parameters::match_distance(options.match_distance));
   if (options.is_json) {

@@ -9,11 +9,13 @@
 #include "three_js_source.h"
 #include "types.h"
 #include "write_report.h"
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/read_mesh_or_points.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
@@ -100,16 +102,7 @@ void check_method(const Skeletonize_options& options)
 
 void check_outputs(const Skeletonize_options& options)
 {
-  for (const std::string& output : options.outputs) {
-    try {
-      if (output != standard_stream) {
-        CSCD::check_skeleton_filename(output);
-      }
-    } catch (const CSCD::File_error& error) {
-      throw Usage_error(error.what());
-    }
-    check_is_not_input(output, options.input, "--output");
-  }
+  check_skeleton_outputs(options.outputs, options.input);
   check_is_not_input(options.report, options.input, "--report");
   check_is_not_input(options.html, options.input, "--html");
   if (!options.html.empty() && CSCD::three_js_source().empty()) {
@@ -233,6 +226,20 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
   return input;
 }
 
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input)
+{
+  for (const std::string& output : outputs) {
+    try {
+      if (output != standard_stream) {
+        CSCD::check_skeleton_filename(output);
+      }
+    } catch (const CSCD::File_error& error) {
+      throw Usage_error(error.what());
+    }
+    check_is_not_input(output, input, "--output");
+  }
+}
+
 void check_is_not_input(const std::string& output, const std::string& input, const std::string& option)
 {
   std::error_code error;
@@ -252,7 +259,13 @@ void skeletonize(const Skeletonize_options& options)
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
-  const Skeletonization_result result = compute(input, options);
+  Skeletonization_result result = compute(input, options);
+  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
+    throw Usage_error(name_of(options.input) + ": is taken for a scan of trees, whose report numbers the nodes; leave "
+                                               "out --join and --min-component, and use cscd simplify");
+  }
+  treat_fragments(options.fragments, result);
+  result.branches = CSCD::internal::branch_contents(CSCD::internal::index_skeleton(result.skeleton));
   if (!options.is_quiet) {
     for (const std::string& warning : result.warnings()) {
       say(options.input, warning);

@@ -48,6 +48,22 @@ struct Skeletonization_result : Run_report
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet);
 
+/// Refuses files from which no skeleton can be read, by their endings.
+/// \throw Usage_error
+void check_skeleton_argument(const std::string& filename);
+
+/// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
+/// \return whether it has radii
+/// \throw CSCD::File_error
+bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton);
+
+/// Refuses outputs to which no skeleton can be written, by their endings, and those that are the input.
+/// \throw Usage_error
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input);
+
+/// Removes and joins components as `options` demand.
+void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
+
 /// Refuses an output file that is the input, by whatever name.
 /// \param option by which the output is named
 /// \throw Usage_error if it is

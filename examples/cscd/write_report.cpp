@@ -5,6 +5,7 @@
 
 #include "write_report.h"
 
+#include <CSCD/IO/write_json.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
@@ -226,6 +227,12 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
   if (report.reconstruction) {
     document["reconstruction"] = reconstruction_part(*report.reconstruction);
   }
+  if (result.fragments) {
+    document["fragments"] = {{"number_of_removed_components", result.fragments->number_of_removed_components},
+                             {"number_of_removed_sites", result.fragments->number_of_removed_vertices},
+                             {"number_of_joined_edges", result.fragments->number_of_joined_edges}};
+  }
+  document["branches"] = CSCD::internal::json_branches(result.branches);
   Json seconds;
   for (std::size_t i = 0; i < report.seconds.size(); ++i) {
     seconds[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = report.seconds[i];

@@ -7,6 +7,8 @@
 #define CSCD_PROGRAM_WRITE_REPORT_H
 
 #include "commands.h"
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Tree/Tree_report.h>
 
@@ -23,6 +25,8 @@ struct Run_report
   CSCD::Skeletonization_report report;
   std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
+  std::vector<CSCD::internal::Branch_content> branches;
+  std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
 
   /// What the user should know: one sentence each.
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }

@@ -9,6 +9,7 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
@@ -264,6 +265,7 @@ private:
       }
     }
     builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
+    compute_significance(result);
     count(builder);
     return result;
   }

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -35,10 +36,20 @@ struct Skeleton_vertex
   double radius = 0;
 };
 
+/// An edge of a curve skeleton.
+struct Skeleton_edge
+{
+  /// How far the limb that the edge belongs to reaches beyond the body it stands on, in radii of the limb; infinite if
+  /// pruning never cuts the edge. See `compute_significance()`.
+  double significance = std::numeric_limits<double>::infinity();
+  /// Whether the edge was added by `simplify_skeleton()` to join two components: it lies outside of the body.
+  bool is_joined = false;
+};
+
 /// A curve skeleton: nodes with position, radius and input vertices; its edges are straight segments.
 template <class Point, class InputDescriptor>
-using Skeleton_graph =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Skeleton_vertex<Point, InputDescriptor>>;
+using Skeleton_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                                             Skeleton_vertex<Point, InputDescriptor>, Skeleton_edge>;
 
 namespace internal {
 
@@ -52,16 +63,50 @@ struct Has_radius<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>
 {
 };
 
+template <class Skeleton>
+using Skeleton_edge_reference = decltype(std::declval<Skeleton&>()[*edges(std::declval<Skeleton&>()).first]);
+
+template <class Skeleton, class = void>
+struct Has_significance : std::false_type
+{
+};
+
+template <class Skeleton>
+struct Has_significance<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_reference<Skeleton>>().significance)>>
+    : std::true_type
+{
+};
+
+template <class Skeleton, class = void>
+struct Has_is_joined : std::false_type
+{
+};
+
+template <class Skeleton>
+struct Has_is_joined<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_reference<Skeleton>>().is_joined)>>
+    : std::true_type
+{
+};
+
 } // namespace internal
 
 /// Whether the nodes of `Skeleton` carry a `radius`; those of CGAL's own skeleton type do not.
 template <class Skeleton>
 inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
 
+/// Whether the edges of `Skeleton` carry a `significance`; those of CGAL's own skeleton type do not.
+template <class Skeleton>
+inline constexpr bool has_significance_v = internal::Has_significance<Skeleton>::value;
+
+/// Whether the edges of `Skeleton` tell by `is_joined` which were added to join components.
+template <class Skeleton>
+inline constexpr bool has_is_joined_v = internal::Has_is_joined<Skeleton>::value;
+
 #ifdef DOXYGEN_RUNNING
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
 /// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of what identifies
-/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius`.
+/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius`. The bundles of
+/// its edges may have a `significance` and a flag `is_joined`.
 ///
 /// \cgalRefines{Boost's `VertexListGraph`, `EdgeListGraph`, `MutableGraph`}
 /// \cgalHasModels{`Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`}

@@ -7,6 +7,7 @@
 #define CSCD_EXTRACT_TREE_SKELETON_H
 
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Point_cloud.h>
@@ -49,6 +50,7 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
   for_each_descriptor(points, [&](std::size_t number, const Point_descriptor<PointRange>& descriptor) {
     result[vertex[skeleton.node_of_point[cloud.input_point[number]]]].vertices.push_back(descriptor);
   });
+  compute_significance(result);
   return result;
 }
 

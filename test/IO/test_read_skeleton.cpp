@@ -8,10 +8,13 @@
 #include "sample_skeleton.h"
 #include "support/Temporary_folder.h"
 #include <CSCD/IO/read_skeleton.h>
+#include <CSCD/IO/write_json.h>
 #include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/endian/conversion.hpp>
+#include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -137,6 +140,24 @@ TEST(Read_skeleton, repeated_edges_and_edges_to_the_same_node_are_left_out)
 {
   const Parsed_skeleton s = read(".graph", "n 0 0 0\nn 1 0 0\nc 0 1\nc 1 0\nc 0 1\nc 1 1\n");
   EXPECT_EQ((Edges{{0, 1}}), s.edges);
+}
+
+TEST(Read_skeleton, json_tells_which_edges_were_joined)
+{
+  Skeleton skeleton = sample_skeleton<Skeleton>();
+  const auto marked = edge(4, 5, skeleton).first;
+  skeleton[marked].is_joined = true;
+  std::stringstream file;
+  CSCD::write_json(file, skeleton);
+  Skeleton read_back;
+  CSCD::read_skeleton(file, ".json", "test", read_back);
+  CSCD::compute_significance(skeleton);
+  ASSERT_EQ(num_edges(skeleton), num_edges(read_back));
+  for (const auto e : boost::make_iterator_range(edges(read_back))) {
+    const auto before = skeleton[edge(source(e, read_back), target(e, read_back), skeleton).first];
+    EXPECT_EQ(before.is_joined, read_back[e].is_joined);
+    EXPECT_EQ(before.significance, read_back[e].significance);
+  }
 }
 
 TEST(Read_skeleton, json_of_others)
@@ -275,6 +296,7 @@ TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
       {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": 1}, {"point": [0, 0, 0]}], "edges": []})", "some nodes"},
       {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0]]})", "no array of two numbers"},
       {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, -1]]})", "no array of two numbers"},
+      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [], "joined_edges": [0]})", "no array of two numbers"},
       {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, 18446744073709551615]]})", "an edge names node"},
       {".obj", "v 0 0\n", "line 1: a node has too few coordinates"},
       {".obj", "v 0 0 0\nl 0 1\n", "line 2: a line names vertex 0"},

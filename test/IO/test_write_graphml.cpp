@@ -56,11 +56,13 @@ TYPED_TEST(Write_graphml, reads_back_exactly)
           key.template get<std::string>(Tree::path_type("<xmlattr>/attr.name", '/'));
     }
   }
+  std::size_t number_of_significances = 0;
   Parsed_skeleton parsed;
   for (const auto& [tag, element] : tree.get_child("graphml.graph")) {
     if (tag == "edge") {
       parsed.edges.emplace_back(node_number(element.template get<std::string>("<xmlattr>.source")),
                                 node_number(element.template get<std::string>("<xmlattr>.target")));
+      number_of_significances += element.count("data");
     } else if (tag == "node") {
       EXPECT_EQ(parsed.points.size(), node_number(element.template get<std::string>("<xmlattr>.id")));
       std::map<std::string, double> value;
@@ -75,6 +77,7 @@ TYPED_TEST(Write_graphml, reads_back_exactly)
       }
     }
   }
+  EXPECT_EQ(CSCD::has_radius_v<TypeParam> ? parsed.edges.size() : 0, number_of_significances);
   expect_sample<TypeParam>(parsed);
 }
 

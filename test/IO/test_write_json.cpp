@@ -59,6 +59,25 @@ TYPED_TEST(Write_json, tells_degree_and_number_of_sites)
   }
 }
 
+TYPED_TEST(Write_json, tells_length_radius_and_significance_of_branches)
+{
+  const nlohmann::json document = nlohmann::json::parse(json_text<TypeParam>());
+  ASSERT_EQ(CSCD::has_radius_v<TypeParam>, document.contains("branches"));
+  if (!CSCD::has_radius_v<TypeParam>) {
+    return;
+  }
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (const nlohmann::json& branch : document["branches"]) {
+    append_path(branch.at("nodes").template get<std::vector<std::size_t>>(), edges);
+    const bool is_limb = branch["nodes"] == std::vector<int>({0, 1, 2}) || branch["nodes"] == std::vector<int>({4, 5});
+    EXPECT_EQ(is_limb, branch.at("significance").is_number()) << branch;
+    EXPECT_EQ(branch["nodes"].size() > 1, branch.at("length") > 1e19) << branch;
+    EXPECT_GT(branch.at("mean_radius"), 1 / 20.);
+    EXPECT_LE(branch.at("mean_radius"), 1 / 7.);
+  }
+  EXPECT_EQ(normalized(sample_edges()), normalized(edges));
+}
+
 TYPED_TEST(Write_json, empty_skeleton_is_written)
 {
   std::ostringstream out;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -43,7 +44,8 @@ TYPED_TEST(Write_ply, reads_back_exactly)
   EXPECT_EQ(std::string("ply\nformat ascii 1.0\nelement vertex 13\nproperty double x\nproperty double y\n"
                         "property double z\n") +
                 (has_radius ? "property double radius\n" : "") +
-                "element edge 12\nproperty int vertex1\nproperty int vertex2\nend_header\n",
+                "element edge 12\nproperty int vertex1\nproperty int vertex2\n" +
+                (has_radius ? "property double significance\n" : "") + "end_header\n",
             header);
   Parsed_skeleton parsed;
   for (int i = 0; i < 13; ++i) {
@@ -58,6 +60,12 @@ TYPED_TEST(Write_ply, reads_back_exactly)
   }
   for (std::size_t u = 0, v = 0; in >> u >> v;) {
     parsed.edges.emplace_back(u, v);
+    double significance = 0;
+    if (has_radius) {
+      EXPECT_TRUE(in >> significance);
+      const bool is_limb = v == 5 || u < 2; // all else are cycles
+      EXPECT_EQ(is_limb, significance < std::numeric_limits<double>::max()) << u << ' ' << v;
+    }
   }
   expect_sample<TypeParam>(parsed);
 }

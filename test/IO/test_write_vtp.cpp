@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -114,6 +115,14 @@ TYPED_TEST(Write_vtp, numbers_its_cells)
   ASSERT_EQ(vertices.size() + lines.size(), ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     EXPECT_EQ(i, ids[i]);
+  }
+  if (CSCD::has_radius_v<TypeParam>) {
+    const auto significances = numbers<double>(array(tree.get_child("CellData"), "Significance"));
+    ASSERT_EQ(ids.size(), significances.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      const bool is_limb = lines[i].front() == 0 || lines[i].back() == 5;
+      EXPECT_EQ(is_limb, significances[vertices.size() + i] < std::numeric_limits<double>::max());
+    }
   }
 }
 

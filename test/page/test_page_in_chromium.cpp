@@ -8,6 +8,9 @@
 #include "support/Temporary_folder.h"
 #include "support/fork_in_box.h"
 #include <CSCD/IO/write_html_page.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton/simplify_skeleton.h>
+#include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>
@@ -20,6 +23,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
+#include <random>
+#include <set>
 #include <string>
 #include <three_js_source.h>
 #include <vector>
@@ -131,6 +136,54 @@ TEST_F(Page_in_chromium, draws_and_all_switches_work)
   }
 }
 
+/// What the page tells at a threshold: the counts of the skeleton that the library prunes by it.
+template <class Report>
+std::string line_of(const std::string& slider, int threshold, const Report& report, std::size_t number_of_branches)
+{
+  return slider + ' ' + std::to_string(threshold) + ": " + std::to_string(report.number_of_nodes) + " nodes, " +
+         std::to_string(report.number_of_edges) + " edges, " + std::to_string(number_of_branches) + " branches, " +
+         std::to_string(report.number_of_tips) + " tips, " + std::to_string(report.number_of_junctions) +
+         " junctions, " + std::to_string(report.betti_number) + " cycles";
+}
+
+TEST_F(Page_in_chromium, sliders_prune_as_the_library_does)
+{
+  // A spine with limbs of all lengths and radii, twigs on limbs, a cycle, and an isolated node.
+  const Mesh mesh = box_mesh();
+  Skeleton skeleton;
+  std::mt19937 random(3);
+  const auto number = [&](double greatest) { return std::uniform_real_distribution<double>(0.1, greatest)(random); };
+  for (std::size_t i = 0; i < 120; ++i) {
+    const std::size_t node = add_vertex(skeleton);
+    const std::size_t parent = i == 0 ? 0 : i % 3 == 0 ? random() % i : i - 1;
+    const Point& from = skeleton[parent].point;
+    skeleton[node].point =
+        i == 0 ? Point(-1.5, 0, 0) : from + 0.3 * Kernel::Vector_3(number(1), number(1) - 0.5, number(1));
+    skeleton[node].radius = number(0.3);
+    if (i > 0 && i < 119) {
+      add_edge(parent, node, skeleton);
+    }
+  }
+  add_edge(2, 50, skeleton);
+  write_page(mesh, skeleton, {}, CSCD::three_js_source());
+  const std::string result = self_test();
+  EXPECT_TRUE(contains(result, "selftest passed")) << result;
+  EXPECT_TRUE(contains(result, "ok slider significance:")) << result;
+  std::set<std::size_t> sizes;
+  for (const int threshold : {1, 2, 4, 8}) {
+    Skeleton significant = skeleton;
+    const auto report = CSCD::simplify_skeleton(significant, CSCD::parameters::minimum_significance(threshold));
+    const std::string line = line_of("significance", threshold, report, CSCD::split_into_branches(significant).size());
+    EXPECT_TRUE(contains(result, line)) << line << '\n' << result;
+    sizes.insert(report.number_of_nodes);
+    Skeleton slender = skeleton;
+    const auto other = CSCD::simplify_skeleton(slender, CSCD::parameters::minimum_length_over_radius(threshold));
+    const std::string other_line = line_of("length", threshold, other, CSCD::split_into_branches(slender).size());
+    EXPECT_TRUE(contains(result, other_line)) << other_line << '\n' << result;
+  }
+  EXPECT_GE(sizes.size(), 3u);
+}
+
 TEST_F(Page_in_chromium, does_without_radii_and_separators)
 {
   using Cgal_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
@@ -139,6 +192,7 @@ TEST_F(Page_in_chromium, does_without_radii_and_separators)
   const std::string result = self_test();
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_TRUE(contains(result, "absent balls")) << result;
+  EXPECT_TRUE(contains(result, "absent detail")) << result;
   EXPECT_TRUE(contains(result, "absent separators")) << result;
 }
 

@@ -122,10 +122,10 @@ TEST_F(Cscd, help_begins_with_examples)
 
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command : {"skeletonize", "evaluate", "compare"}) {
+  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other : {"skeletonize", "evaluate", "compare"}) {
+    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
@@ -311,6 +311,136 @@ TEST_F(Cscd, refuses_shapes_that_do_not_fit)
   expect_refusal("skeletonize pole.xyz --shape surface --root 0,0,0", 1, {"--root", "leave out"});
   expect_refusal("skeletonize pole.xyz --root 0,0", 1, {"--root"});
   expect_refusal("skeletonize pole.xyz --shape tree --method published", 1, {"--method published"});
+}
+
+/// A cross with radii: from node 0, of radius 2, limbs of radius 1 and of lengths 20, 20, 6 and 1.5; and a node apart.
+constexpr const char* cross = R"({"nodes": [{"point": [0, 0, 0], "radius": 2}, {"point": [20, 0, 0], "radius": 1},
+  {"point": [-20, 0, 0], "radius": 1}, {"point": [0, 6, 0], "radius": 1}, {"point": [0, 0, 1.5], "radius": 1},
+  {"point": [0, 10, 0], "radius": 1}], "edges": [[0, 1], [0, 2], [0, 3], [0, 4]]})";
+
+TEST_F(Cscd, simplifies_skeletons)
+{
+  m_folder.write("cross.json", cross);
+  const auto tips_after = [&](const std::string& options) {
+    const Outcome outcome = run("simplify cross.json -o t.json " + options);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_EQ("", outcome.err);
+    EXPECT_NE(std::string::npos, outcome.out.find("\nskeleton: ")) << outcome.out;
+    const nlohmann::json nodes = nlohmann::json::parse(content("t.json")).at("nodes");
+    return std::count_if(nodes.begin(), nodes.end(), [](const auto& node) { return node.at("degree") == 1; });
+  };
+  EXPECT_EQ(4, tips_after("")); // as it is
+  EXPECT_EQ(3, tips_after("--min-significance 1"));
+  EXPECT_EQ(2, tips_after("--min-significance 100"));
+  EXPECT_EQ(3, tips_after("--min-length 2"));
+  EXPECT_EQ(2, tips_after("--min-length-over-radius 5"));
+  EXPECT_EQ(3, tips_after("--min-significance 1 --join")); // the tip of 6 is joined to the node apart
+  EXPECT_EQ(1u, nlohmann::json::parse(content("t.json")).at("joined_edges").size());
+  EXPECT_EQ(4, tips_after("--min-component 2 --spacing 0.5r --smooth 3"));
+  EXPECT_LT(50u, nlohmann::json::parse(content("t.json")).at("nodes").size());
+  EXPECT_EQ(4, tips_after("--spacing 2"));
+
+  // Significance is written and the same when it is computed of what was read.
+  const nlohmann::json branches = nlohmann::json::parse(content("t.json")).at("branches");
+  EXPECT_EQ(0, run("simplify t.json -o second.json -q").status);
+  EXPECT_EQ(branches, nlohmann::json::parse(content("second.json")).at("branches"));
+  EXPECT_EQ(0, run("simplify t.json -o t.graph -o t.swc -o t.vtp -o t.ply -o t.obj -o t.polylines.txt -q").status);
+  for (const std::string name : {"t.graph", "t.swc", "t.ply", "t.obj", "t.polylines.txt"}) {
+    EXPECT_EQ(0, run("simplify " + name + " -o u.json --min-length 2").status) << name;
+    const nlohmann::json nodes = nlohmann::json::parse(content("u.json")).at("nodes");
+    EXPECT_EQ(3, std::count_if(nodes.begin(), nodes.end(), [](const auto& n) { return n.at("degree") == 1; })) << name;
+    EXPECT_EQ(name == "t.swc" || name == "t.ply", nodes[0].contains("radius")) << name;
+  }
+  const Outcome piped = run("simplify - -o - --min-length 10 < t.graph");
+  EXPECT_EQ(0, piped.status);
+  EXPECT_EQ(0u, piped.out.rfind("n ", 0)) << piped.out;
+}
+
+TEST_F(Cscd, simplifies_inside_of_a_mesh)
+{
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(0, run("skeletonize torus.off -o t.graph -q").status);
+  // The radii that significance needs are estimated from the mesh.
+  const Outcome outcome =
+      run("simplify t.graph -o t.json --mesh torus.off --min-significance 1 --spacing 20 --smooth 50");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  const nlohmann::json nodes = nlohmann::json::parse(content("t.json")).at("nodes");
+  EXPECT_LT(3u, nodes.size());
+  for (const nlohmann::json& node : nodes) {
+    const double distance = std::hypot(node.at("point")[0].get<double>(), node["point"][1].get<double>());
+    EXPECT_NEAR(3, distance, 1);
+    EXPECT_NEAR(1, node.at("radius").get<double>(), 0.5);
+  }
+}
+
+TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
+{
+  m_folder.write("cross.json", cross);
+  m_folder.write("cross.graph", "n 0 0 0\nn 1 0 0\nc 0 1\n");
+  m_folder.write("cloud.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n");
+  expect_refusal("simplify cross.json", 1, {"--output"});
+  expect_refusal("simplify cross.json -o cross.json", 1, {"is the input", "name another file"});
+  expect_refusal("simplify cross.json -o cloud.off --mesh cloud.off", 1, {"cloud.off"});
+  expect_refusal("simplify cross.json -o a.doc", 1, {"a.doc", ".graph .json"});
+  expect_refusal("simplify cross.vtp -o a.json", 1, {"cross.vtp"});
+  expect_refusal("simplify cross.json -o a.json --spacing -1", 1, {"--spacing", "-1"});
+  expect_refusal("simplify cross.json -o a.json --spacing 1x", 1, {"--spacing", "1x"});
+  expect_refusal("simplify cross.json -o a.json --spacing r", 1, {"--spacing"});
+  expect_refusal("simplify cross.json -o a.json --min-significance nan", 1, {"--min-significance"});
+  expect_refusal("simplify cross.json -o a.json --min-length 1r", 1, {"--min-length"});
+  expect_refusal("simplify cross.json -o a.json --min-component 0", 1, {"--min-component"});
+  expect_refusal("simplify cross.json -o a.json --smooth x", 1, {"--smooth"});
+  expect_refusal("simplify cross.json -o - -o -", 1, {"standard output"});
+  expect_refusal("simplify missing.json -o a.json", 2, {"missing.json"});
+  expect_refusal("simplify cross.graph -o a.json --min-significance 1", 2, {"cross.graph", "no radii"});
+  expect_refusal("simplify cross.json -o a.json --spacing 1e-9", 2, {"cross.json", "ten million"});
+  expect_refusal("simplify cross.json -o a.json --mesh cloud.off -q", 2, {"cloud.off", "no faces"});
+  EXPECT_EQ(3, number_of_files());
+}
+
+TEST_F(Cscd, joins_fragments_and_leaves_out_dust)
+{
+  // A torus, a second one beside it, and a cube far away.
+  Mesh_file_content mesh = torus();
+  for (const double x : {10., 20.}) {
+    const Mesh_file_content part = x == 10 ? torus() : cube();
+    const std::size_t first = mesh.points.size();
+    for (const auto& p : part.points) {
+      mesh.points.push_back({p[0] + x, p[1], p[2]});
+    }
+    for (auto polygon : part.polygons) {
+      for (std::size_t& v : polygon) {
+        v += first;
+      }
+      mesh.polygons.push_back(polygon);
+    }
+  }
+  m_folder.write("three.off", off(mesh));
+  EXPECT_EQ(0, run("skeletonize three.off -o t.json --report r.json -q").status);
+  nlohmann::json report = nlohmann::json::parse(content("r.json"));
+  EXPECT_EQ(3, report.at("number_of_skeleton_components"));
+  EXPECT_FALSE(report.contains("fragments"));
+  EXPECT_EQ(nlohmann::json::parse(content("t.json")).at("branches"), report.at("branches"));
+
+  const Outcome outcome = run("skeletonize three.off -o t.json --report r.json --join --min-component 100");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_NE(std::string::npos, outcome.err.find("1 component of less than 100")) << outcome.err;
+  report = nlohmann::json::parse(content("r.json"));
+  EXPECT_EQ(1, report.at("number_of_skeleton_components"));
+  EXPECT_EQ(2, report.at("betti_number"));
+  EXPECT_EQ(1, report.at("fragments").at("number_of_removed_components"));
+  EXPECT_EQ(8, report.at("fragments").at("number_of_removed_sites"));
+  EXPECT_EQ(1, report.at("fragments").at("number_of_joined_edges"));
+  const nlohmann::json skeleton = nlohmann::json::parse(content("t.json"));
+  EXPECT_EQ(1u, skeleton.at("joined_edges").size());
+  std::size_t number_of_sites = 0;
+  for (const nlohmann::json& node : skeleton.at("nodes")) {
+    number_of_sites += node.at("number_of_sites").get<std::size_t>();
+  }
+  EXPECT_EQ(2 * torus().points.size(), number_of_sites);
+
+  m_folder.write("pole.xyz", pole());
+  expect_refusal("skeletonize pole.xyz --shape tree --join -o a.json", 1, {"tree", "cscd simplify"});
 }
 
 TEST_F(Cscd, notices_a_full_standard_output)

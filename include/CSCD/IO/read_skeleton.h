@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
 
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
@@ -45,9 +46,13 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
       node.radius = indexed.has_radii() ? indexed.radii[v] : 0;
     }
   }
-  for (const auto& [source, target] : indexed.edges) {
-    add_edge(nodes[source], nodes[target], result);
+  for (std::size_t e = 0; e < indexed.edges.size(); ++e) {
+    [[maybe_unused]] const auto edge = add_edge(nodes[indexed.edges[e][0]], nodes[indexed.edges[e][1]], result).first;
+    if constexpr (has_is_joined_v<Skeleton>) {
+      result[edge].is_joined = indexed.is_joined[e] != 0;
+    }
   }
+  compute_significance(result);
   return result;
 }
 
@@ -62,9 +67,9 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
 /// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges.
 ///
 /// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
-/// are 0 where the file holds none. What `write_skeleton()` writes of nodes and edges is read back exactly; they keep
-/// their order in
-/// `.graph`, `.json` and `.ply`. Expectedly linear.
+/// are 0 where the file holds none. Significances are computed; which edges are `is_joined`, only `.json` tells. What
+/// `write_skeleton()` writes of nodes and edges is read back exactly; they keep their order in `.graph`, `.json` and
+/// `.ply`. Expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose points can be made of three coordinates
 /// \param skeleton is replaced; when an exception is thrown it is as it was
 /// \return whether the file holds radii

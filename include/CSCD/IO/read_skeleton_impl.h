@@ -62,6 +62,8 @@ public:
 
   /// \param source,target numbers of nodes, which count from 0
   void add_edge(std::int64_t source, std::int64_t target) { m_edges.emplace_back(source, target); }
+  /// Tells that the edge between these nodes, if there is one, was added to join components.
+  void add_joined_edge(std::int64_t source, std::int64_t target) { m_joined_edges.insert(std::minmax(source, target)); }
 
   /// \throw File_error if there are no nodes, edges name nodes that do not exist, or only some nodes have radii
   Indexed_skeleton finish()
@@ -79,6 +81,7 @@ public:
       check_node(target);
       if (source != target && seen.insert(std::minmax(source, target)).second) {
         m_skeleton.edges.push_back({Index(source), Index(target)});
+        m_skeleton.is_joined.push_back(m_joined_edges.count(std::minmax(source, target)) > 0 ? 1 : 0);
       }
     }
     return std::move(m_skeleton);
@@ -102,6 +105,7 @@ private:
   std::string m_filename;
   Indexed_skeleton m_skeleton;
   std::vector<std::pair<std::int64_t, std::int64_t>> m_edges;
+  boost::unordered_set<std::pair<std::int64_t, std::int64_t>> m_joined_edges;
 };
 
 /// Reads the next coordinate of this line.
@@ -343,8 +347,8 @@ inline void add_json_node(const nlohmann::json& node, Skeleton_collector& collec
   }
 }
 
-/// Reads `text`, a JSON object as `write_json()` writes it: `nodes`, each with `point` and perhaps `radius`, and
-/// `edges`, each an array of two nodes; all else is passed over.
+/// Reads `text`, a JSON object as `write_json()` writes it: `nodes`, each with `point` and perhaps `radius`;
+/// `edges`, each an array of two nodes; and perhaps `joined_edges`; all else is passed over.
 /// \throw File_error if it is malformed
 inline Indexed_skeleton parse_json_skeleton(std::string_view text, const std::string& filename)
 {
@@ -357,11 +361,20 @@ inline Indexed_skeleton parse_json_skeleton(std::string_view text, const std::st
   for (const nlohmann::json& node : json_array(document, "nodes", collector)) {
     add_json_node(node, collector);
   }
-  for (const nlohmann::json& edge : json_array(document, "edges", collector)) {
+  const auto check_edge = [&](const nlohmann::json& edge) {
     if (!edge.is_array() || edge.size() != 2 || !edge[0].is_number_unsigned() || !edge[1].is_number_unsigned()) {
       collector.fail("an edge is no array of two numbers of nodes");
     }
+  };
+  for (const nlohmann::json& edge : json_array(document, "edges", collector)) {
+    check_edge(edge);
     collector.add_edge(edge[0].get<std::int64_t>(), edge[1].get<std::int64_t>());
+  }
+  if (document.contains("joined_edges")) {
+    for (const nlohmann::json& edge : json_array(document, "joined_edges", collector)) {
+      check_edge(edge);
+      collector.add_joined_edge(edge[0].get<std::int64_t>(), edge[1].get<std::int64_t>());
+    }
   }
   return collector.finish();
 }

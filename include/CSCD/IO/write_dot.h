@@ -21,7 +21,7 @@ inline void write_dot(std::ostream& out, const Skeleton_content& skeleton)
 {
   Exact_format format(out);
   const Boost_skeleton graph = boost_skeleton(skeleton);
-  boost::dynamic_properties properties = node_properties(skeleton);
+  boost::dynamic_properties properties = skeleton_properties(skeleton, graph);
   properties.property("node_id", get(boost::vertex_index, graph));
   boost::write_graphviz_dp(out, graph, properties);
   format.finish();
@@ -30,7 +30,8 @@ inline void write_dot(std::ostream& out, const Skeleton_content& skeleton)
 } // namespace internal
 
 /// writes `skeleton` in Graphviz's DOT language by Boost.Graph: nodes `0`, `1`, ... with the attributes `x`, `y`, `z`
-/// and, if they have one, `radius`. Linear.
+/// and, if they have one, `radius`; edges then have `significance`, the greatest double for what is never cut.
+/// O(n log n).
 /// \throw File_error if `out` fails
 template <class Skeleton>
 void write_dot(std::ostream& out, const Skeleton& skeleton)

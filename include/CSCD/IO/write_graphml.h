@@ -20,16 +20,17 @@ namespace internal {
 inline void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
 {
   Exact_format format(out);
-  const boost::dynamic_properties properties = node_properties(skeleton);
+  const Boost_skeleton graph = boost_skeleton(skeleton);
+  const boost::dynamic_properties properties = skeleton_properties(skeleton, graph);
   constexpr bool has_ordered_vertices = true;
-  boost::write_graphml(out, boost_skeleton(skeleton), properties, has_ordered_vertices);
+  boost::write_graphml(out, graph, properties, has_ordered_vertices);
   format.finish();
 }
 
 } // namespace internal
 
 /// writes `skeleton` as GraphML by Boost.Graph: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they
-/// have one, `radius`. Linear.
+/// have one, `radius`; edges then have `significance`, the greatest double for what is never cut. O(n log n).
 /// \throw File_error if `out` fails
 template <class Skeleton>
 void write_graphml(std::ostream& out, const Skeleton& skeleton)

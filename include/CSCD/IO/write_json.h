@@ -20,6 +20,21 @@
 namespace CSCD {
 namespace internal {
 
+/// What is infinite is null.
+inline nlohmann::ordered_json json_branches(const std::vector<Branch_content>& branches)
+{
+  nlohmann::ordered_json result = nlohmann::ordered_json::array();
+  for (const Branch_content& branch : branches) {
+    result.push_back(
+        {{"nodes", branch.nodes},
+         {"length", branch.length},
+         {"mean_radius", branch.mean_radius},
+         {"significance", branch.significance < Branch_hierarchy::never ? nlohmann::ordered_json(branch.significance)
+                                                                        : nlohmann::ordered_json()}});
+  }
+  return result;
+}
+
 inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
 {
   std::vector<std::size_t> degree(skeleton.number_of_nodes(), 0);
@@ -44,6 +59,14 @@ inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
   for (const auto& [source, target] : skeleton.edges) {
     document["edges"].push_back({source, target});
   }
+  if (skeleton.has_radius) {
+    document["branches"] = json_branches(branch_contents(skeleton));
+  }
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    if (skeleton.is_joined[e] != 0) {
+      document["joined_edges"].push_back(skeleton.edges[e]);
+    }
+  }
   Exact_format format(out);
   out << document.dump() << '\n';
   format.finish();
@@ -51,9 +74,12 @@ inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
 
 } // namespace internal
 
-/// writes `skeleton` as a JSON object of two arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
+/// writes `skeleton` as a JSON object of arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
 /// have one), `degree` and `number_of_sites`, the number of vertices or points of the input that belong to the node;
-/// and `edges`, each an array of two nodes counted from 0. Linear. \throw File_error if `out` fails
+/// `edges`, each an array of two nodes counted from 0; `branches` (if the nodes have radii), each with `nodes` from end
+/// to end, `length`, `mean_radius` over the length, and `significance`, null for what is never cut (see
+/// `compute_significance()`); and `joined_edges`, if there are any, those of the edges that were added to join
+/// components. O(n log n). \throw File_error if `out` fails
 template <class Skeleton>
 void write_json(std::ostream& out, const Skeleton& skeleton)
 {

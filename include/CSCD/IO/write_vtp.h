@@ -7,7 +7,6 @@
 #define CSCD_IO_WRITE_VTP_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -19,12 +18,12 @@ namespace CSCD {
 namespace internal {
 
 /// Writes the cells `first` to `last` of a PolyData, each a sequence of nodes.
-inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<std::vector<Index>>::const_iterator first,
-                            std::vector<std::vector<Index>>::const_iterator last)
+inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<Branch_content>::const_iterator first,
+                            std::vector<Branch_content>::const_iterator last)
 {
   out << '<' << tag << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
   for (auto branch = first; branch != last; ++branch) {
-    for (const Index v : *branch) {
+    for (const Index v : branch->nodes) {
       out << v << ' ';
     }
     out << '\n';
@@ -32,7 +31,7 @@ inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<std:
   out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
   std::size_t offset = 0;
   for (auto branch = first; branch != last; ++branch) {
-    offset += branch->size();
+    offset += branch->nodes.size();
     out << offset << '\n';
   }
   out << "</DataArray>\n</" << tag << ">\n";
@@ -40,9 +39,9 @@ inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<std:
 
 inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 {
-  std::vector<std::vector<Index>> branches = split_into_branches(node_neighbors(skeleton));
-  const auto lines =
-      std::stable_partition(branches.begin(), branches.end(), [](const auto& branch) { return branch.size() == 1; });
+  std::vector<Branch_content> branches = branch_contents(skeleton);
+  const auto lines = std::stable_partition(branches.begin(), branches.end(),
+                                           [](const Branch_content& branch) { return branch.nodes.size() == 1; });
   Exact_format format(out);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
@@ -58,6 +57,12 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
   out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {
     out << i << '\n';
+  }
+  if (skeleton.has_radius) {
+    out << "</DataArray>\n<DataArray type=\"Float64\" Name=\"Significance\" format=\"ascii\">\n";
+    for (const Branch_content& branch : branches) {
+      out << finite_significance(branch.significance) << '\n';
+    }
   }
   out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
          "format=\"ascii\">\n";
@@ -75,7 +80,8 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 } // namespace internal
 
 /// writes `skeleton` as an ASCII `.vtp` file, XML PolyData of VTK: a poly-line for each branch (a vertex cell for each
-/// isolated node), the point array `Radius` if the nodes have one, and the cell array `BranchId`. Linear.
+/// isolated node), the cell array `BranchId` and, if the nodes have radii, the point array `Radius` and the cell array
+/// `Significance`, the greatest double for what is never cut. O(n log n).
 /// \throw File_error if `out` fails
 template <class Skeleton>
 void write_vtp(std::ostream& out, const Skeleton& skeleton)

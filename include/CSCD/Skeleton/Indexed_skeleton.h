@@ -28,6 +28,7 @@ struct Indexed_skeleton
   std::vector<Vector_3> points;
   std::vector<double> radii; ///< one for each node, or empty if they are not known
   std::vector<std::array<Index, 2>> edges;
+  std::vector<char> is_joined{}; ///< for each edge, whether it was added to join components
 
   std::size_t number_of_nodes() const { return points.size(); }
   bool has_radii() const { return radii.size() == points.size(); }
@@ -63,6 +64,11 @@ Indexed_skeleton index_skeleton(const Skeleton& skeleton)
   }
   for (const auto e : boost::make_iterator_range(edges(skeleton))) {
     result.edges.push_back({index.at(source(e, skeleton)), index.at(target(e, skeleton))});
+    if constexpr (has_is_joined_v<Skeleton>) {
+      result.is_joined.push_back(skeleton[e].is_joined ? 1 : 0);
+    } else {
+      result.is_joined.push_back(0);
+    }
   }
   return result;
 }

@@ -138,7 +138,7 @@ body { background: radial-gradient(ellipse at 50% 40%, #ffffff 0%, #f5f7fa 55%, 
 .switch input:checked + span { background: var(--accent); }
 .switch input:checked + span::after { transform: translateX(12px); }
 .switch input:focus-visible + span { outline: 2px solid var(--accent); outline-offset: 2px; }
-.switch.absent { opacity: .4; cursor: default; }
+.switch.absent, .row.absent { opacity: .4; cursor: default; }
 kbd { margin-left: auto; flex: none; width: 20px; text-align: center; border: 1px solid var(--line);
       border-radius: 5px; font: 11px/16px inherit; font-family: inherit; color: var(--quiet); }
 .row { display: flex; align-items: center; gap: 9px; padding: 4px 0; }
@@ -188,6 +188,10 @@ inline constexpr char html_page_body[] = R"html(<body>
   <div class="group">
     <div class="row"><label for="opacity">Opacity</label>
       <input id="opacity" type="range" min="0" max="100" value="22"><output></output></div>
+    <div class="row"><label for="significance">Significance</label>
+      <input id="significance" data-detail type="range" min="0" max="10" step="0.1" value="0"><output></output></div>
+    <div class="row"><label for="length">Length / radius</label>
+      <input id="length" data-detail type="range" min="0" max="20" step="0.1" value="0"><output></output></div>
     <div class="row">Up <button data-up="x">X</button><button data-up="y">Y</button><button data-up="z">Z</button>
       <button id="reset">Reset</button></div>
   </div>
@@ -221,10 +225,120 @@ function choose_colours() {
   shared_colour = new THREE.Color('#c3cad4');
 }
 
-function degrees_of_nodes(model) {
-  const degree = new Uint32Array(model.counts.nodes);
-  for (const node of model.edges) ++degree[node];
-  return degree;
+// A limb is measured from its tip: lengths and integrals of the radius up to each node.
+class Limb {
+  constructor(model, tip, number) {
+    Object.assign(this, {model, number, nodes: [tip], edges: [], lengths: [0], integrals: [0], least: 0});
+  }
+
+  get end() { return this.nodes[this.nodes.length - 1]; }
+  get length() { return this.lengths[this.lengths.length - 1]; }
+
+  append(edge) {
+    const {node_positions: p, node_radii: r, edges} = this.model, from = this.end;
+    const to = edges[2 * edge] === from ? edges[2 * edge + 1] : edges[2 * edge];
+    const length = Math.hypot(...[0, 1, 2].map(k => p[3 * to + k] - p[3 * from + k]));
+    this.integrals.push(this.integrals[this.integrals.length - 1] + length * (r[from] + r[to]) / 2);
+    this.lengths.push(this.length + length);
+    this.nodes.push(to);
+    this.edges.push(edge);
+  }
+
+  // Over the first stretch of this length.
+  mean_radius(length) {
+    const r = this.model.node_radii;
+    if (!(length > 0)) return r[this.nodes[0]];
+    let i = 1;
+    while (i + 1 < this.lengths.length && this.lengths[i] < length) ++i;
+    const rest = length - this.lengths[i - 1], whole = this.lengths[i] - this.lengths[i - 1];
+    const part = whole > 0 ? Math.min(rest / whole, 1) : 0;
+    const from = r[this.nodes[i - 1]], to = from + part * (r[this.nodes[i]] - from);
+    return (this.integrals[i - 1] + rest * (from + to) / 2) / length;
+  }
+
+  measure(name) {
+    const ratio = (length, radius) => length <= 0 ? 0 : radius > 0 ? length / radius : Infinity;
+    if (name === 'length') return ratio(this.length, this.mean_radius(this.length));
+    const body = this.model.node_radii[this.end];
+    const reach = this.length + this.model.node_radii[this.nodes[0]] - body;
+    return ratio(Math.max(reach, 0), this.mean_radius(this.length - body));
+  }
+}
+
+// Hides limbs that measure less than the threshold, the least first, as simplify_skeleton() prunes: where two branches
+// are left at a junction they are one from then on; the last one of a tree, and cycles, stay.
+function prune(model, is_shown, name, threshold) {
+  if (!(threshold > 0)) return;
+  const incident = Array.from({length: model.counts.nodes}, () => []), limb_of_edge = [], limbs = [];
+  is_shown.forEach((shown, edge) => {
+    if (shown) for (const end of [0, 1]) incident[model.edges[2 * edge + end]].push(edge);
+  });
+  const degree = incident.map(edges => edges.length);
+  const grow = limb => {
+    do {
+      const edge = incident[limb.end].find(edge => is_shown[edge] && limb_of_edge[edge] !== limb.number);
+      limb_of_edge[edge] = limb.number;
+      limb.append(edge);
+    } while (degree[limb.end] === 2);
+    limb.value = degree[limb.end] === 1 ? Infinity : Math.max(limb.measure(name), limb.least);
+  };
+  degree.forEach((number, node) => {
+    if (number !== 1 || limb_of_edge[incident[node][0]] !== undefined) return;
+    limbs.push(new Limb(model, node, limbs.length));
+    grow(limbs[limbs.length - 1]);
+  });
+  for (;;) {
+    let least = null;
+    for (const limb of limbs) if (!least || limb.value < least.value) least = limb;
+    if (!least || !(least.value < threshold)) return;
+    for (const edge of least.edges) is_shown[edge] = 0;
+    const level = least.value, junction = least.end;
+    least.value = Infinity;
+    if (--degree[junction] !== 2) continue;
+    const left = incident[junction].filter(edge => is_shown[edge] && limb_of_edge[edge] !== undefined)
+                                   .map(edge => limbs[limb_of_edge[edge]]);
+    for (const limb of left) limb.value = Infinity;
+    if (left.length > 0) { left[0].least = level; grow(left[0]); }
+  }
+}
+
+// Which edges and nodes are shown, the degrees that these have then, and counts.
+function detail_of(model, thresholds) {
+  const is_edge_shown = new Uint8Array(model.counts.edges).fill(1);
+  if (model.node_radii)
+    for (const name of ['significance', 'length']) prune(model, is_edge_shown, name, thresholds[name]);
+  const degree = new Uint32Array(model.counts.nodes), is_node_shown = new Uint8Array(model.counts.nodes).fill(1);
+  is_edge_shown.forEach((shown, edge) => {
+    for (const end of [0, 1]) {
+      if (shown) ++degree[model.edges[2 * edge + end]];
+      else is_node_shown[model.edges[2 * edge + end]] = 0;
+    }
+  });
+  degree.forEach((number, node) => { if (number > 0) is_node_shown[node] = 1; });
+  const total = list => list.reduce((sum, value) => sum + value, 0);
+  const counts = {nodes: total(is_node_shown), edges: total(is_edge_shown), cycles: model.counts.cycles,
+                  tips: degree.filter(number => number === 1).length,
+                  junctions: degree.filter(number => number > 2).length};
+  counts.branches = branch_count(model, is_edge_shown, is_node_shown, degree);
+  return {is_edge_shown, is_node_shown, degree, counts};
+}
+
+// Branches end at nodes of degree other than 2; isolated nodes and closed cycles are branches too.
+function branch_count(model, is_edge_shown, is_node_shown, degree) {
+  const parent = Array.from({length: model.counts.nodes}, (_, node) => node);
+  const find = node => { while (parent[node] !== node) node = parent[node] = parent[parent[node]]; return node; };
+  is_edge_shown.forEach((shown, edge) => {
+    if (shown) parent[find(model.edges[2 * edge])] = find(model.edges[2 * edge + 1]);
+  });
+  const ends = new Map();
+  let isolated = 0;
+  degree.forEach((number, node) => {
+    if (!is_node_shown[node]) return;
+    const root = find(node);
+    ends.set(root, (ends.get(root) || 0) + (number === 2 ? 0 : number));
+    if (number === 0) { ++isolated; ends.delete(root); }
+  });
+  return [...ends.values()].reduce((sum, number) => sum + (number === 0 ? 1 : number / 2), isolated);
 }
 
 // Branches that meet get different colours; among those allowed the one used least so far is taken.
@@ -461,9 +575,10 @@ function make_spheres(centres, radii, colours, detail) {
   return instanced(base, {centre: [centres, 3], radius: [radii, 1], colour: [colours, 3]});
 }
 
-function make_skeleton(model, branch_colours, radius) {
+function make_skeleton(model, detail, branch_colours, radius) {
   const starts = [], ends = [], colours = [], joint_centres = [], joint_colours = [];
   for (let e = 0; e < model.counts.edges; ++e) {
+    if (!detail.is_edge_shown[e]) continue;
     const a = 3 * model.edges[2 * e], b = 3 * model.edges[2 * e + 1];
     const colour = branch_colours[model.branch_of_edge[e]].toArray();
     for (const [target, node] of [[starts, a], [ends, b]]) {
@@ -483,26 +598,31 @@ function make_skeleton(model, branch_colours, radius) {
 
 function colour_of_node(node, model, degree, branch_colours) {
   if (degree[node] > 2) return special_colours.junction;
-  return degree[node] === 1 ? special_colours.tip : branch_colours[model.branch_of_node[node]];
+  return degree[node] === 1 ? special_colours.tip : branch_colours[model.branch_of_node[node]] || shared_colour;
 }
 
-function make_nodes(model, degree, branch_colours, radius) {
-  const radii = [], colours = [];
+function make_nodes(model, {is_node_shown, degree}, branch_colours, radius) {
+  const centres = [], radii = [], colours = [];
   for (let n = 0; n < model.counts.nodes; ++n) {
+    if (!is_node_shown[n]) continue;
+    centres.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
     radii.push(radius * (degree[n] === 2 ? 1.4 : degree[n] === 1 ? 1.9 : 2.2));
     const colour = colour_of_node(n, model, degree, branch_colours).clone();
     if (degree[n] === 2) colour.multiplyScalar(.8);
     colours.push(...colour.toArray());
   }
-  return solid(make_spheres(model.node_positions, radii, colours, 10), sphere_vertex);
+  return solid(make_spheres(centres, radii, colours, 10), sphere_vertex);
 }
 
-function make_balls(model, branch_colours) {
-  const colours = [];
-  for (const branch of model.branch_of_node)
+function make_balls(model, {is_node_shown}, branch_colours) {
+  const centres = [], radii = [], colours = [];
+  model.branch_of_node.forEach((branch, n) => {
+    if (!is_node_shown[n]) return;
+    centres.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
+    radii.push(model.node_radii[n]);
     colours.push(...(branch === NONE ? shared_colour : branch_colours[branch]).toArray());
-  return translucent(make_spheres(model.node_positions, model.node_radii, colours, 16), sphere_vertex,
-                     {opacity: {value: .38}}, 10);
+  });
+  return translucent(make_spheres(centres, radii, colours, 16), sphere_vertex, {opacity: {value: .38}}, 10);
 }
 
 function nearest_node(model, x, y, z) {
@@ -688,15 +808,21 @@ class View {
   }
 }
 
-function make_objects(model, uniforms) {
-  const branch_colours = colours_of_branches(model), degree = degrees_of_nodes(model);
-  const radius = tube_radius(model);
+// What depends on the detail.
+function make_skeleton_objects(model, detail) {
+  const branch_colours = colours_of_branches(model), radius = tube_radius(model);
   const objects = {
-    surface: make_surface(model, branch_colours, uniforms),
-    skeleton: make_skeleton(model, branch_colours, radius),
-    nodes: make_nodes(model, degree, branch_colours, radius)
+    skeleton: make_skeleton(model, detail, branch_colours, radius),
+    nodes: make_nodes(model, detail, branch_colours, radius)
   };
-  if (model.node_radii) objects.balls = make_balls(model, branch_colours);
+  if (model.node_radii) objects.balls = make_balls(model, detail, branch_colours);
+  return objects;
+}
+
+function make_objects(model, detail, uniforms) {
+  const branch_colours = colours_of_branches(model), radius = tube_radius(model);
+  const objects = make_skeleton_objects(model, detail);
+  objects.surface = make_surface(model, branch_colours, uniforms);
   if (model.separator_offsets.length > 1) objects.separators = make_separators(model, branch_colours, .55 * radius);
   if (model.counts.points > 0) {
     objects.points = make_dots(model.positions.slice(0, 3 * model.counts.points), 0x30405a, 2, false);
@@ -709,8 +835,8 @@ function make_objects(model, uniforms) {
 /// The panel, the keyboard, the tip at the pointer, and the self test.
 inline constexpr char html_page_panel_script[] = R"js(
 class Panel {
-  constructor(view, model, objects, uniforms) {
-    Object.assign(this, {view, model, objects, uniforms, state: {}});
+  constructor(view, model, detail, objects, uniforms) {
+    Object.assign(this, {view, model, detail, objects, uniforms, state: {}});
     this.element = document.getElementById('panel');
     const heading = this.element.querySelector('h1'), narrow = 560; // pixels, as in the style
     heading.textContent = document.title;
@@ -721,6 +847,12 @@ class Panel {
     const slider = document.getElementById('opacity');
     slider.addEventListener('input', () => this.set_opacity(slider.value));
     this.set_opacity(slider.value);
+    for (const input of this.element.querySelectorAll('[data-detail]')) {
+      input.disabled = !model.node_radii;
+      input.closest('.row').classList.toggle('absent', input.disabled);
+      input.nextElementSibling.textContent = input.value;
+      input.addEventListener('input', () => this.set_detail(input.id, input.value));
+    }
     for (const button of this.element.querySelectorAll('[data-up]'))
       button.addEventListener('click', () => this.choose_up(button.dataset.up));
     document.getElementById('reset').addEventListener('click', () => view.reset());
@@ -733,9 +865,10 @@ class Panel {
   show_figures() {
     const names = ['nodes', 'edges', 'branches', 'tips', 'junctions', 'cycles'];
     const figures = document.getElementById('figures');
+    figures.textContent = '';
     for (const name of names) {
       const cell = figures.appendChild(document.createElement('div'));
-      cell.appendChild(document.createElement('b')).textContent = this.model.counts[name].toLocaleString('en');
+      cell.appendChild(document.createElement('b')).textContent = this.detail.counts[name].toLocaleString('en');
       const special = {tips: special_colours.tip, junctions: special_colours.junction}[name];
       if (special) cell.appendChild(document.createElement('i')).style.background = special.getStyle();
       cell.appendChild(document.createTextNode(name));
@@ -770,6 +903,26 @@ class Panel {
     this.view.stale = true;
   }
 
+  // Draws the skeleton without the branches that measure less than the sliders say.
+  set_detail(name, value) {
+    const input = document.getElementById(name);
+    if (input.disabled) return;
+    input.value = value;
+    input.nextElementSibling.textContent = input.value;
+    const of = id => Number(document.getElementById(id).value);
+    this.detail = detail_of(this.model, {significance: of('significance'), length: of('length')});
+    for (const [key, object] of Object.entries(make_skeleton_objects(this.model, this.detail))) {
+      const old = this.objects[key];
+      object.visible = old.visible;
+      this.view.scene.remove(old);
+      old.traverse(part => { if (part.geometry) { part.geometry.dispose(); part.material.dispose(); } });
+      this.view.scene.add(object);
+      this.objects[key] = object;
+    }
+    this.show_figures();
+    this.view.stale = true;
+  }
+
   choose_up(axis) {
     this.view.look_from(axis);
     this.view.reset();
@@ -801,11 +954,12 @@ class Panel {
     else if (key === 'h') this.show_panel(this.element.style.display === 'none');
   }
 
-  // The part of the address behind # can set switches (separators=1), opacity=60, up=z, turn=180 (degrees around
-  // up, from where the view would start), panel=0.
+  // The part of the address behind # can set switches (separators=1), opacity=60, significance=1, length=2 (over
+  // radius), up=z, turn=180 (degrees around up, from where the view would start), panel=0.
   apply_address() {
     for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
       if (name === 'opacity') this.set_opacity(value);
+      else if (name === 'significance' || name === 'length') this.set_detail(name, value);
       else if (name === 'up' && /^[xyz]$/.test(value)) this.choose_up(value);
       else if (name === 'turn') { this.view.turn = Number(value) || 0; this.view.reset(); }
       else if (name === 'panel') this.show_panel(value !== '0');
@@ -817,12 +971,13 @@ class Panel {
 // Tells about the node under the pointer.
 function connect_tip(view, model, panel) {
   const tip = document.getElementById('tip'), reach = 9, p = new THREE.Vector3();
-  const degree = degrees_of_nodes(model), frame = model.frame;
+  const frame = model.frame;
   const figure = value => Number(value.toPrecision(5)).toString();
   view.element.addEventListener('mousemove', event => {
     let best = -1, nearest = reach;
     if (event.buttons === 0 && (panel.state.nodes || panel.state.skeleton))
       for (let n = 0; n < model.counts.nodes; ++n) {
+        if (!panel.detail.is_node_shown[n]) continue;
         p.fromArray(model.node_positions, 3 * n).project(view.camera);
         const x = (p.x + 1) / 2 * view.width, y = (1 - p.y) / 2 * view.height;
         const distance = Math.hypot(x - event.clientX, y - event.clientY);
@@ -832,7 +987,7 @@ function connect_tip(view, model, panel) {
     if (best < 0) return;
     const place = [0, 1, 2].map(k => figure(frame[k] + frame[3] * model.node_positions[3 * best + k]));
     const radius = model.node_radii ? '\nradius ' + figure(frame[3] * model.node_radii[best]) : '';
-    tip.textContent = 'node ' + best + ', degree ' + degree[best] + '\nat ' + place.join('  ') + radius;
+    tip.textContent = 'node ' + best + ', degree ' + panel.detail.degree[best] + '\nat ' + place.join('  ') + radius;
     tip.style.left = event.clientX + 14 + 'px';
     tip.style.top = event.clientY + 14 + 'px';
   });
@@ -888,6 +1043,33 @@ class Self_test {
     this.check_change('slider opacity', () => slide(90), () => slide(opacity));
   }
 
+  check_detail() {
+    const slide = (name, value) => {
+      const slider = document.getElementById(name);
+      slider.value = value;
+      slider.dispatchEvent(new Event('input'));
+    };
+    if (document.getElementById('significance').disabled) { this.lines.push('absent detail'); return; }
+    const counts = () => ['nodes', 'edges', 'branches', 'tips', 'junctions', 'cycles'].map(name => {
+      const figure = [...document.querySelectorAll('#figures div')].find(cell => cell.textContent.endsWith(name));
+      return figure.firstChild.textContent + ' ' + name;
+    }).join(', ');
+    for (const name of ['significance', 'length']) {
+      for (const value of [1, 2, 4, 8]) {
+        slide(name, value);
+        this.lines.push(name + ' ' + value + ': ' + counts());
+      }
+      slide(name, 0);
+    }
+    const whole = counts(), most = document.getElementById('significance').max;
+    slide('significance', most);
+    const changes = counts() !== whole;
+    slide('significance', 0);
+    this.check(counts() === whole, 'detail undone: ' + whole);
+    if (changes)
+      this.check_change('slider significance', () => slide('significance', most), () => slide('significance', 0));
+  }
+
   check_movements() {
     const canvas = this.view.renderer.domElement, view = this.view;
     const mouse = (type, x, button) => (type === 'mousedown' ? canvas : document).dispatchEvent(
@@ -926,6 +1108,7 @@ class Self_test {
 
   run() {
     this.check_switches();
+    this.check_detail();
     this.check_movements();
     this.check_resize();
     const code = this.view.renderer.getContext().getError();
@@ -949,9 +1132,9 @@ function start() {
   const model = read_model(document.getElementById('cscd-data').textContent);
   const uniforms = {opacity: {value: .25}, coloured: {value: 0}};
   const view = new View(document.getElementById('view'), model);
-  const objects = make_objects(model, uniforms);
+  const detail = detail_of(model, {significance: 0, length: 0}), objects = make_objects(model, detail, uniforms);
   for (const object of Object.values(objects)) view.scene.add(object);
-  const panel = new Panel(view, model, objects, uniforms);
+  const panel = new Panel(view, model, detail, objects, uniforms);
   connect_tip(view, model, panel);
   Object.assign(window.cscd, {counts: model.counts, setVisible: (name, on) => panel.set_visible(name, on)});
   if (location.hash === '#selftest') {
