@@ -177,13 +177,13 @@ def chosen(options, mesh, position):
     return options.half in ("all", identity["half"]) and identity["number"] % options.every == 0
 
 
-def add_columns_of_mcf(rows, path):
-    """Takes what was measured of MCF from an earlier measurement."""
+def with_columns_of_mcf(rows, path):
+    """Each row with what an earlier measurement has of MCF."""
     old = {(row["set"], row["shape"]): row for row in quality_tables.read_rows(path)}
     for row in rows:
-        for key, value in old.get((row["set"], row["shape"]), {}).items():
-            if key.startswith("mcf_"):
-                row[key] = value
+        of_mcf = {key: value for key, value in old.get((row["set"], row["shape"]), {}).items()
+                  if key.startswith("mcf_")}
+        yield {**row, **of_mcf}
 
 
 def parse(arguments):
@@ -218,11 +218,10 @@ def main(arguments):
              for mesh, position in meshes_of(folder) if chosen(options, mesh, position)]
     # A process for each, because the seconds of children are counted by process.
     with concurrent.futures.ProcessPoolExecutor(options.jobs) as executor:
-        rows = list(executor.map(measure, *zip(*((options, *task) for task in tasks))) if tasks else ())
-    if options.mcf_of:
-        add_columns_of_mcf(rows, options.mcf_of)
-    if options.output:
-        quality_tables.write_rows(options.output, rows)
+        rows = executor.map(measure, *zip(*((options, *task) for task in tasks))) if tasks else ()
+        if options.mcf_of:
+            rows = with_columns_of_mcf(rows, options.mcf_of)
+        rows = quality_tables.write_rows(options.output, rows) if options.output else list(rows)
     print(quality_tables.report(rows, before))
 
 

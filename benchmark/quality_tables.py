@@ -48,10 +48,16 @@ def identity(name, position):
 
 
 def write_rows(path, rows):
+    """Writes each of `rows` as soon as it is known, and returns them all."""
+    result = []
     with pathlib.Path(path).open("w", newline="") as file:
         writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
-        writer.writerows({key: "" if value is None else value for key, value in row.items()} for row in rows)
+        for row in rows:
+            result.append(row)
+            writer.writerow({key: "" if value is None else value for key, value in row.items()})
+            file.flush()
+    return result
 
 
 def read_rows(path):
