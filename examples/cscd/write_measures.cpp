@@ -59,6 +59,19 @@ Json to_json(const CSCD::Position_measures& p)
           {"offset_by_length", p.offset_by_length}};
 }
 
+Json to_json(const CSCD::Limb_measures& l)
+{
+  Json limbs = Json::array();
+  for (const CSCD::Surface_limb& limb : l.limbs) {
+    limbs.push_back(
+        {{"tip", {limb.tip.x(), limb.tip.y(), limb.tip.z()}}, {"height", limb.height}, {"has_tip", limb.has_tip}});
+  }
+  return {{"number_of_limbs", l.limbs.size()},
+          {"number_of_limbs_without_tip", l.number_of_limbs_without_tip},
+          {"number_of_tips_without_limb", l.number_of_tips_without_limb},
+          {"limbs", limbs}};
+}
+
 Json to_json(const CSCD::Reconstruction_error& e)
 {
   return {{"mean", e.mean},
@@ -125,6 +138,13 @@ void write_position(std::ostream& out, const CSCD::Position_measures& p)
       << " % around the skeleton (at nodes " << percent(p.deviation_at_nodes) << " %)\n";
 }
 
+void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)
+{
+  out << "limbs: " << l.limbs.size() << ", of which " << l.number_of_limbs_without_tip << " without a tip; "
+      << counted(l.number_of_tips_without_limb, "tip") << " without a limb (recall " << fixed(l.tip_recall)
+      << ", precision " << fixed(l.tip_precision) << ")\n";
+}
+
 /// A line of the table of matches.
 void write_match(std::ostream& out, const char* name, const CSCD::Match_count& match)
 {
@@ -144,6 +164,7 @@ void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_di
 
 void write_measures_as_json(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
 {
+  const bool is_point_set = measures.position.number_of_surface_components == 0;
   const Json document{{"version", CSCD_VERSION},
                       {"input", options.input},
                       {"skeleton", options.skeleton},
@@ -153,6 +174,9 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
                       {"has_topology_of_surface", measures.has_topology_of_surface()},
                       {"counts", to_json(measures.counts)},
                       {"position", to_json(measures.position)},
+                      {"tip_recall", measures.limbs.tip_recall},
+                      {"tip_precision", measures.limbs.tip_precision},
+                      {"limbs", is_point_set ? Json() : to_json(measures.limbs)},
                       {"convolution", to_json(measures.convolution)},
                       {"round_cones", to_json(measures.round_cones)},
                       {"mean_distance_from_round_cones", measures.mean_distance_from_round_cones}};
@@ -178,6 +202,7 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
   if (!is_point_set) {
     out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
     write_position(out, p);
+    write_limbs(out, measures.limbs);
   }
   out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
       << " rad at a node\n"

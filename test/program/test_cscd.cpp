@@ -4,7 +4,9 @@
 // Tests of the program cscd as its users see it: arguments, exit status, messages, files.
 
 #include "IO/mesh_files.h"
+#include "support/Shape.h"
 #include "support/Temporary_folder.h"
+#include "support/limb_shapes.h"
 #include <CSCD/version.h>
 
 #include <gtest/gtest.h>
@@ -678,7 +680,29 @@ TEST_F(Cscd, evaluates_a_skeleton)
   EXPECT_LT(measures.at("round_cones").at("mean"), 0.001);
   EXPECT_LT(measures.at("convolution").at("mean"), 0.01);
   EXPECT_EQ(0.005, measures.at("convolution").at("cell_size"));
+  EXPECT_TRUE(measures.at("tip_recall").is_null()); // no limbs
+  EXPECT_TRUE(measures.at("tip_precision").is_null());
+  EXPECT_EQ(0, measures.at("limbs").at("number_of_limbs"));
   EXPECT_EQ(2, number_of_files());
+}
+
+TEST_F(Cscd, evaluates_tips)
+{
+  const CSCD::test::Shape star = CSCD::test::star(5, 6, 1, 0.3);
+  Mesh_file_content mesh;
+  mesh.points = star.points;
+  for (const CSCD::test::Triangle& triangle : star.triangles) {
+    mesh.polygons.push_back({triangle.begin(), triangle.end()});
+  }
+  m_folder.write("star.off", off(mesh));
+  ASSERT_EQ(0, run("skeletonize star.off -q -o star.graph").status);
+  const Outcome outcome = run("evaluate star.off star.graph --json --resolution 10");
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  const nlohmann::json measures = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(1, measures.at("tip_recall"));
+  EXPECT_EQ(1, measures.at("tip_precision"));
+  ASSERT_EQ(5u, measures.at("limbs").at("limbs").size());
+  EXPECT_EQ(true, measures.at("limbs").at("limbs").front().at("has_tip"));
 }
 
 TEST_F(Cscd, evaluates_for_people)
@@ -692,6 +716,7 @@ TEST_F(Cscd, evaluates_for_people)
                                   0))
       << outcome.out;
   EXPECT_NE(std::string::npos, outcome.out.find("inside: 100.00 % of the nodes, 100.00 % of the length\n"));
+  EXPECT_NE(std::string::npos, outcome.out.find("\nlimbs: 0, of which 0 without a tip; 0 tips without a limb"));
   EXPECT_NE(std::string::npos, outcome.out.find("\nconvolution surface "));
 }
 

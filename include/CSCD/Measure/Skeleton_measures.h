@@ -6,9 +6,12 @@
 #ifndef CSCD_MEASURE_SKELETON_MEASURES_H
 #define CSCD_MEASURE_SKELETON_MEASURES_H
 
+#include <CSCD/Vector_3.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CSCD {
 
@@ -74,6 +77,24 @@ struct Position_measures
   double offset_by_length = undefined_measure; ///< the mean over the length of the edges
 };
 
+/// A limb of the surface: a part that reaches out of the rest, `doc/measures.md` says how far.
+struct Surface_limb
+{
+  Vector_3 tip = Vector_3::Zero(); ///< the vertex that is farthest from the rest, in the coordinates of the input
+  double height = 0;               ///< from where the limb begins to the tip, relative to the diagonal
+  bool has_tip = false;            ///< whether a tip of the skeleton belongs to it
+};
+
+/// How well the tips of a skeleton and the limbs of the surface belong together, in pairs.
+struct Limb_measures
+{
+  std::vector<Surface_limb> limbs;             ///< of the surface
+  std::size_t number_of_limbs_without_tip = 0; ///< what the skeleton misses
+  std::size_t number_of_tips_without_limb = 0; ///< what the skeleton has too much
+  double tip_recall = undefined_measure;       ///< the fraction of the limbs that have a tip
+  double tip_precision = undefined_measure;    ///< the fraction of the tips that have a limb
+};
+
 /// How good a skeleton is, for the input that it was evaluated with.
 struct Skeleton_measures
 {
@@ -81,6 +102,7 @@ struct Skeleton_measures
   double diagonal = 0;              ///< of the bounding box of the input, in its unit
   Skeleton_counts counts;           ///< of the skeleton alone
   Position_measures position;       ///< undefined if the input is a point cloud
+  Limb_measures limbs;              ///< undefined if the input is a point cloud
   Reconstruction_error convolution; ///< of the convolution surface
   Reconstruction_error round_cones; ///< of the union of round cones
   /// The mean of |signed distance| of the input's points from the round cones, without triangulation: exact outside, a

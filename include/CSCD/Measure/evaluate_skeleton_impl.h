@@ -10,6 +10,7 @@
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/Surface_limbs.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/reconstruction_fields.h>
@@ -83,6 +84,7 @@ public:
   const Normalization& normalization() const { return m_normalization; }
   /// The vertices that have a face, neighbors near each other.
   const std::vector<Vector_3>& points() const { return m_points; }
+  const Triangulated_surface& surface() const { return m_surface; }
   const Solid_queries& queries() const { return *m_queries; }
 
   std::size_t number_of_components() const { return m_number_of_components; }
@@ -396,6 +398,10 @@ CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_
   result.position.number_of_surface_components = body.number_of_components();
   result.position.genus = body.genus();
   result.position.number_of_borders = body.number_of_borders();
+  result.limbs = measure_limbs(body.surface(), body.queries(), evaluation.skeleton());
+  for (Surface_limb& limb : result.limbs.limbs) {
+    limb.tip = body.normalization().to_input(limb.tip);
+  }
   return result;
 }
 

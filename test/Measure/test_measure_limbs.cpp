@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the limbs that are found on shapes of which they are known, and of their matching with the tips of a
+// skeleton.
+
+#include "support/Shape.h"
+#include "support/Similarity.h"
+#include "support/convert_shape.h"
+#include "support/shapes.h"
+#include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using namespace CSCD::test;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::Limb_measures;
+
+/// A skeleton of straight segments; equal ends are one node.
+Skeleton skeleton_of(const std::vector<std::array<Triple, 2>>& segments)
+{
+  Skeleton skeleton;
+  const auto node = [&](const Triple& p) {
+    const Point point(p[0], p[1], p[2]);
+    for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
+      if (skeleton[v].point == point) {
+        return v;
+      }
+    }
+    const std::size_t v = add_vertex(skeleton);
+    skeleton[v].point = point;
+    return v;
+  };
+  for (const auto& [source, target] : segments) {
+    const std::size_t v = node(source);
+    add_edge(v, node(target), skeleton);
+  }
+  return skeleton;
+}
+
+std::vector<std::array<Triple, 2>> segments_of(const Shape& shape)
+{
+  std::vector<std::array<Triple, 2>> result;
+  for (const Centreline_segment& segment : shape.centreline) {
+    result.push_back({segment.source, segment.target});
+  }
+  return result;
+}
+
+Limb_measures limbs(const Shape& shape, const Skeleton& skeleton)
+{
+  const Mesh mesh = to_mesh<Mesh>(shape);
+  return CSCD::evaluate_skeleton(mesh, skeleton, CSCD::parameters::resolution(10)).limbs;
+}
+
+/// The limbs of a shape; the skeleton, a node in the middle of the first face, is none of its own.
+Limb_measures limbs(const Shape& shape)
+{
+  Triple middle{0, 0, 0};
+  for (const std::size_t corner : shape.triangles.front()) {
+    middle = middle + (1. / 3) * shape.points[corner];
+  }
+  Skeleton skeleton;
+  skeleton[add_vertex(skeleton)].point = Point(middle[0], middle[1], middle[2]);
+  return limbs(shape, skeleton);
+}
+
+std::vector<double> sorted_heights(const Limb_measures& measures)
+{
+  std::vector<double> result;
+  for (const CSCD::Surface_limb& limb : measures.limbs) {
+    result.push_back(limb.height);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+TEST(Measure_limbs, bodies_without_limbs_have_none)
+{
+  for (const Shape& shape : {sphere(3), torus(4, 1, 32), trefoil_knot(0.3, 12), chain_of_rings(3, 16), cube(),
+                             subdivided_cube(4), noisy(sphere(3), 0.05, 1), noisy(torus(4, 1, 32), 0.1, 1)}) {
+    const Limb_measures m = limbs(shape);
+    EXPECT_TRUE(m.limbs.empty()) << shape.name;
+    EXPECT_EQ(0u, m.number_of_limbs_without_tip);
+    EXPECT_TRUE(std::isnan(m.tip_recall));
+    EXPECT_TRUE(std::isnan(m.tip_precision));
+  }
+}
+
+TEST(Measure_limbs, a_star_has_as_many_as_arms)
+{
+  for (const std::size_t n : {3, 4, 5, 6}) {
+    const Limb_measures m = limbs(star(n, 6, 1, 0.3));
+    EXPECT_EQ(n, m.limbs.size());
+    EXPECT_EQ(n, m.number_of_limbs_without_tip);
+    EXPECT_EQ(0, m.tip_recall);
+    for (const CSCD::Surface_limb& limb : m.limbs) {
+      // At the end of an arm, which is a half sphere.
+      EXPECT_NEAR(7, limb.tip.norm(), 0.1);
+    }
+  }
+}
+
+TEST(Measure_limbs, other_bodies_of_known_limbs)
+{
+  EXPECT_EQ(6u, limbs(jack(0.2)).limbs.size());
+  EXPECT_EQ(6u, limbs(hand(0.15)).limbs.size());
+  EXPECT_EQ(7u, limbs(comb(5, 0.2)).limbs.size());
+  EXPECT_EQ(1u, limbs(ball_with_tail(0.2)).limbs.size());
+  EXPECT_EQ(2u, limbs(capsule(8, 1, 24)).limbs.size());
+  EXPECT_EQ(2u, limbs(midpoint_subdivided(box("bar", {4, 1, 1}), 4)).limbs.size());
+}
+
+TEST(Measure_limbs, open_and_closed_ends_are_both_ends)
+{
+  EXPECT_EQ(2u, limbs(tube(10, 1, 24, Tube_end::open)).limbs.size());
+  EXPECT_EQ(2u, limbs(tube(10, 1, 24, Tube_end::flat)).limbs.size());
+}
+
+TEST(Measure_limbs, components_count_each_by_itself)
+{
+  const Shape one = star(3, 6, 1, 0.3);
+  const Shape two = merged("two", {one, translated(scaled(one, 0.2), {20, 0, 0})});
+  const Limb_measures m = limbs(two, skeleton_of(segments_of(one)));
+  EXPECT_EQ(6u, m.limbs.size());
+  EXPECT_EQ(3u, m.number_of_limbs_without_tip);
+  EXPECT_EQ(0.5, m.tip_recall);
+  EXPECT_EQ(1, m.tip_precision);
+}
+
+TEST(Measure_limbs, do_not_depend_on_place_unit_and_numbers)
+{
+  const Shape shape = hand(0.15);
+  const std::vector<double> heights = sorted_heights(limbs(shape));
+  Shape other = shape;
+  other.points = moved(shape.points, Similarity{1000, {0.6, 0, 0.8}, 1, {5000, -3000, 100}});
+  other = renumbered(other, 7).shape;
+  const std::vector<double> others = sorted_heights(limbs(other));
+  ASSERT_EQ(heights.size(), others.size());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    // The diagonal of the bounding box, the unit, depends on the rotation.
+    EXPECT_NEAR(heights[i] / heights.back(), others[i] / others.back(), 1e-4);
+  }
+}
+
+TEST(Measure_limbs, the_centreline_has_all_tips_and_no_others)
+{
+  for (const Shape& shape : {star(3, 6, 1, 0.3), star(5, 6, 1, 0.3), jack(0.2), capsule(8, 1, 24)}) {
+    const Limb_measures m = limbs(shape, skeleton_of(segments_of(shape)));
+    EXPECT_EQ(1, m.tip_recall) << shape.name;
+    EXPECT_EQ(1, m.tip_precision) << shape.name;
+  }
+}
+
+TEST(Measure_limbs, an_arm_left_out_is_missed)
+{
+  const Shape shape = star(5, 6, 1, 0.3);
+  std::vector<std::array<Triple, 2>> segments = segments_of(shape);
+  const Triple tip = segments.front()[1];
+  segments.erase(segments.begin());
+  const Limb_measures m = limbs(shape, skeleton_of(segments));
+  EXPECT_EQ(0.8, m.tip_recall);
+  EXPECT_EQ(1, m.tip_precision);
+  EXPECT_EQ(1u, m.number_of_limbs_without_tip);
+  for (const CSCD::Surface_limb& limb : m.limbs) {
+    const double distance = std::hypot(limb.tip.x() - tip[0], limb.tip.y() - tip[1], limb.tip.z() - tip[2]);
+    EXPECT_EQ(limb.has_tip, distance > 2);
+  }
+}
+
+TEST(Measure_limbs, a_tip_half_way_is_none_of_the_limb)
+{
+  const Shape shape = star(5, 6, 1, 0.3);
+  std::vector<std::array<Triple, 2>> segments = segments_of(shape);
+  segments.front()[1] = 0.25 * segments.front()[1];
+  const Limb_measures m = limbs(shape, skeleton_of(segments));
+  EXPECT_EQ(0.8, m.tip_recall);
+  EXPECT_EQ(0.8, m.tip_precision);
+}
+
+TEST(Measure_limbs, a_spur_is_one_tip_too_many_wherever_it_is)
+{
+  const Shape shape = star(5, 6, 1, 0.3);
+  for (const double place : {0.2, 0.9}) {
+    std::vector<std::array<Triple, 2>> segments = segments_of(shape);
+    const Triple tip = segments.front()[1];
+    segments.front()[1] = place * tip;
+    segments.push_back({place * tip, tip});
+    segments.push_back({place * tip, place * tip + Triple{0, 0, 0.7}});
+    const Limb_measures m = limbs(shape, skeleton_of(segments));
+    EXPECT_EQ(1, m.tip_recall);
+    EXPECT_EQ(5. / 6, m.tip_precision);
+    EXPECT_EQ(1u, m.number_of_tips_without_limb);
+  }
+}
+
+TEST(Measure_limbs, points_have_none)
+{
+  const Shape shape = star(3, 6, 1, 0.3);
+  std::vector<Point> points;
+  for (const Triple& p : shape.points) {
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  const Limb_measures m =
+      CSCD::evaluate_skeleton(points, skeleton_of(segments_of(shape)), CSCD::parameters::resolution(10)).limbs;
+  EXPECT_TRUE(m.limbs.empty());
+  EXPECT_TRUE(std::isnan(m.tip_recall));
+  EXPECT_TRUE(std::isnan(m.tip_precision));
+}
+
+} // namespace
