@@ -139,6 +139,11 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->expected(3)
       ->delimiter(',')
       ->type_name("X,Y,Z");
+  command
+      ->add_option("--detail", options.detail,
+                   "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
+      ->check(CLI::Range(0., 1.))
+      ->type_name("D");
   command->add_option("--seed", options.seed, "seed of the random choice of sources")->capture_default_str();
   command->add_option("--threads", options.number_of_threads, "number of threads; the skeleton does not depend on it")
       ->check(check_count)

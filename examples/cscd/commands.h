@@ -7,6 +7,7 @@
 #define CSCD_PROGRAM_COMMANDS_H
 
 #include <cstddef>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,6 +54,7 @@ struct Skeletonize_options
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::vector<double> root;            ///< of a tree: where its trunk begins, three coordinates; or empty
+  std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method

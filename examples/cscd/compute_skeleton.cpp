@@ -111,6 +111,15 @@ Skeleton convert_skeleton(const CSCD::Skeleton_graph<Point, std::size_t>& skelet
   return result;
 }
 
+CSCD::Local_policies local_policies(const Skeletonize_options& options)
+{
+  CSCD::Local_policies policies;
+  if (options.detail) {
+    policies.set_detail(CSCD::Detail(*options.detail));
+  }
+  return policies;
+}
+
 CSCD::Published_policies published_policies(const Skeletonize_options& options)
 {
   CSCD::Field_search_settings settings;
@@ -152,7 +161,7 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   Skeletonization_result result =
       options.method == published_method
           ? run_skeletonization(traits, published_policies(options), options, visitor, skeleton)
-          : run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
+          : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
   return result;
 }
@@ -197,7 +206,7 @@ Skeletonization_result compute_surface_skeleton(const Surface_traits& traits, co
                                                 Progress_visitor& visitor)
 {
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result = run_skeletonization(traits, CSCD::Local_policies(), options, visitor, skeleton);
+  Skeletonization_result result = run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   return result;

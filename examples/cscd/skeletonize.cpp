@@ -88,6 +88,9 @@ void check_method(const Skeletonize_options& options)
   if (!is_published && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
+  if (is_published && options.detail) {
+    throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
+  }
   if (is_published && options.shape == tree_shape) {
     throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
   }

@@ -6,6 +6,7 @@
 #include "write_report.h"
 
 #include <CSCD/IO/write_json.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
@@ -215,7 +216,9 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs}};
-  if (options.method == published_method) {
+  if (options.method == local_method) {
+    document["detail"] = options.detail.value_or(CSCD::Detail::default_value);
+  } else {
     document["target"] = options.target.empty() ? euclidean_target : options.target;
     document["shortening"] = !options.shortening.empty() ? options.shortening
                              : result.is_of_points       ? variational_shortening

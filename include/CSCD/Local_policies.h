@@ -8,6 +8,7 @@
 
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Selection/Separator_cost.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
@@ -62,6 +63,15 @@ public:
   {
   }
 
+  /// How small a limb may be to get a branch.
+  const Detail& detail() const { return m_detail; }
+  /// Sets how small a limb may be to get a branch. \return the object, so that calls chain
+  Local_policies& set_detail(const Detail& detail)
+  {
+    m_detail = detail;
+    return *this;
+  }
+
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
   std::vector<Separator> find_separators(const Triangulated_solid& solid, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
@@ -77,6 +87,7 @@ public:
 private:
   Separator_cost m_cost;
   Make_finder m_make_finder;
+  Detail m_detail;
 };
 
 } // namespace CSCD

@@ -40,10 +40,11 @@ CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangu
       return m_make_finder(solid);
     }
     // A std::function can be copied, a finder with its working memory cannot.
-    const auto finder = std::make_shared<Local_separator_finder>(solid.levels());
+    const auto finder = std::make_shared<Local_separator_finder>(solid.levels(), m_detail.min_loop_area_ratio());
     return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
   };
-  return internal::Covering_search(solid.levels(), settings, make_finder)(m_cost, report, progress);
+  return internal::Covering_search(solid.levels(), settings, make_finder,
+                                   m_detail.min_branch_area_ratio())(m_cost, report, progress);
 }
 
 CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triangulated_solid& solid,
@@ -51,7 +52,8 @@ CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triang
                                                                     Skeletonization_report& report) const
 {
   auto packing = std::make_unique<internal::Separator_packing>(solid.triangulation(), separators,
-                                                               internal::separator_costs(separators, m_cost));
+                                                               internal::separator_costs(separators, m_cost),
+                                                               m_detail.min_branch_area_ratio());
   report.number_of_handle_cuts = internal::cut_handles(solid, separators, *packing);
   return Packing(std::move(packing));
 }

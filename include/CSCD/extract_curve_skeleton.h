@@ -25,21 +25,29 @@
 namespace CSCD {
 namespace internal {
 
-/// The policies that `np` gives; by default the local ones, with the cost that `np` gives.
+/// The policies that `np` gives; by default the local ones, with the cost and the detail that `np` gives.
 template <class NamedParameters>
 auto skeletonization_policies(const NamedParameters& np)
 {
+  using parameters::get_parameter;
   using parameters::is_default_parameter;
   constexpr bool has_cost = !is_default_parameter<NamedParameters, internal_np::separator_cost_t>::value;
+  constexpr bool has_detail = !is_default_parameter<NamedParameters, internal_np::detail_t>::value;
   if constexpr (!is_default_parameter<NamedParameters, internal_np::policies_t>::value) {
-    static_assert(!has_cost, "CSCD: separator_cost belongs to the default policies and cannot be given with policies");
-    return parameters::get_parameter(np, internal_np::policies);
-  } else if constexpr (has_cost) {
-    auto cost = parameters::get_parameter(np, internal_np::separator_cost);
-    check_separator_cost<decltype(cost)>();
-    return Local_policies(cost);
+    static_assert(!has_cost && !has_detail,
+                  "CSCD: separator_cost and detail belong to the default policies and cannot be given with policies");
+    return get_parameter(np, internal_np::policies);
   } else {
-    return Local_policies();
+    Local_policies policies;
+    if constexpr (has_cost) {
+      auto cost = get_parameter(np, internal_np::separator_cost);
+      check_separator_cost<decltype(cost)>();
+      policies = Local_policies(cost);
+    }
+    if constexpr (has_detail) {
+      policies.set_detail(Detail(get_parameter(np, internal_np::detail)));
+    }
+    return policies;
   }
 }
 
@@ -116,6 +124,11 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
 ///     \cgalParamType{a model of `SkeletonizationPolicies`}
 ///     \cgalParamDefault{`Local_policies`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{detail}
+///     \cgalParamDescription{how small a limb may be to get a branch, from 0 to 1: see `Detail`; not with `policies`}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0.5}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_cost}
 ///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
 ///     \cgalParamType{a model of `SeparatorCost`}
@@ -140,7 +153,7 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
                                    CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
                                    internal_np::number_of_threads_t, internal_np::separator_cost_t,
-                                   internal_np::policies_t>();
+                                   internal_np::detail_t, internal_np::policies_t>();
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;

@@ -67,6 +67,11 @@ namespace CSCD {
 ///     \cgalParamType{a model of `SkeletonizationPolicies`}
 ///     \cgalParamDefault{`Local_policies`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{detail}
+///     \cgalParamDescription{how small a limb may be to get a branch, from 0 to 1: see `Detail`; not with `policies`}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0.5}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_cost}
 ///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
 ///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
@@ -91,7 +96,7 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::separator_cost_t, internal_np::policies_t>();
+                                   internal_np::separator_cost_t, internal_np::detail_t, internal_np::policies_t>();
   const auto point_map = internal::point_map(points, np);
   const auto policies = internal::skeletonization_policies(np);
   using Point_map = std::decay_t<decltype(point_map)>;

@@ -28,6 +28,9 @@ using CSCD::test::nearest_vertex;
 using CSCD::test::section_separator;
 using Indices = std::vector<Index>;
 
+/// The area of a limb 0.44 radii long with a flat end, relative to the squared length of the loop around it.
+constexpr double flat_limb_area_ratio = 0.15;
+
 /// The separators of bumps, all of `separators` being packed.
 Indices bumps(const Triangulated_surface& surface, const std::vector<Separator>& separators)
 {
@@ -39,7 +42,7 @@ Indices bumps(const Triangulated_surface& surface, const std::vector<Separator>&
   }
   CSCD::internal::Cut_graph cut_graph(surface, arrangement);
   cut_graph.cut(arrangement);
-  Indices result = CSCD::internal::Spurious_branches(cut_graph, separators, packed).separators();
+  Indices result = CSCD::internal::Spurious_branches(cut_graph, separators, packed, flat_limb_area_ratio).separators();
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -6,7 +6,7 @@
 #ifndef CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 #define CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 
-#include <CSCD/Separator/Enclosed_area_test.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
@@ -137,7 +137,7 @@ public:
     weight = 0;
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
-    const double min_area = Enclosed_area_test::min_area_ratio * squared_length;
+    const double min_area = Detail::max_loop_area_ratio * squared_length;
     const typename Sides::Side left = m_sides.measure(separator, true, width, min_area);
     const typename Sides::Side right = m_sides.measure(separator, false, width, min_area);
     if (std::min(left.area, right.area) < min_area) {

@@ -134,10 +134,11 @@ private:
 class Covering_search
 {
 public:
+  /// \param min_branch_area_ratio see `Spurious_branches`
   Covering_search(const Surface_levels& levels, const Search_settings& settings,
-                  std::function<Separator_finder()> make_finder)
-      : m_levels(levels), m_max_sources(settings.maximum_number_of_sources),
-        m_search(levels, settings, std::move(make_finder))
+                  std::function<Separator_finder()> make_finder, double min_branch_area_ratio)
+      : m_levels(levels), m_min_branch_area_ratio(min_branch_area_ratio),
+        m_max_sources(settings.maximum_number_of_sources), m_search(levels, settings, std::move(make_finder))
   {
   }
 
@@ -169,7 +170,7 @@ private:
     disjoint.pack([](Index) { return true; });
     Cut_graph cut_graph(surface, disjoint.arrangement());
     cut_graph.cut(disjoint.arrangement());
-    const Spurious_branches bumps(cut_graph, separators, disjoint.packed());
+    const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), m_min_branch_area_ratio);
     std::vector<char> is_bump(separators.size(), 0);
     for (Index separator : bumps.separators()) {
       is_bump[separator] = 1;
@@ -196,6 +197,7 @@ private:
   }
 
   const Surface_levels& m_levels;
+  double m_min_branch_area_ratio;
   std::size_t m_max_sources;
   Separator_search m_search;
 };

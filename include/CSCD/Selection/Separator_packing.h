@@ -101,8 +101,9 @@ class Separator_packing
 {
 public:
   /// Packs `separators`, whose costs are `costs`: the cheaper one of two that overlap is kept.
+  /// \param min_branch_area_ratio see `Spurious_branches`
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                    const std::vector<double>& costs)
+                    const std::vector<double>& costs, double min_branch_area_ratio)
       : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
   {
     m_cut_graph.emplace(surface, separators);
@@ -115,7 +116,7 @@ public:
         m_disjoint.reduce(is_allowed);
       }
       m_cut_graph->cut(m_disjoint.arrangement());
-      const Spurious_branches bumps(*m_cut_graph, separators, packed());
+      const Spurious_branches bumps(*m_cut_graph, separators, packed(), min_branch_area_ratio);
       if (bumps.separators().empty()) {
         break;
       }

@@ -20,9 +20,11 @@ class Spurious_branches
 {
 public:
   /// Seeks them in `cut_graph`, the surface cut along the separators `packed` of the list `separators`; linear.
+  /// \param min_area_ratio a branch stands on a limb if one of its separators cuts off at least this area, relative to
+  ///        its squared length
   Spurious_branches(const Cut_graph& cut_graph, const std::vector<Separator>& separators,
-                    const std::vector<Index>& packed)
-      : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed)
+                    const std::vector<Index>& packed, double min_area_ratio)
+      : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed), m_min_area_ratio(min_area_ratio)
   {
     for (Index piece = 0; piece < cut_graph.pieces().size(); ++piece) {
       if (cut_graph.pieces()[piece].separators.size() == 1 && walk_branch(piece) && !is_limb()) {
@@ -37,10 +39,6 @@ public:
   const std::vector<Index>& separators() const { return m_bumps; }
 
 private:
-  /// A branch stands on a limb if one of its separators cuts off at least this area, relative to its squared length:
-  /// that of a limb 0.44 radii long with a flat end. From 0.14 to 0.20, real meshes keep nearly the same branches.
-  static constexpr double min_branch_area_ratio = 0.15;
-
   /// A packed separator of a branch and the area between it and the tip.
   struct Step
   {
@@ -70,13 +68,14 @@ private:
   {
     return std::any_of(m_branch.begin(), m_branch.end(), [this](const Step& step) {
       const double length = m_separators[m_packed[step.separator]].length;
-      return step.area_beyond >= min_branch_area_ratio * length * length;
+      return step.area_beyond >= m_min_area_ratio * length * length;
     });
   }
 
   const Cut_graph& m_cut_graph;
   const std::vector<Separator>& m_separators;
   const std::vector<Index>& m_packed;
+  double m_min_area_ratio;
   std::vector<Step> m_branch;
   std::vector<Index> m_bumps;
 };

@@ -25,10 +25,6 @@ namespace CSCD::internal {
 class Enclosed_area_test
 {
 public:
-  /// The minimum ratio of a separator: between a flat disc and a hemisphere. A higher value rejects good loops
-  /// at tips and keeps tilted ones.
-  static constexpr double min_area_ratio = 0.11;
-
   explicit Enclosed_area_test(const Triangulated_surface& surface)
       : m_surface(surface), m_edges(surface.number_of_halfedges()), m_faces(surface.number_of_faces())
   {

@@ -8,6 +8,7 @@
 
 #include <CSCD/Cut_locus/Nearest_meeting.h>
 #include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Plane_section.h>
@@ -35,9 +36,10 @@ class Local_separator_finder
 {
 public:
   /// Prepares the working memory; `levels` is referred to and must outlive this object.
-  explicit Local_separator_finder(const Surface_levels& levels)
-      : m_levels(levels), m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
-        m_straightening(m_levels.finest().surface)
+  /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
+  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio())
+      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_workspaces(m_levels.size()), m_projection(m_levels),
+        m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
   {
   }
 
@@ -53,7 +55,7 @@ public:
     }
     measure_vertex_loop(result);
     Workspace& workspace = workspace_of(result.level);
-    if (workspace.bump_test.area_ratio(m_loop, bump_limit) < internal::Enclosed_area_test::min_area_ratio) {
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit * m_min_area_ratio) < m_min_area_ratio) {
       result.outcome = Search_outcome::bump;
       return;
     }
@@ -68,8 +70,8 @@ private:
   /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `min_loop_size` edges
   /// is about its square; found by experiment on 27 meshes.
   static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
-  /// Where the measurement of the area on the smaller side may stop.
-  static constexpr double bump_limit = 1.01 * internal::Enclosed_area_test::min_area_ratio;
+  /// Where the measurement of the area on the smaller side may stop, relative to the least area.
+  static constexpr double bump_limit = 1.01;
   /// A section is accepted if its length is within these bounds, relative to the loop's ...
   static constexpr double min_section_length = 0.5;
   static constexpr double max_section_length = 1.35;
@@ -225,6 +227,7 @@ private:
   }
 
   const Surface_levels& m_levels;
+  double m_min_area_ratio;
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;

@@ -16,18 +16,63 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Sections of the body perpendicular to a branch. Reuse one object.
+class Branch_section
+{
+public:
+  explicit Branch_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
+
+  /// The section through `point` perpendicular to `axis`, if it surrounds the point and has about the expected radius.
+  std::optional<Section_disc> operator()(const Vector_3& point, const Vector_3& axis, double expected_radius)
+  {
+    const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
+    if (!hit ||
+        !m_section.cut_at_face(hit->face, axis, point,
+                               max_outline * 2 * boost::math::double_constants::pi * expected_radius) ||
+        !is_in_outline(m_section.points(), point, axis)) {
+      return std::nullopt;
+    }
+    const Section_disc disc = section_disc(m_section.points());
+    const bool is_expected =
+        disc.radius() >= min_radius * expected_radius && disc.radius() <= max_radius * expected_radius;
+    return is_expected ? std::optional<Section_disc>(disc) : std::nullopt;
+  }
+
+  /// The length of the outline of the last section.
+  double length() const { return m_section.length(); }
+
+private:
+  /// Bounds for the radius of an accepted section, relative to the expected radius.
+  static constexpr double min_radius = 0.6;
+  static constexpr double max_radius = 1.5;
+  /// The length of a section is bounded by this, relative to the circle of the expected radius.
+  static constexpr double max_outline = 4;
+
+  const Triangulated_solid& m_solid;
+  Plane_section m_section;
+};
+
+/// The two edges of a node that is moved may become this much longer than the straight line between its neighbors.
+constexpr double max_detour = 1.4;
+
+/// Whether a branch from `before` over `node` to `after` makes no longer detour than that.
+inline bool is_direct(const Vector_3& before, const Vector_3& node, const Vector_3& after)
+{
+  return (node - before).norm() + (after - node).norm() < max_detour * (after - before).norm();
+}
 
 /// Divides long edges of branches and moves the new nodes to the middle of the section of the body that is
 /// perpendicular to the branch there. A node without a reliable section is removed again.
 class Branch_refinement
 {
 public:
-  Branch_refinement(const Triangulated_solid& solid, Skeleton_builder& builder)
-      : m_solid(solid), m_builder(builder), m_section(solid.query_surface())
+  Branch_refinement(const Triangulated_solid& solid, Skeleton_builder& builder) : m_builder(builder), m_section(solid)
   {
   }
 
@@ -48,15 +93,8 @@ private:
   static constexpr double part_length = 0.5;
   static constexpr int max_parts = 30;
   static constexpr int number_of_sweeps = 2;
-  /// Bounds for the radius of an accepted section, relative to the radius interpolated between the separators.
-  static constexpr double min_radius = 0.6;
-  static constexpr double max_radius = 1.5;
-  /// The length of a section is bounded by this, relative to the circle of the expected radius.
-  static constexpr double max_outline = 4;
   /// A node moves at most this far, relative to the expected radius.
   static constexpr double max_shift = 1;
-  /// The two edges of a node may be this much longer than the straight line between its neighbors.
-  static constexpr double max_detour = 1.4;
 
   void divide_edges()
   {
@@ -96,33 +134,18 @@ private:
     Skeleton_builder::Node& center_node = m_builder[node];
     const Vector_3& before = m_builder[center_node.neighbors[0]].position;
     const Vector_3& after = m_builder[center_node.neighbors[1]].position;
-    const double expected = center_node.radius;
-    const Vector_3 axis = (after - before).normalized();
-    if (!cut(center_node.position, axis, max_outline * 2 * boost::math::double_constants::pi * expected)) {
+    const std::optional<Section_disc> disc =
+        m_section(center_node.position, (after - before).normalized(), center_node.radius);
+    if (!disc || (disc->center - center_node.position).norm() > max_shift * center_node.radius ||
+        !is_direct(before, disc->center, after)) {
       return false;
     }
-    const Section_disc disc = section_disc(m_section.points());
-    const double detour = (disc.center - before).norm() + (after - disc.center).norm();
-    if (disc.radius() < min_radius * expected || disc.radius() > max_radius * expected ||
-        (disc.center - center_node.position).norm() > max_shift * expected ||
-        detour >= max_detour * (after - before).norm()) {
-      return false;
-    }
-    center_node.position = disc.center;
+    center_node.position = disc->center;
     return true;
   }
 
-  /// Takes the section of the body around `point` perpendicular to `axis`.
-  bool cut(const Vector_3& point, const Vector_3& axis, double max_length)
-  {
-    const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
-    return hit && m_section.cut_at_face(hit->face, axis, point, max_length) &&
-           is_in_outline(m_section.points(), point, axis);
-  }
-
-  const Triangulated_solid& m_solid;
   Skeleton_builder& m_builder;
-  Plane_section m_section;
+  Branch_section m_section;
   std::vector<Index> m_inserted;
 };
 
@@ -139,6 +162,127 @@ inline void smooth_branches(Skeleton_builder& builder)
   }
   for (Index node = 0; node < builder.size(); ++node) {
     builder[node].position = smoothed[node];
+  }
+}
+
+/// Moves the nodes of branches towards the middle of the section of the body that is perpendicular to the branch, all
+/// at once. Its direction is taken over a part of the branch, not between the neighbors: these are often nearer than
+/// the errors of their positions are small.
+class Branch_centering
+{
+public:
+  Branch_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_builder(builder), m_section(solid) {}
+
+  void operator()()
+  {
+    std::vector<Index> centered;
+    std::vector<Vector_3> positions;
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      const std::optional<Vector_3> center = m_builder.is_regular(node) ? section_center(node) : std::nullopt;
+      if (center) {
+        centered.push_back(node);
+        positions.push_back(m_builder[node].position + centering_share * (*center - m_builder[node].position));
+      }
+    }
+    move(centered, positions);
+    for (std::size_t i = 0; i < centered.size(); ++i) {
+      const Skeleton_builder::Node& node = m_builder[centered[i]];
+      positions[i] =
+          (1 - smoothing_share) * node.position +
+          smoothing_share / 2 * (m_builder[node.neighbors[0]].position + m_builder[node.neighbors[1]].position);
+    }
+    move(centered, positions);
+  }
+
+private:
+  /// The direction of a branch is taken over this distance to both sides, relative to the radius.
+  static constexpr double window = 0.7;
+  /// The part of the way to the center of the section, and then to the middle of the neighbors, that a node moves.
+  /// Further rounds center bodies better and shorten bends more.
+  static constexpr double centering_share = 0.7;
+  static constexpr double smoothing_share = 0.3;
+  /// A node moves at most this far, relative to its radius.
+  static constexpr double max_shift = 0.5;
+  /// The squared length of a section, relative to that of the circle of the same area: the centroid of a less compact
+  /// one is no middle of the body.
+  static constexpr double max_squared_length = 2;
+
+  void move(const std::vector<Index>& nodes, const std::vector<Vector_3>& positions)
+  {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      m_builder[nodes[i]].position = positions[i];
+    }
+  }
+
+  /// The first node beyond the window on the way from `node` over its neighbor `next`, or the end of the branch.
+  const Vector_3& end_of_window(Index node, Index next) const
+  {
+    const Vector_3& center = m_builder[node].position;
+    const double distance = window * m_builder[node].radius;
+    Index before = node;
+    while (m_builder.is_regular(next) && next != node && (m_builder[next].position - center).norm() < distance) {
+      const std::vector<Index>& neighbors = m_builder[next].neighbors;
+      const Index after = neighbors[0] == before ? neighbors[1] : neighbors[0];
+      before = next;
+      next = after;
+    }
+    return m_builder[next].position;
+  }
+
+  /// The center of the section through `node`, if it is to be trusted.
+  std::optional<Vector_3> section_center(Index index)
+  {
+    const Skeleton_builder::Node& node = m_builder[index];
+    const Vector_3 direction = end_of_window(index, node.neighbors[1]) - end_of_window(index, node.neighbors[0]);
+    if (!(direction.norm() > 0)) {
+      return std::nullopt;
+    }
+    const std::optional<Section_disc> disc = m_section(node.position, direction.normalized(), node.radius);
+    const double circle = 4 * boost::math::double_constants::pi * (disc ? disc->area : 0);
+    if (!disc || m_section.length() * m_section.length() > max_squared_length * circle ||
+        (disc->center - node.position).norm() > max_shift * node.radius ||
+        !is_direct(m_builder[node.neighbors[0]].position, disc->center, m_builder[node.neighbors[1]].position)) {
+      return std::nullopt;
+    }
+    return disc->center;
+  }
+
+  Skeleton_builder& m_builder;
+  Branch_section m_section;
+};
+
+/// Removes nodes of branches at which the branch turns by more than a right angle within the thickness of the body: it
+/// folds back where separators beside each other face different ways. Nodes where the straight line would leave the
+/// body stay; neither topology nor the simplicity of the graph change.
+inline void drop_folds(const Triangulated_solid& solid, Skeleton_builder& builder)
+{
+  std::vector<double> crossings;
+  const auto folds_back = [&](Index node) {
+    if (!builder.is_regular(node)) {
+      return false;
+    }
+    const Index a = builder[node].neighbors[0];
+    const Index b = builder[node].neighbors[1];
+    const std::vector<Index>& around = builder[a].neighbors;
+    if (a == b || std::find(around.begin(), around.end(), b) != around.end()) {
+      return false;
+    }
+    const Vector_3 in = builder[node].position - builder[a].position;
+    const Vector_3 out = builder[b].position - builder[node].position;
+    if (in.dot(out) >= 0 || std::min(in.norm(), out.norm()) > builder[node].radius) {
+      return false;
+    }
+    solid.crossings(builder[a].position, builder[b].position, crossings);
+    return crossings.empty();
+  };
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (Index node = 0; node < builder.size(); ++node) {
+      if (folds_back(node)) {
+        builder.bypass(node);
+        has_changed = true;
+      }
+    }
   }
 }
 

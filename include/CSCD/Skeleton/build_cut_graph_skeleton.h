@@ -22,8 +22,8 @@
 
 namespace CSCD::internal {
 
-/// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined and
-/// smoothed, and what left the body is brought back; what could not be is counted in `report`.
+/// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined,
+/// smoothed and centered, and what left the body is brought back; what could not be is counted in `report`.
 inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
                                                   const std::vector<Separator>& separators,
                                                   const Separator_packing& packing, Skeletonization_report& report)
@@ -37,6 +37,8 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   drop_overshoots(result.graph);
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
+  Branch_centering(solid, result.graph)();
+  drop_folds(solid, result.graph);
   Inside_repair repair(solid, result.graph);
   repair();
   result.graph.compact();
