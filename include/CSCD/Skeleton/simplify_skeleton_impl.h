@@ -612,6 +612,8 @@ private:
   bool is_inside(Index a, Index b) const { return m_body.holds(m_skeleton.points[a], m_skeleton.points[b]); }
 
   bool merge_some_junctions(double threshold);
+  std::vector<Branch> short_branches(double threshold, const std::vector<std::vector<Index>>& neighbors) const;
+  void redirect_edges(const std::vector<Index>& heir);
   bool can_merge(const Branch& branch, const std::vector<std::vector<Index>>& neighbors) const;
   bool stays_inside(const Branch& branch, const std::vector<std::vector<Index>>& neighbors,
                     const Branch_point& place) const;
@@ -676,46 +678,52 @@ inline bool Skeleton_simplification::stays_inside(const Branch& branch,
   return true;
 }
 
-/// Merges short branches, shortest first, that do not touch each other. \return whether there were any
-inline bool Skeleton_simplification::merge_some_junctions(double threshold)
+/// The branches between junctions that are shorter than `threshold` radii and can be merged, shortest first.
+inline std::vector<Skeleton_simplification::Branch>
+Skeleton_simplification::short_branches(double threshold, const std::vector<std::vector<Index>>& neighbors) const
 {
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
   std::vector<char> is_at_joint(m_skeleton.number_of_nodes(), 0);
   for (std::size_t e = 0; e < m_skeleton.edges.size(); ++e) {
     for (const Index v : m_skeleton.edges[e]) {
       is_at_joint[v] = is_at_joint[v] != 0 || m_skeleton.is_joined[e] != 0 ? 1 : 0;
     }
   }
-  const std::vector<Branch> branches = split_into_branches(neighbors);
-  std::vector<std::tuple<double, double, double, double, std::size_t>> short_ones;
-  for (std::size_t i = 0; i < branches.size(); ++i) {
-    const Branch& branch = branches[i];
+  // By length in radii; of equal ones by position, so that the numbering does not matter.
+  std::vector<std::tuple<double, double, double, double, Branch>> found;
+  for (const Branch& branch : split_into_branches(neighbors)) {
     const Index a = branch.front();
     const Index b = branch.back();
     const double total = length(branch);
-    if (a != b && neighbors[a].size() > 2 && neighbors[b].size() > 2 &&
-        total < threshold * (radius(a) + radius(b)) / 2 &&
+    const double mean_radius = (radius(a) + radius(b)) / 2;
+    if (a != b && neighbors[a].size() > 2 && neighbors[b].size() > 2 && total < threshold * mean_radius &&
         std::none_of(branch.begin(), branch.end(), [&](Index v) { return is_at_joint[v] != 0; }) &&
         can_merge(branch, neighbors)) {
       const Vector_3 middle = point_on_branch(branch, total / 2).point;
-      short_ones.emplace_back(2 * total / (radius(a) + radius(b)), middle.x(), middle.y(), middle.z(), i);
+      found.emplace_back(total / mean_radius, middle.x(), middle.y(), middle.z(), branch);
     }
   }
-  std::sort(short_ones.begin(), short_ones.end());
+  std::sort(found.begin(), found.end());
+  std::vector<Branch> result;
+  for (auto& one : found) {
+    result.push_back(std::move(std::get<Branch>(one)));
+  }
+  return result;
+}
+
+/// Merges short branches, shortest first, that do not touch each other. \return whether there were any
+inline bool Skeleton_simplification::merge_some_junctions(double threshold)
+{
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
   std::vector<char> is_touched(m_skeleton.number_of_nodes(), 0);
   std::vector<Index> heir = numbers();
-  std::vector<char> is_kept(m_skeleton.edges.size(), 1);
   bool is_merged = false;
-  for (const auto& one : short_ones) {
-    const Branch& branch = branches[std::get<std::size_t>(one)];
+  for (const Branch& branch : short_branches(threshold, neighbors)) {
     Branch around = branch;
     around.insert(around.end(), neighbors[branch.front()].begin(), neighbors[branch.front()].end());
     around.insert(around.end(), neighbors[branch.back()].begin(), neighbors[branch.back()].end());
-    if (std::any_of(around.begin(), around.end(), [&](Index v) { return is_touched[v] != 0; })) {
-      continue;
-    }
     const Branch_point middle = point_on_branch(branch, length(branch) / 2);
-    if (m_body.is_known() && !stays_inside(branch, neighbors, middle)) {
+    if (std::any_of(around.begin(), around.end(), [&](Index v) { return is_touched[v] != 0; }) ||
+        (m_body.is_known() && !stays_inside(branch, neighbors, middle))) {
       continue;
     }
     for (const Index v : around) {
@@ -732,14 +740,20 @@ inline bool Skeleton_simplification::merge_some_junctions(double threshold)
     ++m_report.number_of_merged_branches;
     is_merged = true;
   }
-  for (std::size_t e = 0; e < is_kept.size(); ++e) {
-    auto& [a, b] = m_skeleton.edges[e];
-    is_kept[e] = heir[a] != heir[b] || a == b ? 1 : 0;
+  redirect_edges(heir);
+  return is_merged;
+}
+
+/// Leads the edges of nodes to their heirs, and drops those between nodes that have become one.
+inline void Skeleton_simplification::redirect_edges(const std::vector<Index>& heir)
+{
+  std::vector<char> is_kept;
+  for (auto& [a, b] : m_skeleton.edges) {
+    is_kept.push_back(heir[a] != heir[b] || a == b ? 1 : 0);
     a = heir[a];
     b = heir[b];
   }
   keep(heir, is_kept);
-  return is_merged;
 }
 
 inline void Skeleton_simplification::resample(double spacing, bool is_relative)
