@@ -26,6 +26,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -75,9 +76,12 @@ public:
     std::vector<Mesh::Vertex_index> mesh_vertex;
     for (CSCD::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
       const auto numbers = traits.descriptors(vertex);
-      mesh_vertex.push_back(numbers.begin() == numbers.end()
-                                ? mesh.add_vertex(traits.to_input_point(triangulation.point(vertex)))
-                                : Mesh::Vertex_index(static_cast<Mesh::size_type>(*numbers.begin())));
+      const Point place = traits.to_input_point(triangulation.point(vertex));
+      const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+        return CGAL::squared_distance(m_points[a], place) < CGAL::squared_distance(m_points[b], place);
+      });
+      mesh_vertex.push_back(nearest == numbers.end() ? mesh.add_vertex(place)
+                                                     : Mesh::Vertex_index(static_cast<Mesh::size_type>(*nearest)));
     }
     for (CSCD::Index face = 0; face < triangulation.number_of_faces(); ++face) {
       const auto [a, b, c] = triangulation.face_halfedges(face);

@@ -6,6 +6,7 @@
 #ifndef CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 #define CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 
+#include <CSCD/Reconstruction/consolidate_points.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -72,7 +73,7 @@ public:
   Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
     const auto start = std::chrono::steady_clock::now();
-    const Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
+    const Point_cloud cloud = internal::consolidate_points(internal::collect_points(points, point_map, normal_map));
     internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
     m_report = std::move(reconstructed.report);
     m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
@@ -93,7 +94,8 @@ public:
   /// such are scans of trees, which `extract_tree_skeleton()` is for.
   bool is_surface_doubtful() const
   {
-    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+    return double(m_report.number_of_border_edges) >
+           doubtful_border_edges * double(m_report.number_of_sampled_points());
   }
 
   /// \name Back to the input
@@ -116,7 +118,7 @@ public:
     if (is_surface_doubtful()) {
       report.warnings.emplace_back(
           "the points hardly sample the surface of a body: it has " + std::to_string(m_report.number_of_border_edges) +
-          " border edges for " + std::to_string(m_report.number_of_points) +
+          " border edges for " + std::to_string(m_report.number_of_sampled_points()) +
           " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
           "extract_tree_skeleton() is made for it");
     }
