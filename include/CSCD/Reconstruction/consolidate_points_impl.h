@@ -44,7 +44,7 @@ inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radiu
 struct Cloud_probe
 {
   double noise = 0;     ///< what most places show: the lower quartile
-  double bend = 0;      ///< what the most bent places show: the quantile of 95 %
+  double bend = 0;      ///< what the most bent places show beyond noise: the quantile of 95 %
   bool is_known = true; ///< whether there are points enough to tell
 };
 
@@ -90,15 +90,17 @@ private:
   /// of a random sequential choice.
   static constexpr double packing_density = 0.69;
   /// A cloud of which more than this would remain is left as it is.
-  static constexpr double largest_part = 0.75;
+  static constexpr double largest_part = 0.6;
   /// The number of places that are probed, about.
   static constexpr std::size_t number_of_probes = 1000;
   /// The points within twice the radius that show noise and bend, at least in the mean.
   static constexpr double points_of_a_probe = 14;
-  /// The greatest deviation by bending, in the unit of the radius: a tube of ten points around has as much ...
-  static constexpr double max_bend = 0.2;
-  /// ... and what chance adds to it, relative to the noise.
-  static constexpr double chance_of_noise = 1.6;
+  /// More points within twice the radius show nothing more.
+  static constexpr double enough_neighbors = 80;
+  /// The greatest deviation by bending, in the unit of the radius.
+  static constexpr double max_bend = 0.15;
+  /// The bend that is expected to remain where the radius shrinks by the root of two: that of animals.
+  static constexpr double expected_bend = 0.7;
   /// Noise from which on points are averaged, in the unit of the radius: about that of Cloud_sampling.
   static constexpr double max_noise = 0.15;
   /// Noise in the unit of the radius that is too large for an average over the radius.
@@ -106,7 +108,7 @@ private:
   /// The number of points to which excessive noise may thin a cloud.
   static constexpr double number_in_noise = 2000;
   /// How near to each other averaged points may be, relative to the radius.
-  static constexpr double averaged_spacing = 0.8;
+  static constexpr double averaged_spacing = 0.9;
   /// The number of points of which the area is estimated.
   static constexpr double number_of_the_area = 2000;
   /// The points from which it is estimated, about.
@@ -146,11 +148,13 @@ private:
       result = probe();
       m_noise = result.noise;
     }
-    while (result.is_known && result.bend > max_bend + chance_of_noise * result.noise && number < greatest_number) {
+    double bend = result.bend;
+    while (bend > max_bend && number < greatest_number) {
       number = std::min(greatest_number, std::sqrt(2.) * number);
       m_radius = radius_of(number);
       result = probe();
       m_noise = result.is_known ? result.noise : m_noise * std::sqrt(2.);
+      bend = std::max(result.bend, expected_bend * bend); // where points are few, chance hides it
     }
   }
 
@@ -167,10 +171,13 @@ private:
     }
     std::vector<std::vector<Index>> neighborhoods(centers.size());
     std::size_t number_of_neighbors = 0;
-    for (Index point = 0; point < points.size(); ++point) {
+    // The ball has about 12 r^2 of the area.
+    const double expected_neighbors = 12 * m_radius * m_radius / m_area * double(points.size());
+    const std::size_t stride = std::max<std::size_t>(1, std::size_t(expected_neighbors / enough_neighbors));
+    for (std::size_t point = 0; point < points.size(); point += stride) {
       grid.for_each_near(points[point], [&](Index place, double) {
         if (centers[place] != point) {
-          neighborhoods[place].push_back(point);
+          neighborhoods[place].push_back(Index(point));
           ++number_of_neighbors;
         }
       });
@@ -185,7 +192,13 @@ private:
     if (deviations.empty() || double(number_of_neighbors) < points_of_a_probe * double(centers.size())) {
       return {0, 0, false};
     }
-    return {quantile(deviations, 0.25), quantile(deviations, 0.95), true};
+    // Deviations by noise spread as estimates of a standard deviation do: 95 % are below the mean and 1.65 of their own
+    // standard deviations. Somewhat more, as noise is not the same everywhere.
+    constexpr double parameters_of_a_quadric = 6;
+    const double freedom = double(number_of_neighbors) / double(centers.size()) - parameters_of_a_quadric;
+    const double by_noise = quantile(deviations, 0.5) * (1.04 + 1.9 / std::sqrt(2 * freedom));
+    const double greatest = quantile(deviations, 0.95);
+    return {quantile(deviations, 0.25), std::sqrt(std::max(0., greatest * greatest - by_noise * by_noise)), true};
   }
 
   /// Moves `points` to the means of the points of the cloud within the radius.
