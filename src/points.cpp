@@ -3,7 +3,6 @@
 //
 // Point clouds and what is made of them, compiled once.
 
-#include <CSCD/Reconstruction/consolidate_points_impl.h>
 #include <CSCD/Reconstruction/reconstruct_surface_impl.h>
 #include <CSCD/Surface/Point_cloud_impl.h>
 #include <CSCD/Surface/Point_solid_impl.h>

@@ -221,6 +221,9 @@ Skeletonization_result compute_recognized_tree_skeleton(Input& input, const Skel
 Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_options& options,
                                               Progress_visitor& visitor)
 {
+  if (options.shape == automatic_shape && CSCD::is_scan_of_trees(input.points)) {
+    return compute_recognized_tree_skeleton(input, options, "many points lie along curves, not on a surface");
+  }
   const Numbered_points points(input.points, input.normals);
   try {
     const auto traits = points.make_traits<Surface_traits>();

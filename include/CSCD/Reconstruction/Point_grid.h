@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Points within a fixed distance, by a grid.
+// Points within a fixed distance, by a grid, and the thinning of points by it.
 
 #ifndef CSCD_RECONSTRUCTION_POINT_GRID_H
 #define CSCD_RECONSTRUCTION_POINT_GRID_H
 
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -107,6 +108,50 @@ private:
   std::vector<Entry> m_entries;
   std::vector<Index> m_first = std::vector<Index>(64, no_index); // of every bucket; their number is a power of two
 };
+
+/// Those of `points`, in their order, that are farther than `radius` from all that were chosen before.
+/// \param step only every so many of the points are looked at
+inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radius, std::size_t step = 1)
+{
+  std::vector<Index> result;
+  Point_grid grid(radius);
+  for (std::size_t point = 0; point < points.size(); point += step) {
+    bool is_free = true;
+    grid.for_each_near(points[point], [&](Index, double) { is_free = false; });
+    if (is_free) {
+      grid.insert(points[point]);
+      result.push_back(Index(point));
+    }
+  }
+  return result;
+}
+
+/// The number of points that are no nearer to each other than a radius, times its square, relative to the area: that of
+/// a random sequential choice.
+inline constexpr double packing_density = 0.69;
+
+/// The area that points cover, estimated from some 2000 balls around them: noise that is less than their radius, and a
+/// few points that are far away, hardly count. Linear.
+/// \pre the extent of the points is about 1
+inline double estimate_area(const std::vector<Vector_3>& points)
+{
+  constexpr double number_of_balls = 2000;
+  constexpr std::size_t sample = 50000; // points from which it is estimated, about
+  constexpr int max_number_of_trials = 40;
+  const double target = std::min(number_of_balls, double(points.size()) / 4);
+  const std::size_t step = std::max<std::size_t>(1, points.size() / sample);
+  double radius = 0.05; // of a cube with sides of 2
+  double area = 0;
+  for (int i = 0; i < max_number_of_trials; ++i) {
+    const auto number = double(thin(points, radius, step).size());
+    area = number * radius * radius / packing_density;
+    if (number > target / 1.5 && number < target * 1.5) {
+      break;
+    }
+    radius *= std::sqrt(number / target);
+  }
+  return area;
+}
 
 } // namespace CSCD::internal
 

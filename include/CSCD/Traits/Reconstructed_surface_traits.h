@@ -73,9 +73,12 @@ public:
   Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
     const auto start = std::chrono::steady_clock::now();
-    const Point_cloud cloud = internal::consolidate_points(internal::collect_points(points, point_map, normal_map));
+    const auto [cloud, number_of_outliers] =
+        internal::consolidate_points(internal::collect_points(points, point_map, normal_map));
     internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
     m_report = std::move(reconstructed.report);
+    m_report.number_of_outliers += number_of_outliers;
+    m_report.number_of_thinned_points -= number_of_outliers;
     m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
     m_normalization = cloud.normalization.then(m_surface->normalization());
     m_points = {points, cloud, internal::vertices_of_points(*m_surface, cloud, reconstructed.point_of_vertex),
@@ -124,6 +127,8 @@ public:
     }
     report.add_warning(m_report.number_of_duplicates, "point at the place of another: it belongs to the same node",
                        "points at the place of others: they belong to the same nodes");
+    report.add_warning(m_report.number_of_outliers, "outlier, far from all other points: left out",
+                       "outliers, far from all other points: left out");
     report.add_warning(m_report.number_of_unused_points, "point off the surface: it belongs to the node of the nearest",
                        "points off the surface: they belong to the nodes of the nearest");
     report.add_warning(m_report.number_of_holes, "hole of the reconstructed surface: closed by faces without weight",
