@@ -26,6 +26,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -75,9 +76,12 @@ public:
     std::vector<Mesh::Vertex_index> mesh_vertex;
     for (CSCD::Index vertex = 0; vertex < triangulation.number_of_vertices(); ++vertex) {
       const auto numbers = traits.descriptors(vertex);
-      mesh_vertex.push_back(numbers.begin() == numbers.end()
-                                ? mesh.add_vertex(traits.to_input_point(triangulation.point(vertex)))
-                                : Mesh::Vertex_index(static_cast<Mesh::size_type>(*numbers.begin())));
+      const Point place = traits.to_input_point(triangulation.point(vertex));
+      const auto nearest = std::min_element(numbers.begin(), numbers.end(), [&](std::size_t a, std::size_t b) {
+        return CGAL::squared_distance(m_points[a], place) < CGAL::squared_distance(m_points[b], place);
+      });
+      mesh_vertex.push_back(nearest == numbers.end() ? mesh.add_vertex(place)
+                                                     : Mesh::Vertex_index(static_cast<Mesh::size_type>(*nearest)));
     }
     for (CSCD::Index face = 0; face < triangulation.number_of_faces(); ++face) {
       const auto [a, b, c] = triangulation.face_halfedges(face);
@@ -226,6 +230,9 @@ Skeletonization_result compute_recognized_tree_skeleton(Input& input, const Skel
 Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_options& options,
                                               Progress_visitor& visitor)
 {
+  if (options.shape == automatic_shape && CSCD::is_scan_of_trees(input.points)) {
+    return compute_recognized_tree_skeleton(input, options, "many points lie along curves, not on a surface");
+  }
   const Numbered_points points(input.points, input.normals);
   try {
     const auto traits = points.make_traits<Surface_traits>();

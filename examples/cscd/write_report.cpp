@@ -106,6 +106,8 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
 {
   return {{"number_of_points", r.number_of_points},
           {"number_of_duplicates", r.number_of_duplicates},
+          {"number_of_thinned_points", r.number_of_thinned_points},
+          {"is_averaged", r.is_averaged},
           {"number_of_neighbors", r.number_of_neighbors},
           {"spacing", r.spacing},
           {"noise", r.noise},

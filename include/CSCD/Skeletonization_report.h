@@ -43,18 +43,23 @@ struct Reconstruction_repair
 /// Counts and measures of the reconstruction of a surface from points. Lengths are in the unit of the input.
 struct Reconstruction_report
 {
-  std::size_t number_of_points = 0;        ///< points of the input
-  std::size_t number_of_duplicates = 0;    ///< points that are at the place of another one
-  std::size_t number_of_neighbors = 0;     ///< the k of the neighborhoods
-  double spacing = 0;                      ///< median over the points of the mean distance to the nearest six
-  double noise = 0;                        ///< deviation of the points from planes, relative to the spacing
-  bool is_smoothed = false;                ///< whether the points were moved to the planes
-  std::size_t number_of_outliers = 0;      ///< points far from all others: left out of the surface
-  std::size_t number_of_unused_points = 0; ///< points that are no vertices: they belong to the node of the nearest
-  std::size_t number_of_border_edges = 0;  ///< edges at holes of the surface
-  std::size_t number_of_holes = 0;         ///< holes that were closed
+  std::size_t number_of_points = 0;         ///< points of the input
+  std::size_t number_of_duplicates = 0;     ///< points that are at the place of another one
+  std::size_t number_of_thinned_points = 0; ///< points left out of dense clouds: they belong to the node of the nearest
+  bool is_averaged = false;                 ///< whether noise was averaged away where the cloud was thinned
+  std::size_t number_of_neighbors = 0;      ///< the k of the neighborhoods
+  double spacing = 0;                       ///< median over the points of the mean distance to the nearest six
+  double noise = 0;                         ///< deviation of the points from planes, relative to the spacing
+  bool is_smoothed = false;                 ///< whether the points were moved to the planes
+  std::size_t number_of_outliers = 0;       ///< points far from all others: left out of the surface
+  std::size_t number_of_unused_points = 0;  ///< points that are no vertices: they belong to the node of the nearest
+  std::size_t number_of_border_edges = 0;   ///< edges at holes of the surface
+  std::size_t number_of_holes = 0;          ///< holes that were closed
   std::vector<Reconstruction_repair> cut_handles; ///< handles that are too small for the sampling to prove them
   std::vector<Reconstruction_repair> joined_gaps; ///< gaps between the fragments of one body
+
+  /// The points that a surface is made of.
+  std::size_t number_of_sampled_points() const { return number_of_points - number_of_thinned_points; }
 };
 
 /// Counts, timings and warnings of one skeletonization.

@@ -7,6 +7,7 @@
 #define CSCD_EXTRACT_TREE_SKELETON_H
 
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Reconstruction/recognize_tree_scan.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
@@ -55,6 +56,25 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
 }
 
 } // namespace internal
+
+/// tells whether dense points are a scan of trees, or of other branching thin things, by the form of their
+/// neighborhoods: of a tenth of them and more the points lie along curves, and not on a surface. Fewer than 20,000
+/// points show too little of their form for that: the answer is no. Linear, and fast: a sample of 50,000 points is
+/// looked at. Does not depend on the order of the points.
+/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
+/// \throw Input_error if there are no points
+/// \pre all coordinates are finite
+template <class PointRange>
+bool is_scan_of_trees(const PointRange& points)
+{
+  constexpr std::size_t min_number_of_points = 20000;
+  std::vector<Vector_3> coordinates;
+  for (const auto& point : points) {
+    coordinates.push_back(internal::to_vector_3(point));
+  }
+  const Point_cloud cloud = make_point_cloud(internal::sample_of(coordinates), {});
+  return cloud.points.size() >= min_number_of_points && internal::is_scan_of_trees(internal::forms_of(cloud.points));
+}
 
 /// extracts the skeletons of trees, or of other branching thin things, from a scan of them.
 ///

@@ -77,6 +77,24 @@ TEST(read_points, takes_no_other_numbers_for_normals)
   EXPECT_TRUE(read("NOFF\n2 0 0\n1 2 3 0 0 1\n1 2 4\n", Point_format::off).normals.empty());
 }
 
+TEST(read_points, takes_columns_for_normals_by_the_unit_length_of_most_rows)
+{
+  const std::vector<Vector> normals =
+      read("1 2 3 0 0 1\n1 2 4 0 1 0\n1 2 5 3 0 0\n1 2 6 1 0 0\n1 2 7 0 0 0\n", Point_format::xyz).normals;
+  EXPECT_EQ((std::vector<Vector>{{0, 0, 1}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), normals);
+  EXPECT_TRUE(read("1 2 3 .2 .4 .1\n1 2 4 .9 .8 1\n1 2 5 0 0 1\n", Point_format::xyz).normals.empty());
+  EXPECT_TRUE(read("1 2 3 1 0 0\n1 2 4 1 0 0\n1 2 5 1 0 0\n", Point_format::xyz).normals.empty()) << "one color";
+}
+
+TEST(read_points, passes_over_comments_and_a_header)
+{
+  for (const char* const text :
+       {"x y z\n1 2 3\n-4 5.5 6e-3\n", "// x y z\n1 2 3 // first\n# second\n-4 5.5 6e-3\n",
+        "# two points\n\"x\" \"y\" \"z\"\n1 2 3 # first\n-4 5.5 6e-3\n", "2\n1 2 3\n-4 5.5 6e-3\n"}) {
+    EXPECT_EQ(expected_points, read(text, Point_format::xyz).points) << text;
+  }
+}
+
 /// The message with which the text is refused; points stay as they were.
 std::string refusal(const std::string& text, Point_format format)
 {
@@ -96,6 +114,7 @@ TEST(read_points, refuses_malformed_files)
 {
   EXPECT_EQ("cloud: the file is empty; fetch or write it again", refusal("", Point_format::xyz));
   EXPECT_EQ("cloud: the file has no points; fetch or write it again", refusal("# nothing\n", Point_format::xyz));
+  EXPECT_EQ(0u, refusal("x y z\nx y z\n1 2 3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
   EXPECT_EQ(0u, refusal("1 2 3\n1 2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
   EXPECT_EQ(0u, refusal("1 2 3\n1 2 x\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
   EXPECT_EQ(0u, refusal("1 2 3\n1 nan 2\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));

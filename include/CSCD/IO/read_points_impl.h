@@ -16,55 +16,80 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <istream>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace CSCD::internal {
 
+/// Forgets `normals` that are none: unless most of them are of unit length, and differ, they are colors or the like. Of
+/// normals, those of another length are set to zero: they are not known.
+inline void keep_normals_only(std::vector<Vector_3>& normals)
+{
+  constexpr double tolerance = 0.01; // normals are written with few digits
+  std::size_t number_of_unit_length = 0;
+  bool do_differ = false;
+  for (Vector_3& normal : normals) {
+    if (std::abs(normal.norm() - 1) <= tolerance) {
+      ++number_of_unit_length;
+      do_differ = do_differ || normal != normals.front();
+    } else {
+      normal = Vector_3::Zero();
+    }
+  }
+  if (2 * number_of_unit_length <= normals.size() || !do_differ) {
+    normals.clear();
+  }
+}
+
 /// Reads `text`, a point in each line: three coordinates, and perhaps three numbers of a normal; what follows is passed
-/// over, as are empty lines, comments after `#`, and a first line with a single number. If in some line three further
-/// numbers are missing or longer than a unit vector can be, they are taken for no normals anywhere: they may be
-/// colors. \throw File_error if it is malformed or has no points
+/// over, as are empty lines, comments after `#` or `//`, and a first line with a single number or with words. If in
+/// some line three further numbers are missing, they are taken for no normals anywhere.
+/// \throw File_error if it is malformed or has no points
 inline Polygon_soup parse_xyz(std::string_view text, const std::string& filename)
 {
-  constexpr char comment = '#';
-  constexpr double longest_normal = 1.01; // normals written with few digits may be a little longer than 1
   constexpr std::size_t with_normal = 6;
   Polygon_soup soup;
   bool has_normals = true;
+  bool is_first_line = true;
   Text_scanner scanner(text, filename);
-  for (bool is_first_line = true; scanner.skip_blanks(comment); is_first_line = false) {
+  const auto is_comment = [&scanner] { return scanner.is_at("#") || scanner.is_at("//"); };
+  while (scanner.skip_blanks()) {
+    const bool is_header = std::exchange(is_first_line, is_first_line && is_comment()) && !scanner.is_at_number();
+    if (is_comment() || is_header) {
+      scanner.skip_line();
+      continue;
+    }
     std::array<double, with_normal> numbers{};
     std::size_t size = 0;
-    for (; size < 3 && scanner.skip_blanks_in_line(); ++size) {
+    for (; size < 3 && scanner.skip_blanks_in_line() && !is_comment(); ++size) {
       numbers[size] = scanner.coordinate();
     }
-    if (size == 1 && is_first_line) {
-      continue;
+    if (size == 1 && soup.points.empty()) {
+      continue; // the number of points
     }
     if (size < 3) {
       scanner.fail("a point has fewer than three coordinates", "correct this line or write the file again");
     }
-    for (; has_normals && size < with_normal && scanner.skip_blanks_in_line(); ++size) {
+    for (; has_normals && size < with_normal && scanner.skip_blanks_in_line() && !is_comment(); ++size) {
       numbers[size] = scanner.number();
     }
     scanner.skip_line();
     soup.points.emplace_back(numbers[0], numbers[1], numbers[2]);
-    const Vector_3 normal(numbers[3], numbers[4], numbers[5]);
-    has_normals = has_normals && size == with_normal && normal.norm() <= longest_normal;
+    has_normals = has_normals && size == with_normal;
     if (has_normals) {
-      soup.normals.push_back(normal);
+      soup.normals.emplace_back(numbers[3], numbers[4], numbers[5]);
     }
   }
-  const bool are_known =
-      std::any_of(soup.normals.begin(), soup.normals.end(), [](const Vector_3& n) { return n != Vector_3::Zero(); });
-  if (!has_normals || !are_known) {
+  if (!has_normals) {
     soup.normals.clear();
   }
+  keep_normals_only(soup.normals);
   check_number_of_points(soup.points.size(), filename);
   return soup;
 }

@@ -45,6 +45,8 @@ public:
   {
     m_result.report.number_of_points = cloud.input_point.size();
     m_result.report.number_of_duplicates = cloud.number_of_duplicates();
+    m_result.report.number_of_thinned_points = cloud.number_of_thinned_points;
+    m_result.report.is_averaged = cloud.is_averaged;
     m_result.report.number_of_neighbors = m_neighbors.number();
     m_result.report.spacing = m_sampling.spacing() * cloud.normalization.unit;
     m_result.report.noise = m_sampling.noise();

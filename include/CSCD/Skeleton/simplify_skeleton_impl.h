@@ -13,11 +13,9 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/config.h>
-
-#include <Eigen/Geometry>
-#include <unsupported/Eigen/BVH>
 
 #include <algorithm>
 #include <array>
@@ -37,63 +35,53 @@ namespace CSCD::internal {
 class Labelled_points
 {
 public:
-  explicit Labelled_points(const std::vector<Vector_3>& points, const std::vector<Index>& chosen) : m_points(points)
+  explicit Labelled_points(const std::vector<Vector_3>& points, std::vector<Index> chosen)
+      : m_points(points), m_chosen(std::move(chosen))
   {
-    std::vector<Eigen::AlignedBox3d> boxes;
-    for (const Index i : chosen) {
-      boxes.emplace_back(points[i], points[i]);
+    std::vector<Bounding_box> boxes(m_chosen.size());
+    for (std::size_t i = 0; i < m_chosen.size(); ++i) {
+      boxes[i].extend(points[m_chosen[i]]);
     }
-    if (!chosen.empty()) {
-      m_tree.init(chosen.begin(), chosen.end(), boxes.begin(), boxes.end());
-    }
+    m_tree = Box_tree(boxes);
   }
 
   /// The point nearest to `point` of those that are not labelled `label`, nearer than the root of `squared_bound`; or
-  /// `no_index`. O(log n) where others are near or the bound is small.
+  /// `no_index`. Of several, the one with the least coordinates. O(log n) where others are near or the bound is small.
   std::pair<double, Index> nearest_other(const Vector_3& point, Index label, const std::vector<Index>& labels,
                                          double squared_bound) const
   {
-    Minimizer minimizer{m_points, labels, point, label, squared_bound, no_index};
-    Eigen::BVMinimize(m_tree, minimizer);
-    return {minimizer.squared_distance, minimizer.nearest};
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double least = squared_bound;
+    Index nearest = no_index;
+    const auto position = [this](Index v) {
+      return std::make_tuple(m_points[v].x(), m_points[v].y(), m_points[v].z(), v);
+    };
+    m_tree.minimize(
+        [&](const Bounding_box& box) {
+          // The search enters boxes that are nearer than what it has found: for the sake of ties, those that are as
+          // near are said to be a little nearer.
+          const double square = box.squared_distance(point);
+          return square <= least ? std::nextafter(square, -1.) : infinity;
+        },
+        [&](Index object) {
+          const Index i = m_chosen[object];
+          const double square = (m_points[i] - point).squaredNorm();
+          if (labels[i] == label || square > least) {
+            return infinity;
+          }
+          if (square < least || nearest == no_index || position(i) < position(nearest)) {
+            least = square;
+            nearest = i;
+          }
+          return square;
+        });
+    return {least, nearest};
   }
 
 private:
-  struct Minimizer
-  {
-    using Scalar = double; // as Eigen names it
-
-    const std::vector<Vector_3>& points;
-    const std::vector<Index>& labels;
-    Vector_3 point;
-    Index label;
-    double squared_distance;
-    Index nearest;
-
-    /// Eigen descends into boxes that are nearer than what it has found: those that are as near are said to be a little
-    /// nearer, for the sake of ties, and those beyond the bound to be at the end of the world.
-    double minimumOnVolume(const Eigen::AlignedBox3d& box) const
-    {
-      const double square = box.squaredExteriorDistance(point);
-      return square <= squared_distance ? std::nextafter(square, -1.) : std::numeric_limits<double>::max();
-    }
-    double minimumOnObject(Index i)
-    {
-      const double square = (points[i] - point).squaredNorm();
-      if (labels[i] == label || square > squared_distance) {
-        return std::numeric_limits<double>::max();
-      }
-      const auto position = [this](Index v) { return std::make_tuple(points[v].x(), points[v].y(), points[v].z(), v); };
-      if (square < squared_distance || nearest == no_index || position(i) < position(nearest)) {
-        squared_distance = square;
-        nearest = i;
-      }
-      return square;
-    }
-  };
-
   const std::vector<Vector_3>& m_points;
-  Eigen::KdBVH<double, 3, Index> m_tree;
+  std::vector<Index> m_chosen;
+  Box_tree m_tree;
 };
 
 /// The body, if it is known.

@@ -84,9 +84,12 @@ struct Point_cloud
   /// From the coordinates of the input to those of the points.
   Normalization normalization;
   Canonical_pose pose; ///< of the points
+  /// Points of the input, at other places, for which others that are near stand.
+  std::size_t number_of_thinned_points = 0;
+  bool is_averaged = false; ///< whether noise was averaged away: then the points are not at the places of the input
 
   /// The number of points of the input that are at the place of an earlier one.
-  std::size_t number_of_duplicates() const { return input_point.size() - points.size(); }
+  std::size_t number_of_duplicates() const { return input_point.size() - points.size() - number_of_thinned_points; }
 };
 
 /// Merges equal points, normalizes the rest and puts them into their canonical order; O(n log n). All of them may be at
@@ -101,6 +104,10 @@ Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_
 void check_extent(const Point_cloud& cloud);
 
 namespace internal {
+
+/// Merges equal `points` and sorts the rest lexicographically into the empty `cloud`; normals of merged points are
+/// added. O(n log n).
+void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud);
 
 /// Sorts a cloud of different points in their canonical pose: so the numbers do not depend on the pose. Along a space
 /// filling curve, for points that are near each other to be near in memory.

@@ -60,8 +60,7 @@ CSCD_INLINE void sort_canonically(Point_cloud& cloud)
   cloud.normals = std::move(normals);
 }
 
-/// Merges points of equal coordinates and sorts the rest lexicographically; normals of merged points are added.
-inline void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud)
+CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud)
 {
   std::vector<Index> order(points.size());
   std::iota(order.begin(), order.end(), Index(0));

@@ -6,6 +6,7 @@
 #ifndef CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 #define CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 
+#include <CSCD/Reconstruction/consolidate_points.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
@@ -72,9 +73,12 @@ public:
   Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
   {
     const auto start = std::chrono::steady_clock::now();
-    const Point_cloud cloud = internal::collect_points(points, point_map, normal_map);
+    const auto [cloud, number_of_outliers] =
+        internal::consolidate_points(internal::collect_points(points, point_map, normal_map));
     internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
     m_report = std::move(reconstructed.report);
+    m_report.number_of_outliers += number_of_outliers;
+    m_report.number_of_thinned_points -= number_of_outliers;
     m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
     m_normalization = cloud.normalization.then(m_surface->normalization());
     m_points = {points, cloud, internal::vertices_of_points(*m_surface, cloud, reconstructed.point_of_vertex),
@@ -93,7 +97,8 @@ public:
   /// such are scans of trees, which `extract_tree_skeleton()` is for.
   bool is_surface_doubtful() const
   {
-    return double(m_report.number_of_border_edges) > doubtful_border_edges * double(m_report.number_of_points);
+    return double(m_report.number_of_border_edges) >
+           doubtful_border_edges * double(m_report.number_of_sampled_points());
   }
 
   /// \name Back to the input
@@ -116,12 +121,14 @@ public:
     if (is_surface_doubtful()) {
       report.warnings.emplace_back(
           "the points hardly sample the surface of a body: it has " + std::to_string(m_report.number_of_border_edges) +
-          " border edges for " + std::to_string(m_report.number_of_points) +
+          " border edges for " + std::to_string(m_report.number_of_sampled_points()) +
           " points, and the skeleton may be wrong; if this is a scan of trees or of other thin things, "
           "extract_tree_skeleton() is made for it");
     }
     report.add_warning(m_report.number_of_duplicates, "point at the place of another: it belongs to the same node",
                        "points at the place of others: they belong to the same nodes");
+    report.add_warning(m_report.number_of_outliers, "outlier, far from all other points: left out",
+                       "outliers, far from all other points: left out");
     report.add_warning(m_report.number_of_unused_points, "point off the surface: it belongs to the node of the nearest",
                        "points off the surface: they belong to the nodes of the nearest");
     report.add_warning(m_report.number_of_holes, "hole of the reconstructed surface: closed by faces without weight",

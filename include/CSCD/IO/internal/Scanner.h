@@ -127,6 +127,17 @@ public:
   /// Whether the next character is a digit.
   bool is_at_digit() const { return m_at != m_end && *m_at >= '0' && *m_at <= '9'; }
 
+  /// Whether a number is next.
+  bool is_at_number() const
+  {
+    double value = 0;
+    const bool has_plus = m_at != m_end && *m_at == '+';
+    return std::from_chars(m_at + (has_plus ? 1 : 0), m_end, value).ec != std::errc::invalid_argument;
+  }
+
+  /// Whether `text` is next.
+  bool is_at(std::string_view text) const { return std::string_view(m_at, remaining()).substr(0, text.size()) == text; }
+
   /// Passes over `character` if it is the next one. \return whether it is
   bool skip_character(char character)
   {

@@ -731,7 +731,8 @@ class View {
     this.turn = 0;
     this.margin_left = 0;
     this.stale = true;
-    this.look_from(guess_up(this.box.getSize(new THREE.Vector3())));
+    // Scans have z up, and alone have no triangles.
+    this.look_from(model.triangles.length === 0 ? 'z' : guess_up(this.box.getSize(new THREE.Vector3())));
     window.addEventListener('resize', () => this.resize());
     this.is_fitted = true;
     this.resize();
