@@ -4,4 +4,6 @@
 // The surfaces and the local method, compiled once.
 
 #include <CSCD/Local_policies_impl.h>
+#include <CSCD/Skeleton/Skeleton_builder_impl.h>
+#include <CSCD/Surface/Halfedge_pairing_impl.h>
 #include <CSCD/Surface/Triangulated_solid_impl.h>

@@ -17,8 +17,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/counted.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -26,7 +24,6 @@
 #include <chrono>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -219,23 +216,6 @@ private:
     m_visitor.on_stage_end(stage);
   }
 
-  void warn_of_skeleton()
-  {
-    m_report.warnings.resize(m_number_of_input_warnings);
-    if (m_report.genus && m_report.betti_number != *m_report.genus) {
-      m_report.warnings.push_back("the skeleton has " + internal::counted(m_report.betti_number, "independent cycle") +
-                                  ", the surface " + internal::counted(*m_report.genus, "handle"));
-    }
-    const std::size_t nodes = m_report.number_of_nodes_outside;
-    const std::size_t edges = m_report.number_of_edges_outside;
-    if (nodes + edges > 0) {
-      m_report.warnings.push_back((nodes > 0 ? internal::counted(nodes, "node") : std::string()) +
-                                  (nodes > 0 && edges > 0 ? " and " : "") +
-                                  (edges > 0 ? internal::counted(edges, "edge") : std::string()) +
-                                  (nodes + edges == 1 ? " is" : " are") + " not wholly inside the body");
-    }
-  }
-
   void progress(double fraction)
   {
     m_visitor.progress(fraction);
@@ -266,32 +246,9 @@ private:
     }
     builder.for_each_edge([&](Index a, Index b) { add_edge(vertex[a], vertex[b], result); });
     compute_significance(result);
-    count(builder);
+    m_report.warnings.resize(m_number_of_input_warnings);
+    describe_skeleton(builder, m_report);
     return result;
-  }
-
-  void count(const Skeleton_builder& builder)
-  {
-    internal::Disjoint_sets components(builder.size());
-    m_report.number_of_nodes = builder.size();
-    m_report.number_of_edges = 0;
-    builder.for_each_edge([&](Index a, Index b) {
-      ++m_report.number_of_edges;
-      components.join(a, b);
-    });
-    m_report.number_of_skeleton_components = 0;
-    for (Index node = 0; node < builder.size(); ++node) {
-      m_report.number_of_skeleton_components += components.find(node) == node ? 1 : 0;
-    }
-    m_report.betti_number =
-        m_report.number_of_edges + m_report.number_of_skeleton_components - m_report.number_of_nodes;
-    m_report.number_of_tips = 0;
-    m_report.number_of_junctions = 0;
-    for (Index node = 0; node < builder.size(); ++node) {
-      m_report.number_of_tips += builder.degree(node) == 1 ? 1 : 0;
-      m_report.number_of_junctions += builder.is_junction(node) ? 1 : 0;
-    }
-    warn_of_skeleton();
   }
 
   const Traits& m_traits;

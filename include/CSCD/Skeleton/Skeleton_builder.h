@@ -6,14 +6,12 @@
 #ifndef CSCD_SKELETON_SKELETON_BUILDER_H
 #define CSCD_SKELETON_SKELETON_BUILDER_H
 
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
-
-#include <CGAL/assertions.h>
+#include <CSCD/internal/config.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -85,23 +83,7 @@ public:
 
   /// Joins `node` to `into`: edges between the two disappear, all others move.
   /// \pre `node` has no loop
-  void contract(Index node, Index into)
-  {
-    CGAL_precondition(std::count(m_nodes[node].neighbors.begin(), m_nodes[node].neighbors.end(), node) == 0);
-    std::vector<Index> moved;
-    for (Index neighbor : m_nodes[node].neighbors) {
-      if (neighbor != into) {
-        moved.push_back(neighbor);
-      }
-    }
-    std::vector<Index>& kept = m_nodes[into].neighbors;
-    kept.erase(std::remove(kept.begin(), kept.end(), node), kept.end());
-    for (Index neighbor : moved) {
-      replace_one(m_nodes[neighbor].neighbors, node, into);
-      kept.push_back(neighbor);
-    }
-    remove(node, into);
-  }
+  void contract(Index node, Index into);
 
   /// The number of nodes.
   Index size() const { return Index(m_nodes.size()); }
@@ -121,23 +103,7 @@ public:
   double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
 
   /// Drops the removed nodes; the others are renumbered in order.
-  void compact()
-  {
-    std::vector<Index> number(m_nodes.size(), no_index);
-    Index count = 0;
-    for (Index node = 0; node < m_nodes.size(); ++node) {
-      if (!m_nodes[node].is_removed) {
-        number[node] = count++;
-      }
-    }
-    m_nodes.erase(std::remove_if(m_nodes.begin(), m_nodes.end(), [](const Node& node) { return node.is_removed; }),
-                  m_nodes.end());
-    for (Node& node : m_nodes) {
-      for (Index& neighbor : node.neighbors) {
-        neighbor = number[neighbor];
-      }
-    }
-  }
+  void compact();
 
   /// Calls `function(a, b)` for each edge, with `a` <= `b`, in a fixed order. A loop of one node counts once.
   template <class Function>
@@ -179,10 +145,6 @@ private:
   std::vector<Node> m_nodes;
 };
 
-} // namespace CSCD
-
-namespace CSCD {
-
 /// Nodes and edges in the normalized frame of the traits object, and what of the surface belongs to each node.
 struct Embedded_skeleton
 {
@@ -194,30 +156,17 @@ struct Embedded_skeleton
   std::vector<double> radius;
 };
 
-} // namespace CSCD
-
-namespace CSCD {
-
 /// Divides loops and all but one of parallel edges by further nodes, so that every cycle has at least three nodes.
 /// A divided edge is bent aside, since its two ends may lie in one place or be joined by a straight edge already.
-inline void make_simple(Skeleton_builder& builder)
-{
-  std::vector<std::pair<Index, Index>> edges;
-  builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
-  std::set<std::pair<Index, Index>> seen;
-  for (const auto& [a, b] : edges) {
-    const double radius = (builder[a].radius + builder[b].radius) / 2;
-    const Vector_3 along = builder[b].position - builder[a].position;
-    if (a == b) {
-      const Index first = builder.split_edge(a, a, builder[a].position + radius * Vector_3::UnitX() / 2, radius);
-      builder.split_edge(first, a, builder[a].position + radius * Vector_3::UnitY() / 2, radius);
-    } else if (!seen.insert({a, b}).second) {
-      const Vector_3 aside = along.norm() > 0 ? Vector_3(along.unitOrthogonal()) : Vector_3(Vector_3::UnitX());
-      builder.split_edge(a, b, builder[a].position + along / 2 + radius / 2 * aside, radius);
-    }
-  }
-}
+void make_simple(Skeleton_builder& builder);
+
+/// Writes the counts of `skeleton`, of which no node is removed, to `report`, and warnings of what is wrong with it.
+void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report);
 
 } // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Skeleton/Skeleton_builder_impl.h>
+#endif
 
 #endif // CSCD_SKELETON_SKELETON_BUILDER_H

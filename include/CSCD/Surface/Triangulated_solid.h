@@ -95,6 +95,8 @@ public:
   std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
   /// Writes these numbers and those of the surface to `report`.
   void describe(Skeletonization_report& report) const;
+  /// Adds to `report` what the user should know of a mesh, its isolated vertices included.
+  void warn(Skeletonization_report& report) const;
   /// @}
 
 private:

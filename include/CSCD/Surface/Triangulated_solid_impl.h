@@ -92,6 +92,17 @@ CSCD_INLINE void Triangulated_solid::describe(Skeletonization_report& report) co
   report.genus = genus();
 }
 
+CSCD_INLINE void Triangulated_solid::warn(Skeletonization_report& report) const
+{
+  report.add_warning(report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
+                     "vertices without a face: they belong to no node");
+  report.add_warning(number_of_bridged_borders(), "border: bridged by faces without weight",
+                     "borders: bridged by faces without weight");
+  report.add_warning(number_of_degenerate_faces(), "face with (nearly) no area", "faces with (nearly) no area");
+  report.add_warning(number_of_reversed_components(), "component that faced inwards: turned",
+                     "components that faced inwards: turned");
+}
+
 CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
 {
   std::call_once(m_queries_built,

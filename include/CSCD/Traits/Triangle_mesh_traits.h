@@ -92,18 +92,11 @@ public:
   /// Writes what is known of the input to `report`.
   void describe_input(Skeletonization_report& report) const
   {
-    m_surface->describe(report);
     report.number_of_input_vertices = m_descriptors.size();
     report.number_of_isolated_vertices = m_number_of_isolated_vertices;
     report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    report.add_warning(m_number_of_isolated_vertices, "vertex without a face: it belongs to no node",
-                       "vertices without a face: they belong to no node");
-    report.add_warning(m_surface->number_of_bridged_borders(), "border: bridged by faces without weight",
-                       "borders: bridged by faces without weight");
-    report.add_warning(m_surface->number_of_degenerate_faces(), "face with (nearly) no area",
-                       "faces with (nearly) no area");
-    report.add_warning(m_surface->number_of_reversed_components(), "component that faced inwards: turned",
-                       "components that faced inwards: turned");
+    m_surface->describe(report);
+    m_surface->warn(report);
   }
   /// @}
 
