@@ -272,4 +272,49 @@ TEST_F(Extract_curve_skeleton, passes_on_what_its_visitor_throws_and_leaves_the_
   }
 }
 
+/// A body of radius 1 along the x axis with limbs of radius 0.5 that stand out by 0.2, 0.6 and 2.
+Mesh body_with_limbs()
+{
+  const auto limb = [](double x, double height) { return CSCD::test::Limb{{x, 0, 0}, {x, 0, 0.5 + height}, 0.5, 0.5}; };
+  return CSCD::test::to_mesh<Mesh>(CSCD::test::limb_shape(
+      "body with limbs", {{{-5, 0, 0}, {5, 0, 0}, 1, 1}, limb(-3, 0.2), limb(0, 0.6), limb(3, 2)}, 0.15));
+}
+
+TEST(Detail, decides_how_small_a_limb_may_be)
+{
+  const Mesh mesh = body_with_limbs();
+  std::size_t last = 0;
+  for (double detail : {0., 0.02, 0.1, 0.5, 1.}) {
+    Skeleton skeleton;
+    const auto report = CSCD::extract_curve_skeleton(mesh, skeleton, parameters::detail(detail));
+    EXPECT_EQ(CSCD::test::violated_invariants(mesh, skeleton, report), Violations{}) << detail;
+    EXPECT_EQ(report.betti_number, 0u) << detail;
+    EXPECT_GE(report.number_of_tips, last) << detail;
+    last = report.number_of_tips;
+    if (detail == 0) {
+      EXPECT_EQ(report.number_of_tips, 2u);
+    }
+    if (detail == 0.5) {
+      EXPECT_GE(report.number_of_tips, 4u);
+      EXPECT_LE(report.number_of_tips, 5u);
+    }
+  }
+}
+
+TEST(Detail, leaves_handles_alone)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::ladder(3, 0.15));
+  for (double detail : {0., 0.5, 1.}) {
+    Skeleton skeleton;
+    EXPECT_EQ(CSCD::extract_curve_skeleton(mesh, skeleton, parameters::detail(detail)).betti_number, 3u) << detail;
+  }
+}
+
+TEST(Detail, refuses_what_is_no_detail)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::sphere(1));
+  Skeleton skeleton;
+  EXPECT_THROW(CSCD::extract_curve_skeleton(mesh, skeleton, parameters::detail(1.5)), CSCD::Input_error);
+}
+
 } // namespace

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes of branches move to the middle of the body, and branches do not fold back.
+
+#include "support/Shape_solid.h"
+#include "support/shapes.h"
+#include <CSCD/Skeleton/Branch_refinement.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace {
+
+using CSCD::Index;
+using CSCD::Skeleton_builder;
+using CSCD::Vector_3;
+using CSCD::test::Shape_solid;
+
+/// A capsule from 0 to 6 along the x axis, of radius 1.
+class Branch_in_capsule : public testing::Test
+{
+protected:
+  /// A branch over points of the shape.
+  Skeleton_builder branch(const std::vector<Vector_3>& points) const
+  {
+    Skeleton_builder builder;
+    for (Index i = 0; i < points.size(); ++i) {
+      builder.add_node(m_solid.at(points[i].x(), points[i].y(), points[i].z()), 1 / m_solid.unit());
+      if (i > 0) {
+        builder.add_edge(i - 1, i);
+      }
+    }
+    return builder;
+  }
+
+  /// How far `node` is from the axis, in radii.
+  double offset(const Skeleton_builder& builder, Index node) const
+  {
+    const Vector_3 point = m_solid.to_shape(builder[node].position);
+    return Vector_3(0, point.y(), point.z()).norm();
+  }
+
+  double max_offset(const Skeleton_builder& builder) const
+  {
+    double result = 0;
+    for (Index node = 0; node < builder.size(); ++node) {
+      if (builder.is_regular(node)) {
+        result = std::max(result, offset(builder, node));
+      }
+    }
+    return result;
+  }
+
+  Shape_solid m_solid{CSCD::test::capsule(6, 1, 48)};
+};
+
+TEST_F(Branch_in_capsule, centering_moves_a_branch_to_the_axis)
+{
+  Skeleton_builder builder =
+      branch({{1, 0, 0}, {1.6, 0.2, 0}, {2.2, 0.2, 0.1}, {2.8, 0.2, 0.1}, {3.4, 0.2, 0.1}, {4, 0.2, 0}, {5, 0, 0}});
+  const double before = max_offset(builder);
+  CSCD::internal::Branch_centering(*m_solid, builder)();
+  EXPECT_LT(max_offset(builder), 0.4 * before);
+}
+
+TEST_F(Branch_in_capsule, centering_leaves_a_centered_branch_and_all_ends_in_place)
+{
+  Skeleton_builder builder = branch({{1, 0, 0.3}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0.3}});
+  const Skeleton_builder before = builder;
+  CSCD::internal::Branch_centering(*m_solid, builder)();
+  EXPECT_EQ(builder[0].position, before[0].position);
+  EXPECT_EQ(builder[4].position, before[4].position);
+  EXPECT_NEAR(offset(builder, 2), 0, 1e-3);
+}
+
+TEST_F(Branch_in_capsule, folds_are_dropped)
+{
+  Skeleton_builder builder = branch({{1, 0, 0}, {2, 0, 0}, {3, 0.1, 0}, {2.6, -0.1, 0}, {4, 0, 0}, {5, 0, 0}});
+  CSCD::internal::drop_folds(*m_solid, builder);
+  builder.compact();
+  ASSERT_EQ(builder.size(), 5u);
+  for (Index node = 1; node + 1 < builder.size(); ++node) {
+    const Vector_3 in = builder[node].position - builder[builder[node].neighbors[0]].position;
+    const Vector_3 out = builder[builder[node].neighbors[1]].position - builder[node].position;
+    EXPECT_GT(in.dot(out), 0) << node;
+  }
+}
+
+TEST_F(Branch_in_capsule, straight_branches_and_cycles_of_three_nodes_stay)
+{
+  Skeleton_builder straight = branch({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
+  CSCD::internal::drop_folds(*m_solid, straight);
+  straight.compact();
+  EXPECT_EQ(straight.size(), 4u);
+  Skeleton_builder cycle = branch({{2, 0, 0}, {3, 0, 0}, {2.5, 0.2, 0}});
+  cycle.add_edge(2, 0);
+  CSCD::internal::drop_folds(*m_solid, cycle);
+  cycle.compact();
+  EXPECT_EQ(cycle.size(), 3u);
+}
+
+} // namespace
