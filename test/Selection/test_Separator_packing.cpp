@@ -47,7 +47,7 @@ TEST_F(Separator_packing_test, cuts_along_what_is_packed)
   const Separator_packing packing(m_tube, separators, {1, 2, 3, 4});
   EXPECT_EQ(packing.packed(), (Indices{0, 2, 3}));
   EXPECT_EQ(packing.cut_graph().pieces().size(), 4u);
-  EXPECT_EQ(Separator_packing(m_tube, {}, {}, 0.15).cut_graph().pieces().size(), 1u);
+  EXPECT_EQ(Separator_packing(m_tube, {}, {}).cut_graph().pieces().size(), 1u);
 }
 
 TEST_F(Separator_packing_test, prunes_a_bump)
@@ -66,7 +66,7 @@ TEST_F(Separator_packing_test, packs_again_what_a_bump_was_in_the_way_of)
   const double x = m_tube.point(vertex).x();
   const std::vector<Separator> separators{section(2), section(8), circle_separator(m_tube, vertex, 0.8),
                                           section(x + 0.05)};
-  EXPECT_EQ(Separator_packing(m_tube, separators, {2, 3, 1, 4}, 0.15).packed(), (Indices{0, 1, 3}));
+  EXPECT_EQ(Separator_packing(m_tube, separators, {2, 3, 1, 4}).packed(), (Indices{0, 1, 3}));
 }
 
 TEST_F(Separator_packing_test, prunes_bump_after_bump_to_the_last)

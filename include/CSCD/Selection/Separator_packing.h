@@ -9,6 +9,7 @@
 #include <CSCD/Selection/Cut_graph.h>
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Selection/Spurious_branches.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -103,7 +104,7 @@ public:
   /// Packs `separators`, whose costs are `costs`: the cheaper one of two that overlap is kept.
   /// \param min_branch_area_ratio see `Spurious_branches`
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                    const std::vector<double>& costs, double min_branch_area_ratio)
+                    const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio())
       : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
   {
     m_cut_graph.emplace(surface, separators);

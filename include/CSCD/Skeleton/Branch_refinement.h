@@ -187,9 +187,12 @@ public:
     move(centered, positions);
     for (std::size_t i = 0; i < centered.size(); ++i) {
       const Skeleton_builder::Node& node = m_builder[centered[i]];
-      positions[i] =
-          (1 - smoothing_share) * node.position +
-          smoothing_share / 2 * (m_builder[node.neighbors[0]].position + m_builder[node.neighbors[1]].position);
+      const Vector_3& before = m_builder[node.neighbors[0]].position;
+      const Vector_3& after = m_builder[node.neighbors[1]].position;
+      const double longer = std::max((before - node.position).norm(), (after - node.position).norm());
+      if (longer <= max_smoothed_edge * node.radius) {
+        positions[i] = (1 - smoothing_share) * node.position + smoothing_share / 2 * (before + after);
+      }
     }
     move(centered, positions);
   }
@@ -201,6 +204,8 @@ private:
   /// Further rounds center bodies better and shorten bends more.
   static constexpr double centering_share = 0.7;
   static constexpr double smoothing_share = 0.3;
+  /// Nodes with a longer edge, relative to the radius, are not smoothed: that would cut bends off.
+  static constexpr double max_smoothed_edge = 1;
   /// A node moves at most this far, relative to its radius.
   static constexpr double max_shift = 0.5;
   /// The squared length of a section, relative to that of the circle of the same area: the centroid of a less compact
@@ -251,9 +256,10 @@ private:
   Branch_section m_section;
 };
 
-/// Removes nodes of branches at which the branch turns by more than a right angle within the thickness of the body: it
+/// Removes nodes of branches at which the branch turns by more than a right angle nearer than the surface is: it
 /// folds back where separators beside each other face different ways. Nodes where the straight line would leave the
-/// body stay; neither topology nor the simplicity of the graph change.
+/// body stay, and the neighbors of removed ones: where a branch leads into a wall and back, as in a cup, not all of it
+/// is to go. Neither topology nor the simplicity of the graph change.
 inline void drop_folds(const Triangulated_solid& solid, Skeleton_builder& builder)
 {
   std::vector<double> crossings;
@@ -269,19 +275,22 @@ inline void drop_folds(const Triangulated_solid& solid, Skeleton_builder& builde
     }
     const Vector_3 in = builder[node].position - builder[a].position;
     const Vector_3 out = builder[b].position - builder[node].position;
-    if (in.dot(out) >= 0 || std::min(in.norm(), out.norm()) > builder[node].radius) {
+    if (in.dot(out) >= 0) {
+      return false;
+    }
+    const Vector_3& position = builder[node].position;
+    if (std::min(in.norm(), out.norm()) > (solid.closest_point(position).point - position).norm()) {
       return false;
     }
     solid.crossings(builder[a].position, builder[b].position, crossings);
     return crossings.empty();
   };
-  for (bool has_changed = true; has_changed;) {
-    has_changed = false;
-    for (Index node = 0; node < builder.size(); ++node) {
-      if (folds_back(node)) {
-        builder.bypass(node);
-        has_changed = true;
-      }
+  std::vector<char> is_kept(builder.size(), 0);
+  for (Index node = 0; node < builder.size(); ++node) {
+    if (is_kept[node] == 0 && folds_back(node)) {
+      is_kept[builder[node].neighbors[0]] = 1;
+      is_kept[builder[node].neighbors[1]] = 1;
+      builder.bypass(node);
     }
   }
 }

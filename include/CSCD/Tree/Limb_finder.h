@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_LIMB_FINDER_H
 #define CSCD_TREE_LIMB_FINDER_H
 
-#include <CSCD/Tree/Limb.h>
+#include <CSCD/Tree/Tree_limb.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ public:
   }
 
   /// Parents first.
-  const std::vector<Limb>& limbs() const { return m_limbs; }
+  const std::vector<Tree_limb>& limbs() const { return m_limbs; }
   /// The slice of a limb that the points of a slice belong to: itself, unless its limb was given up.
   Index host(Index slice) const { return m_host[slice]; }
   bool is_alive(Index slice) const { return m_host[slice] == slice; }
@@ -134,7 +134,7 @@ private:
   {
     std::vector<char> is_given_up(m_limbs.size(), 0);
     for (Index limb = 0; limb < m_limbs.size(); ++limb) {
-      const Limb& l = m_limbs[limb];
+      const Tree_limb& l = m_limbs[limb];
       if (l.parent == no_index) {
         continue;
       }
@@ -160,7 +160,7 @@ private:
   std::vector<float> m_reach;
   std::vector<float> m_strength;
   std::vector<Index> m_limb_of_slice;
-  std::vector<Limb> m_limbs;
+  std::vector<Tree_limb> m_limbs;
 };
 
 /// Gives the first slices of limbs to their parents as long as they lie on the bark of these. Where a trunk is seen
@@ -169,7 +169,7 @@ private:
 class Limb_base_absorption
 {
 public:
-  Limb_base_absorption(std::vector<Slice>& slices, const std::vector<Section>& sections, std::vector<Limb>& limbs)
+  Limb_base_absorption(std::vector<Slice>& slices, const std::vector<Section>& sections, std::vector<Tree_limb>& limbs)
       : m_slices(slices), m_sections(sections), m_limbs(limbs), m_new_slice(slices.size()),
         m_limb_of_slice(slices.size(), no_index)
   {
@@ -181,9 +181,9 @@ public:
   /// \return for every slice itself, or the slice that its points went to
   std::vector<Index> operator()()
   {
-    std::vector<Limb> kept;
+    std::vector<Tree_limb> kept;
     for (Index i = 0; i < m_limbs.size(); ++i) {
-      Limb limb = std::move(m_limbs[i]);
+      Tree_limb limb = std::move(m_limbs[i]);
       if (limb.joint != no_index) {
         limb.joint = m_new_slice[limb.joint];
         limb.parent = m_limb_of_slice[limb.joint];
@@ -209,7 +209,7 @@ private:
   static constexpr double longest_overhang = 2;
 
   /// The slice of `parent` nearest to a place, from `first` on as long as it gets nearer.
-  std::size_t nearest_slice(const Limb& parent, std::size_t first, const Vector_3& place) const
+  std::size_t nearest_slice(const Tree_limb& parent, std::size_t first, const Vector_3& place) const
   {
     std::size_t result = first;
     const auto distance = [&](std::size_t i) { return (m_sections[parent.slices[i]].center - place).norm(); };
@@ -227,7 +227,7 @@ private:
            std::abs(d.dot(section.direction)) <= longest_overhang * section.radius;
   }
 
-  void absorb_base(const Limb& parent, Limb& limb)
+  void absorb_base(const Tree_limb& parent, Tree_limb& limb)
   {
     auto at = std::size_t(std::find(parent.slices.begin(), parent.slices.end(), limb.joint) - parent.slices.begin());
     std::vector<Index> hosts;
@@ -263,7 +263,7 @@ private:
 
   std::vector<Slice>& m_slices;
   const std::vector<Section>& m_sections;
-  std::vector<Limb>& m_limbs;
+  std::vector<Tree_limb>& m_limbs;
   std::vector<Index> m_new_slice;
   std::vector<Index> m_limb_of_slice;
 };

@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_SECTION_FITTING_H
 #define CSCD_TREE_SECTION_FITTING_H
 
-#include <CSCD/Tree/Limb.h>
+#include <CSCD/Tree/Tree_limb.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
@@ -187,7 +187,7 @@ public:
   }
 
   /// Finds the sections of `limb`; those of its parent are known.
-  void fit(const Limb& limb)
+  void fit(const Tree_limb& limb)
   {
     for (Index slice : limb.slices) {
       m_sections[slice].center = m_slices[slice].centroid;
@@ -205,7 +205,7 @@ public:
 
   /// Takes the radii of sections without a circle near them, if they are larger, down to the root of what they carry
   /// times `factor`, and makes the radii decrease again.
-  void limit_radii(const Limb& limb, double factor, const std::vector<double>& carried)
+  void limit_radii(const Tree_limb& limb, double factor, const std::vector<double>& carried)
   {
     for (Index slice : limb.slices) {
       Section& section = m_sections[slice];
@@ -249,7 +249,7 @@ private:
   /// The scatter of fewer points does not give a radius.
   static constexpr std::size_t min_scatter_points = 4;
 
-  void find_directions(const Limb& limb)
+  void find_directions(const Tree_limb& limb)
   {
     const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     for (std::ptrdiff_t i = 0; i <= last; ++i) {
@@ -266,7 +266,7 @@ private:
   }
 
   /// The points of a slice and of those around it, along the limb into a plane across it. The origin is the centroid.
-  std::vector<Eigen::Vector2d> project(const Limb& limb, std::size_t i, const Vector_3& u, const Vector_3& v) const
+  std::vector<Eigen::Vector2d> project(const Tree_limb& limb, std::size_t i, const Vector_3& u, const Vector_3& v) const
   {
     std::vector<Eigen::Vector2d> result;
     const Vector_3& origin = m_slices[limb.slices[i]].centroid;
@@ -302,7 +302,7 @@ private:
   }
 
   /// Whether the section is given by a circle.
-  Circle_outcome judge(const Circle_fit& circle, double scatter, const Limb& limb) const
+  Circle_outcome judge(const Circle_fit& circle, double scatter, const Tree_limb& limb) const
   {
     if (circle.radius > max_radius * scatter ||
         (limb.joint != no_index && circle.radius > max_of_parent * m_sections[limb.joint].radius)) {
@@ -315,7 +315,7 @@ private:
     return circle.coverage < min_coverage ? Circle_outcome::short_arc : Circle_outcome::fitted;
   }
 
-  void fit_section(const Limb& limb, std::size_t i)
+  void fit_section(const Tree_limb& limb, std::size_t i)
   {
     Section& section = m_sections[limb.slices[i]];
     const Vector_3 u = section.direction.unitOrthogonal();
@@ -343,7 +343,7 @@ private:
 
   /// Centers of circles are averaged with those around; where there is no circle, the center is as far from the
   /// centroid as around: limbs are seen from one side for a long way.
-  void place_centers(const Limb& limb)
+  void place_centers(const Tree_limb& limb)
   {
     const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     std::vector<Vector_3> centers;
@@ -365,7 +365,7 @@ private:
   }
 
   /// Gives a section without a circle the radius of those around it, or of the scatter.
-  void find_rough_radius(const Limb& limb, std::ptrdiff_t i)
+  void find_rough_radius(const Tree_limb& limb, std::ptrdiff_t i)
   {
     const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     Section& section = m_sections[limb.slices[std::size_t(i)]];
@@ -388,7 +388,7 @@ private:
   }
 
   /// How far the centers of circles around a slice without one are from the centroids.
-  Vector_3 offset_around(const Limb& limb, std::ptrdiff_t i) const
+  Vector_3 offset_around(const Tree_limb& limb, std::ptrdiff_t i) const
   {
     const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     Vector_3 offset = Vector_3::Zero();
@@ -417,7 +417,7 @@ private:
   }
 
   /// The weighted least squares fit of radii that do not increase from base to tip.
-  void smooth_radii(const Limb& limb)
+  void smooth_radii(const Tree_limb& limb)
   {
     // Pools of adjacent violators, each with its mean.
     struct Pool
@@ -459,7 +459,7 @@ private:
 
   /// The first sections of a limb, up to the last but one, that are so near its joint that there is bark of the parent
   /// among their points.
-  std::size_t number_in_crotch(const Limb& limb) const
+  std::size_t number_in_crotch(const Tree_limb& limb) const
   {
     if (limb.joint == no_index) {
       return 0;

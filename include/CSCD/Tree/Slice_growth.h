@@ -6,8 +6,8 @@
 #ifndef CSCD_TREE_SLICE_GROWTH_H
 #define CSCD_TREE_SLICE_GROWTH_H
 
-#include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Neighbor_graph.h>
+#include <CSCD/Tree/Tree_limb.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

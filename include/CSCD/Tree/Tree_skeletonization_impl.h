@@ -10,11 +10,11 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Tree/Gap_bridging.h>
-#include <CSCD/Tree/Limb.h>
 #include <CSCD/Tree/Limb_finder.h>
 #include <CSCD/Tree/Neighbor_graph.h>
 #include <CSCD/Tree/Section_fitting.h>
 #include <CSCD/Tree/Slice_growth.h>
+#include <CSCD/Tree/Tree_limb.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/Tree_skeletonization.h>
 #include <CSCD/Vector_3.h>
@@ -145,10 +145,10 @@ class Tree_nodes
 {
 public:
   Tree_nodes(const std::vector<Vector_3>& points, const std::vector<Slice>& slices,
-             const std::vector<Section>& sections, const std::vector<Limb>& limbs)
+             const std::vector<Section>& sections, const std::vector<Tree_limb>& limbs)
       : m_points(points), m_slices(slices), m_sections(sections), m_node_of_slice(slices.size(), no_index)
   {
-    for (const Limb& limb : limbs) {
+    for (const Tree_limb& limb : limbs) {
       add(limb);
     }
     find_strahler_orders();
@@ -171,7 +171,7 @@ private:
   /// The nodes from which the line of a branch is computed.
   static constexpr std::size_t line_nodes = 4;
 
-  void add(const Limb& limb)
+  void add(const Tree_limb& limb)
   {
     Tree_branch branch;
     if (limb.joint != no_index) {
@@ -358,7 +358,7 @@ private:
   {
     Section_fitting fitting(m_points, m_slices);
     const auto fit = [&] {
-      for (const Limb& limb : m_limbs) {
+      for (const Tree_limb& limb : m_limbs) {
         fitting.fit(limb);
       }
     };
@@ -390,7 +390,7 @@ private:
         }
       }
     }
-    for (const Limb& limb : m_limbs) {
+    for (const Tree_limb& limb : m_limbs) {
       if (limb.joint != no_index && carried[limb.joint] > 0) {
         fitting.limit_radii(limb, fitting.sections()[limb.joint].radius / std::sqrt(carried[limb.joint]), carried);
       }
@@ -424,7 +424,7 @@ private:
   std::vector<std::vector<Index>> m_roots; // of every object
   std::vector<Point_gap> m_gaps;
   std::vector<Slice> m_slices;
-  std::vector<Limb> m_limbs;
+  std::vector<Tree_limb> m_limbs;
   std::vector<Section> m_sections; // of every slice
   std::vector<Tree_node> m_nodes;
   std::vector<Tree_branch> m_branches;

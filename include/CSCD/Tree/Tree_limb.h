@@ -3,8 +3,8 @@
 //
 // Slices, sections and limbs of a scanned tree.
 
-#ifndef CSCD_TREE_LIMB_H
-#define CSCD_TREE_LIMB_H
+#ifndef CSCD_TREE_TREE_LIMB_H
+#define CSCD_TREE_TREE_LIMB_H
 
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
@@ -40,7 +40,7 @@ struct Section
 };
 
 /// A limb from its base to its tip.
-struct Limb
+struct Tree_limb
 {
   Index parent = no_index; ///< the limb from which it grows; none for a trunk
   Index joint = no_index;  ///< the slice of the parent from which it grows
@@ -49,4 +49,4 @@ struct Limb
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_LIMB_H
+#endif // CSCD_TREE_TREE_LIMB_H
