@@ -205,7 +205,7 @@ private:
   static constexpr double centering_share = 0.7;
   static constexpr double smoothing_share = 0.3;
   /// Nodes with a longer edge, relative to the radius, are not smoothed: that would cut bends off.
-  static constexpr double max_smoothed_edge = 1;
+  static constexpr double max_smoothed_edge = 2;
   /// A node moves at most this far, relative to its radius.
   static constexpr double max_shift = 0.5;
   /// The squared length of a section, relative to that of the circle of the same area: the centroid of a less compact
