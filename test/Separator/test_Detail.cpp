@@ -6,6 +6,7 @@
 #include <CSCD/Separator/Detail.h>
 #include <CSCD/exceptions.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,9 +14,8 @@
 
 namespace {
 
+using boost::math::double_constants::two_pi;
 using CSCD::Detail;
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(Detail, takes_numbers_from_0_to_1_only)
 {
@@ -42,9 +42,9 @@ TEST(Detail, area_ratio_is_that_of_a_cylinder_with_a_flat_end)
   const double radius = 0.7;
   const Detail detail(0.2);
   const double length = detail.min_limb_length() * radius;
-  const double area = 2 * pi * radius * length + pi * radius * radius;
-  EXPECT_NEAR(detail.min_branch_area_ratio(), area / std::pow(2 * pi * radius, 2), 1e-12);
-  EXPECT_NEAR(Detail(1).min_branch_area_ratio(), 1 / (4 * pi), 1e-12) << "a flat disc";
+  const double area = two_pi * radius * length + two_pi / 2 * radius * radius;
+  EXPECT_NEAR(detail.min_branch_area_ratio(), area / std::pow(two_pi * radius, 2), 1e-12);
+  EXPECT_NEAR(Detail(1).min_branch_area_ratio(), 1 / (2 * two_pi), 1e-12) << "a flat disc";
 }
 
 TEST(Detail, loops_are_judged_less_strictly_than_branches)
