@@ -18,75 +18,111 @@ namespace CSCD {
 class Vector_3
 {
 public:
+  /// Iterates over the coordinates.
   using iterator = double*;
+  /// Iterates over the coordinates.
   using const_iterator = const double*;
 
   /// The zero vector.
   constexpr Vector_3() = default;
+  /// The vector of these coordinates.
   constexpr Vector_3(double x, double y, double z) : m_coordinates{x, y, z} {}
 
+  /// The vector of which all coordinates are `value`.
   static constexpr Vector_3 Constant(double value) { return {value, value, value}; }
+  /// The zero vector.
   static constexpr Vector_3 Zero() { return {}; }
+  /// The direction of the x axis.
   static constexpr Vector_3 UnitX() { return {1, 0, 0}; }
+  /// The direction of the y axis.
   static constexpr Vector_3 UnitY() { return {0, 1, 0}; }
+  /// The direction of the z axis.
   static constexpr Vector_3 UnitZ() { return {0, 0, 1}; }
 
+  /// The x coordinate.
   constexpr double x() const { return m_coordinates[0]; }
+  /// The y coordinate.
   constexpr double y() const { return m_coordinates[1]; }
+  /// The z coordinate.
   constexpr double z() const { return m_coordinates[2]; }
+  /// The x coordinate.
   constexpr double& x() { return m_coordinates[0]; }
+  /// The y coordinate.
   constexpr double& y() { return m_coordinates[1]; }
+  /// The z coordinate.
   constexpr double& z() { return m_coordinates[2]; }
+  /// The coordinate along an axis, 0 to 2.
   template <class Axis>
   constexpr double operator[](Axis axis) const
   {
     return m_coordinates[axis];
   }
+  /// The coordinate along an axis, 0 to 2.
   template <class Axis>
   constexpr double& operator[](Axis axis)
   {
     return m_coordinates[axis];
   }
+  /// The first coordinate.
   constexpr const double* begin() const { return m_coordinates; }
+  /// The place after the last coordinate.
   constexpr const double* end() const { return m_coordinates + 3; }
+  /// The first coordinate.
   constexpr double* begin() { return m_coordinates; }
+  /// The place after the last coordinate.
   constexpr double* end() { return m_coordinates + 3; }
 
+  /// Adds `v`.
   constexpr Vector_3& operator+=(const Vector_3& v) { return *this = *this + v; }
+  /// Subtracts `v`.
   constexpr Vector_3& operator-=(const Vector_3& v) { return *this = *this - v; }
+  /// Multiplies by `factor`.
   constexpr Vector_3& operator*=(double factor) { return *this = *this * factor; }
+  /// Divides by `divisor`.
   constexpr Vector_3& operator/=(double divisor) { return *this = *this / divisor; }
 
+  /// The opposite vector.
   friend constexpr Vector_3 operator-(const Vector_3& v) { return {-v.x(), -v.y(), -v.z()}; }
+  /// The sum.
   friend constexpr Vector_3 operator+(const Vector_3& a, const Vector_3& b)
   {
     return {a.x() + b.x(), a.y() + b.y(), a.z() + b.z()};
   }
+  /// The difference.
   friend constexpr Vector_3 operator-(const Vector_3& a, const Vector_3& b)
   {
     return {a.x() - b.x(), a.y() - b.y(), a.z() - b.z()};
   }
+  /// The product.
   friend constexpr Vector_3 operator*(const Vector_3& v, double factor)
   {
     return {v.x() * factor, v.y() * factor, v.z() * factor};
   }
+  /// The product.
   friend constexpr Vector_3 operator*(double factor, const Vector_3& v) { return v * factor; }
+  /// The quotient.
   friend constexpr Vector_3 operator/(const Vector_3& v, double divisor)
   {
     return {v.x() / divisor, v.y() / divisor, v.z() / divisor};
   }
+  /// Whether all coordinates are equal.
   friend constexpr bool operator==(const Vector_3& a, const Vector_3& b)
   {
     return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
   }
+  /// Whether some coordinates differ.
   friend constexpr bool operator!=(const Vector_3& a, const Vector_3& b) { return !(a == b); }
 
+  /// The scalar product.
   constexpr double dot(const Vector_3& v) const { return x() * v.x() + y() * v.y() + z() * v.z(); }
+  /// The vector product.
   constexpr Vector_3 cross(const Vector_3& v) const
   {
     return {y() * v.z() - z() * v.y(), z() * v.x() - x() * v.z(), x() * v.y() - y() * v.x()};
   }
+  /// The squared length.
   constexpr double squaredNorm() const { return dot(*this); }
+  /// The length.
   double norm() const { return std::sqrt(squaredNorm()); }
   /// Of unit length; what is too short to tell its direction is returned as it is.
   Vector_3 normalized() const
@@ -94,6 +130,7 @@ public:
     const double squared_norm = squaredNorm();
     return squared_norm > 0 ? *this / std::sqrt(squared_norm) : *this;
   }
+  /// Makes the length 1. \see normalized()
   void normalize() { *this = normalized(); }
   /// `normalized()` without overflow or underflow.
   Vector_3 stableNormalized() const
@@ -114,17 +151,23 @@ public:
     return {0, -z() * inverse, y() * inverse};
   }
 
+  /// The absolute values of the coordinates.
   Vector_3 cwiseAbs() const { return {std::abs(x()), std::abs(y()), std::abs(z())}; }
+  /// The lesser ones of the coordinates of both.
   constexpr Vector_3 cwiseMin(const Vector_3& v) const
   {
     return {std::min(x(), v.x()), std::min(y(), v.y()), std::min(z(), v.z())};
   }
+  /// The greater ones of the coordinates of both.
   constexpr Vector_3 cwiseMax(const Vector_3& v) const
   {
     return {std::max(x(), v.x()), std::max(y(), v.y()), std::max(z(), v.z())};
   }
+  /// The least coordinate.
   constexpr double minCoeff() const { return std::min(x(), std::min(y(), z())); }
+  /// The greatest coordinate.
   constexpr double maxCoeff() const { return std::max(x(), std::max(y(), z())); }
+  /// Whether all coordinates are finite.
   bool allFinite() const { return std::isfinite(x()) && std::isfinite(y()) && std::isfinite(z()); }
   /// Whether the distance is at most `precision`, relative to the shorter of both vectors.
   bool isApprox(const Vector_3& v, double precision) const

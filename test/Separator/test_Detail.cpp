@@ -31,7 +31,7 @@ TEST(Detail, asks_for_shorter_limbs_the_higher_it_is)
 {
   EXPECT_TRUE(std::isinf(Detail(0).min_limb_length()));
   EXPECT_EQ(Detail(1).min_limb_length(), 0);
-  for (double value = 0.1; value < 1; value += 0.1) {
+  for (double value = 0.1; value < 0.9; value += 0.1) {
     EXPECT_GT(Detail(value).min_limb_length(), Detail(value + 0.09).min_limb_length());
     EXPECT_GT(Detail(value).min_branch_area_ratio(), Detail(value + 0.09).min_branch_area_ratio());
   }

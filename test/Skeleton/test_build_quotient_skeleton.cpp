@@ -69,8 +69,11 @@ struct Outcome
 Outcome skeletonize(const CSCD::Triangulated_solid& solid)
 {
   Outcome outcome;
+  // Loops around the edge of a flat end, which a higher detail accepts, are slanted.
   const std::vector<Separator> separators =
-      CSCD::Local_policies().find_separators(solid, CSCD::Search_settings(), outcome.report, [](double) {});
+      CSCD::Local_policies()
+          .set_detail(CSCD::Detail(0.25))
+          .find_separators(solid, CSCD::Search_settings(), outcome.report, [](double) {});
   const CSCD::internal::Region_packing packing(solid, separators, outcome.report);
   outcome.number_of_packed = packing.packed().size();
   outcome.skeleton = CSCD::internal::Quotient_skeleton_builder(solid, packing.regions())(outcome.report);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The cost of separators is a parameter of the default policies, and refused where others are given.
-// expected error: CSCD: separator_cost belongs to the default policies and cannot be given with policies
+// expected error: CSCD: separator_cost and detail belong to the default policies and cannot be given with policies
 
 #include <CSCD/Local_policies.h>
 #include <CSCD/extract_curve_skeleton.h>

@@ -130,17 +130,32 @@ inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radiu
 /// a random sequential choice.
 inline constexpr double packing_density = 0.69;
 
+/// The root of the mean squared distance of `points` from their centroid.
+inline double root_mean_square_distance(const std::vector<Vector_3>& points)
+{
+  const auto number = double(points.size());
+  Vector_3 centroid = Vector_3::Zero();
+  for (const Vector_3& point : points) {
+    centroid += point / number;
+  }
+  double mean_square = 0;
+  for (const Vector_3& point : points) {
+    mean_square += (point - centroid).squaredNorm() / number;
+  }
+  return std::sqrt(mean_square);
+}
+
 /// The area that points cover, estimated from some 2000 balls around them: noise that is less than their radius, and a
-/// few points that are far away, hardly count. Linear.
-/// \pre the extent of the points is about 1
+/// few points that are far away, hardly count. Does not depend on the pose. Linear.
 inline double estimate_area(const std::vector<Vector_3>& points)
 {
   constexpr double number_of_balls = 2000;
   constexpr std::size_t sample = 50000; // points from which it is estimated, about
   constexpr int max_number_of_trials = 40;
+  constexpr double first_radius = 0.05; // relative to the mean distance of the points from their centroid
   const double target = std::min(number_of_balls, double(points.size()) / 4);
   const std::size_t step = std::max<std::size_t>(1, points.size() / sample);
-  double radius = 0.05; // of a cube with sides of 2
+  double radius = first_radius * root_mean_square_distance(points);
   double area = 0;
   for (int i = 0; i < max_number_of_trials; ++i) {
     const auto number = double(thin(points, radius, step).size());

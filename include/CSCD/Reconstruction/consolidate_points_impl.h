@@ -134,7 +134,7 @@ private:
   /// Of large clouds, outliers are seen by the neighbors in a sample.
   std::size_t sample_step() const { return std::max<std::size_t>(1, m_cloud.points.size() / sample_around_outliers); }
 
-  /// Every so many of the points, and those that are outermost along the axes.
+  /// Every so many of the points, and those that are outermost along the axes of the canonical pose.
   std::vector<Index> some_points() const
   {
     const std::vector<Vector_3>& points = m_cloud.points;
@@ -144,8 +144,10 @@ private:
       result.push_back(Index(point));
     }
     for (int axis = 0; axis < 3; ++axis) {
-      const auto [least, greatest] = std::minmax_element(
-          points.begin(), points.end(), [axis](const Vector_3& a, const Vector_3& b) { return a[axis] < b[axis]; });
+      const auto [least, greatest] =
+          std::minmax_element(points.begin(), points.end(), [&](const Vector_3& a, const Vector_3& b) {
+            return m_cloud.pose(a)[axis] < m_cloud.pose(b)[axis];
+          });
       result.push_back(Index(least - points.begin()));
       result.push_back(Index(greatest - points.begin()));
     }

@@ -78,6 +78,7 @@ public:
     internal::Reconstructed_surface reconstructed = internal::reconstruct_surface(cloud);
     m_report = std::move(reconstructed.report);
     m_report.number_of_outliers += number_of_outliers;
+    m_report.number_of_unused_points += number_of_outliers;
     m_report.number_of_thinned_points -= number_of_outliers;
     m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
     m_normalization = cloud.normalization.then(m_surface->normalization());
