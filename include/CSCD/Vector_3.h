@@ -13,6 +13,7 @@
 
 namespace CSCD {
 
+// NOLINTBEGIN(readability-identifier-naming): the names of Eigen, see below
 /// Points and vectors of the normalized surface. Members are named as those of `Eigen::Vector3d`, whose expression
 /// templates cost each file that calls the library a quarter of its compile time.
 class Vector_3
@@ -178,6 +179,8 @@ public:
 private:
   double m_coordinates[3] = {0, 0, 0};
 };
+
+// NOLINTEND(readability-identifier-naming)
 
 /// The order by x, then by y, then by z.
 constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)

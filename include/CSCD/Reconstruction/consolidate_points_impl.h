@@ -51,6 +51,7 @@ public:
       return std::move(m_cloud);
     }
     std::vector<Vector_3> points;
+    points.reserve(kept.size());
     for (Index point : kept) {
       points.push_back(m_cloud.points[point]);
     }
@@ -201,6 +202,7 @@ private:
       return {};
     }
     std::vector<Vector_3> points;
+    points.reserve(m_cloud.points.size());
     for (Index point : lonely) {
       points.push_back(m_cloud.points[point]);
     }

@@ -692,6 +692,7 @@ Skeleton_simplification::short_branches(double threshold, const std::vector<std:
   }
   std::sort(found.begin(), found.end());
   std::vector<Branch> result;
+  result.reserve(found.size());
   for (auto& one : found) {
     result.push_back(std::move(std::get<Branch>(one)));
   }

@@ -75,8 +75,8 @@ public:
   }
 
   /// Calls `visit(object)` for all objects but those inside boxes for which `must_enter(box)` is false.
-  template <class Must_enter, class Visit>
-  void visit(const Must_enter& must_enter, const Visit& visit) const
+  template <class MustEnter, class Visit>
+  void visit(const MustEnter& must_enter, const Visit& visit) const
   {
     std::vector<Index> to_do;
     const auto meet = [&](Index child) {
