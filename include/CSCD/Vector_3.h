@@ -15,7 +15,7 @@ namespace CSCD {
 
 // NOLINTBEGIN(readability-identifier-naming): the names of Eigen, see below
 /// Points and vectors of the normalized surface. Members are named as those of `Eigen::Vector3d`, whose expression
-/// templates cost each file that calls the library a quarter of its compile time.
+/// templates would be a third of the functions that are compiled for a file that calls the library.
 class Vector_3
 {
 public:
