@@ -14,10 +14,13 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -107,6 +110,114 @@ TEST_P(Open_shape, satisfies_the_invariants)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
+
+/// Removes the triangles of which all corners are in the part of space `is_removed`.
+template <class Predicate>
+Shape cut_off(Shape shape, const Predicate& is_removed)
+{
+  std::vector<bool> is_removed_triangle;
+  for (const CSCD::test::Triangle& triangle : shape.triangles) {
+    is_removed_triangle.push_back(std::all_of(triangle.begin(), triangle.end(),
+                                              [&](std::size_t corner) { return is_removed(shape.points[corner]); }));
+  }
+  CSCD::test::remove_triangles(shape, is_removed_triangle);
+  return shape;
+}
+
+/// Limbs that end at borders.
+class Open_end : public testing::Test
+{
+protected:
+  void skeletonize(const Shape& shape)
+  {
+    m_report = CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(shape), m_skeleton);
+    m_openings.clear();
+    for (const auto node : boost::make_iterator_range(vertices(m_skeleton))) {
+      if (m_skeleton[node].is_opening) {
+        EXPECT_EQ(out_degree(node, m_skeleton), 1u);
+        m_openings.push_back(m_skeleton[node]);
+      }
+    }
+    EXPECT_EQ(m_report.number_of_openings, m_openings.size());
+  }
+
+  /// Distance of the nearest opening from a point.
+  double distance(const Point& point) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& opening : m_openings) {
+      least = std::min(least, std::sqrt(CGAL::squared_distance(point, opening.point)));
+    }
+    return least;
+  }
+
+  CSCD::Skeletonization_report m_report;
+  Skeleton m_skeleton;
+  std::vector<Skeleton::vertex_bundled> m_openings;
+};
+
+// Far enough from the border to be inside of it, near enough to reach it.
+constexpr double max_gap = 0.05;
+
+TEST_F(Open_end, tube_is_followed_from_end_to_end)
+{
+  for (const double length : {3., 6., 15.}) {
+    skeletonize(CSCD::test::tube(length, 1, 24, CSCD::test::Tube_end::open));
+    EXPECT_EQ(m_openings.size(), 2u) << length;
+    EXPECT_EQ(m_report.number_of_tips, 2u) << length;
+    EXPECT_LT(distance(Point(0, 0, 0)), max_gap) << length;
+    EXPECT_LT(distance(Point(length, 0, 0)), max_gap) << length;
+    for (const auto& opening : m_openings) {
+      EXPECT_NEAR(opening.radius, 1, max_gap);
+    }
+  }
+}
+
+TEST_F(Open_end, oblique_cut_ends_at_the_middle_of_the_border)
+{
+  Shape shape = CSCD::test::tube(12, 1, 24, CSCD::test::Tube_end::open);
+  for (CSCD::test::Triple& point : shape.points) {
+    point[0] += point[0] / 12 * point[1]; // the plane of the end is at 45 degrees to the axis
+  }
+  skeletonize(shape);
+  EXPECT_EQ(m_report.number_of_tips, 2u);
+  EXPECT_LT(distance(Point(0, 0, 0)), max_gap);
+  EXPECT_LT(distance(Point(12, 0, 0)), max_gap);
+}
+
+TEST_F(Open_end, each_limb_that_is_cut_off_is_open)
+{
+  const Shape shape = CSCD::test::y_tube(0.1);
+  const auto radius = [](const CSCD::test::Triple& p) { return std::hypot(p[0], p[1], p[2]); };
+  skeletonize(cut_off(shape, [&](const CSCD::test::Triple& p) { return radius(p) > 2.5; }));
+  EXPECT_EQ(m_openings.size(), 3u);
+  EXPECT_EQ(m_report.number_of_tips, 3u);
+  EXPECT_EQ(m_report.number_of_junctions, 1u);
+  const auto tip = std::max_element(shape.points.begin(), shape.points.end());
+  skeletonize(cut_off(shape, [&](const CSCD::test::Triple& p) {
+    return radius(p) > 2.5 && p[0] * (*tip)[0] + p[1] * (*tip)[1] > 0.9 * radius(p) * radius(*tip);
+  }));
+  EXPECT_EQ(m_openings.size(), 1u);
+  EXPECT_EQ(m_report.number_of_tips, 3u);
+}
+
+TEST_F(Open_end, holes_windows_and_sheets_are_none)
+{
+  const Shape capsule = CSCD::test::capsule(8, 1, 32);
+  skeletonize(cut_off(capsule, [](const CSCD::test::Triple& p) { return p[0] > 8.97; })); // a pinhole at the tip
+  EXPECT_EQ(m_report.number_of_bridged_borders, 1u);
+  EXPECT_TRUE(m_openings.empty());
+  for (const double middle : {4., 7.}) { // a window in the side, also at the end of the limb
+    skeletonize(
+        cut_off(capsule, [&](const CSCD::test::Triple& p) { return std::fabs(p[0] - middle) < 0.8 && p[2] > 0.3; }));
+    EXPECT_EQ(m_report.number_of_bridged_borders, 1u);
+    EXPECT_TRUE(m_openings.empty()) << middle;
+  }
+  skeletonize(cut_off(capsule, [](const CSCD::test::Triple& p) { return p[2] > 0.1; })); // half a pipe
+  EXPECT_TRUE(m_openings.empty());
+  skeletonize(CSCD::test::flat_disc(8, 24));
+  EXPECT_TRUE(m_openings.empty());
+}
 
 /// What the entry point promises, on one shape.
 class Extract_curve_skeleton : public testing::Test

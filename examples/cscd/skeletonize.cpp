@@ -20,6 +20,8 @@
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
 
+#include <boost/range/iterator_range_core.hpp>
+
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -269,6 +271,12 @@ void skeletonize(const Skeletonize_options& options)
   }
   treat_fragments(options.fragments, result);
   result.branches = CSCD::internal::branch_contents(CSCD::internal::index_skeleton(result.skeleton));
+  for (const auto node : boost::make_iterator_range(vertices(result.skeleton))) {
+    const auto& bundle = result.skeleton[node];
+    if (bundle.is_opening) {
+      result.openings.push_back({node, {bundle.point.x(), bundle.point.y(), bundle.point.z()}, bundle.radius});
+    }
+  }
   if (!options.is_quiet) {
     for (const std::string& warning : result.warnings()) {
       say(options.input, warning);

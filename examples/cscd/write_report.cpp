@@ -89,6 +89,7 @@ Json skeleton_part(const CSCD::Skeletonization_report& r)
           {"betti_number", r.betti_number},
           {"number_of_tips", r.number_of_tips},
           {"number_of_junctions", r.number_of_junctions},
+          {"number_of_openings", r.number_of_openings},
           {"number_of_nodes_outside", r.number_of_nodes_outside},
           {"number_of_edges_outside", r.number_of_edges_outside}};
 }
@@ -238,6 +239,10 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                              {"number_of_joined_edges", result.fragments->number_of_joined_edges}};
   }
   document["branches"] = CSCD::internal::json_branches(result.branches);
+  document["openings"] = Json::array();
+  for (const Opening& opening : result.openings) {
+    document["openings"].push_back({{"node", opening.node}, {"center", opening.center}, {"radius", opening.radius}});
+  }
   Json seconds;
   for (std::size_t i = 0; i < report.seconds.size(); ++i) {
     seconds[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = report.seconds[i];

@@ -12,12 +12,22 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Tree/Tree_report.h>
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace cscd {
+
+/// Where a limb ends at a border of the mesh.
+struct Opening
+{
+  std::size_t node = 0;
+  std::array<double, 3> center{};
+  double radius = 0;
+};
 
 /// What is known of a run besides the skeleton.
 struct Run_report
@@ -26,6 +36,7 @@ struct Run_report
   std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
   std::vector<CSCD::internal::Branch_content> branches;
+  std::vector<Opening> openings;
   std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
 
   /// What the user should know: one sentence each.

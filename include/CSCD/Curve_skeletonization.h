@@ -238,6 +238,9 @@ private:
       if constexpr (has_radius_v<OutputSkeleton>) {
         bundle.radius = m_traits.to_input_length(skeleton.radius[node]);
       }
+      if constexpr (has_is_opening_v<OutputSkeleton>) {
+        bundle.is_opening = builder[node].is_opening;
+      }
     }
     for (Index v = 0; v < skeleton.node_of_vertex.size(); ++v) {
       for (const auto& descriptor : m_traits.descriptors(v)) {

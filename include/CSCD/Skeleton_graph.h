@@ -32,8 +32,11 @@ struct Skeleton_vertex
   /// The vertices or points of the input that belong to this node: over all nodes, each is in exactly one of these
   /// lists, which may be empty.
   std::vector<InputDescriptor> vertices{};
-  /// Mean distance from the curve to the surface around this node, in the unit of the input.
+  /// Mean distance from the curve to the surface around this node, in the unit of the input; at an opening, mean
+  /// distance from the node to the border.
   double radius = 0;
+  /// Whether a limb is open here: it ends at a border of the input, and the node is in the middle of that border.
+  bool is_opening = false;
 };
 
 /// An edge of a curve skeleton.
@@ -60,6 +63,16 @@ struct Has_radius : std::false_type
 
 template <class VertexBundle>
 struct Has_radius<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>().radius)>> : std::true_type
+{
+};
+
+template <class VertexBundle, class = void>
+struct Has_is_opening : std::false_type
+{
+};
+
+template <class VertexBundle>
+struct Has_is_opening<VertexBundle, std::void_t<decltype(std::declval<VertexBundle&>().is_opening)>> : std::true_type
 {
 };
 
@@ -94,6 +107,10 @@ struct Has_is_joined<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_r
 template <class Skeleton>
 inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
 
+/// Whether the nodes of `Skeleton` tell by `is_opening` which are in the middle of a border at which a limb ends.
+template <class Skeleton>
+inline constexpr bool has_is_opening_v = internal::Has_is_opening<typename Skeleton::vertex_bundled>::value;
+
 /// Whether the edges of `Skeleton` carry a `significance`; those of CGAL's own skeleton type do not.
 template <class Skeleton>
 inline constexpr bool has_significance_v = internal::Has_significance<Skeleton>::value;
@@ -105,8 +122,8 @@ inline constexpr bool has_is_joined_v = internal::Has_is_joined<Skeleton>::value
 #ifdef DOXYGEN_RUNNING
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
 /// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of what identifies
-/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius`. The bundles of
-/// its edges may have a `significance` and a flag `is_joined`.
+/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius` and a flag
+/// `is_opening`. The bundles of its edges may have a `significance` and a flag `is_joined`.
 ///
 /// \cgalRefines{Boost's `VertexListGraph`, `EdgeListGraph`, `MutableGraph`}
 /// \cgalHasModels{`Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`}

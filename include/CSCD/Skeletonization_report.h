@@ -106,6 +106,7 @@ struct Skeletonization_report
   std::size_t betti_number = 0;                  ///< first Betti number: edges - nodes + components
   std::size_t number_of_tips = 0;                ///< nodes of degree 1
   std::size_t number_of_junctions = 0;           ///< nodes of degree 3 or more
+  std::size_t number_of_openings = 0;            ///< nodes at borders of the input, where limbs end
   std::size_t number_of_nodes_outside = 0;       ///< nodes that are not inside the (bridged) surface
   std::size_t number_of_edges_outside = 0;       ///< edges of which a sample is not inside
   /// @}

@@ -46,6 +46,11 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
       node.radius = indexed.has_radii() ? indexed.radii[v] : 0;
     }
   }
+  if constexpr (has_is_opening_v<Skeleton>) {
+    for (std::size_t v = 0; v < indexed.is_opening.size(); ++v) {
+      result[nodes[v]].is_opening = indexed.is_opening[v] != 0;
+    }
+  }
   for (std::size_t e = 0; e < indexed.edges.size(); ++e) {
     [[maybe_unused]] const auto edge = add_edge(nodes[indexed.edges[e][0]], nodes[indexed.edges[e][1]], result).first;
     if constexpr (has_is_joined_v<Skeleton>) {
@@ -67,8 +72,9 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
 /// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges.
 ///
 /// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
-/// are 0 where the file holds none. Significances are computed; which edges are `is_joined`, only `.json` tells. What
-/// `write_skeleton()` writes of nodes and edges is read back exactly; they keep their order in `.graph`, `.json` and
+/// are 0 where the file holds none. Significances are computed; which edges are `is_joined` and which nodes
+/// `is_opening`, only `.json` tells. What `write_skeleton()` writes of nodes and edges is read back exactly; they keep
+/// their order in `.graph`, `.json` and
 /// `.ply`. Expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose points can be made of three coordinates
 /// \param skeleton is replaced; when an exception is thrown it is as it was

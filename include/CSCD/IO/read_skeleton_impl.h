@@ -60,6 +60,13 @@ public:
     m_skeleton.radii.push_back(radius);
   }
 
+  /// Tells that a limb ends at a border in the node that was added last.
+  void set_opening()
+  {
+    m_skeleton.is_opening.resize(number_of_nodes(), 0);
+    m_skeleton.is_opening.back() = 1;
+  }
+
   /// \param source,target numbers of nodes, which count from 0
   void add_edge(std::int64_t source, std::int64_t target) { m_edges.emplace_back(source, target); }
   /// Tells that the edge between these nodes, if there is one, was added to join components.
@@ -72,6 +79,9 @@ public:
       throw File_error(m_filename + ": the file has no nodes; fetch or write it again");
     }
     check_number_of_points(number_of_nodes(), m_filename);
+    if (!m_skeleton.is_opening.empty()) {
+      m_skeleton.is_opening.resize(number_of_nodes(), 0);
+    }
     if (!m_skeleton.radii.empty() && !m_skeleton.has_radii()) {
       fail("some nodes have a radius and some have none");
     }
@@ -345,10 +355,13 @@ inline void add_json_node(const nlohmann::json& node, Skeleton_collector& collec
   } else {
     collector.fail(name + " has a radius that is no number");
   }
+  if (node.value("is_opening", nlohmann::json(false)) == true) {
+    collector.set_opening();
+  }
 }
 
-/// Reads `text`, a JSON object as `write_json()` writes it: `nodes`, each with `point` and perhaps `radius`;
-/// `edges`, each an array of two nodes; and perhaps `joined_edges`; all else is passed over.
+/// Reads `text`, a JSON object as `write_json()` writes it: `nodes`, each with `point` and perhaps `radius`
+/// and `is_opening`; `edges`, each an array of two nodes; and perhaps `joined_edges`; all else is passed over.
 /// \throw File_error if it is malformed
 inline Indexed_skeleton parse_json_skeleton(std::string_view text, const std::string& filename)
 {

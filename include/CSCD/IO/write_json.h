@@ -51,6 +51,9 @@ inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
       node["radius"] = skeleton.radii[v];
     }
     node["degree"] = degree[v];
+    if (!skeleton.is_opening.empty() && skeleton.is_opening[v] != 0) {
+      node["is_opening"] = true;
+    }
     if (!skeleton.number_of_vertices.empty()) {
       node["number_of_sites"] = skeleton.number_of_vertices[v];
     }

@@ -52,7 +52,15 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
     for (const double radius : skeleton.radii) {
       out << radius << '\n';
     }
-    out << "</DataArray>\n</PointData>\n";
+    out << "</DataArray>\n";
+    if (std::find(skeleton.is_opening.begin(), skeleton.is_opening.end(), 1) != skeleton.is_opening.end()) {
+      out << "<DataArray type=\"UInt8\" Name=\"IsOpening\" format=\"ascii\">\n";
+      for (const char is_opening : skeleton.is_opening) {
+        out << int(is_opening) << '\n';
+      }
+      out << "</DataArray>\n";
+    }
+    out << "</PointData>\n";
   }
   out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
   for (std::size_t i = 0; i < branches.size(); ++i) {

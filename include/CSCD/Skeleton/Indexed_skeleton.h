@@ -29,6 +29,8 @@ struct Indexed_skeleton
   std::vector<double> radii; ///< one for each node, or empty if they are not known
   std::vector<std::array<Index, 2>> edges;
   std::vector<char> is_joined{}; ///< for each edge, whether it was added to join components
+  std::vector<char>
+      is_opening{}; ///< for each node, whether a limb ends there at a border; empty where nothing is known
 
   std::size_t number_of_nodes() const { return points.size(); }
   bool has_radii() const { return radii.size() == points.size(); }
@@ -58,6 +60,9 @@ Indexed_skeleton index_skeleton(const Skeleton& skeleton)
     index.emplace(v, Index(result.points.size()));
     const auto& point = skeleton[v].point;
     result.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+    if constexpr (has_is_opening_v<Skeleton>) {
+      result.is_opening.push_back(skeleton[v].is_opening ? 1 : 0);
+    }
     if constexpr (has_radius_v<Skeleton>) {
       result.radii.push_back(CGAL::to_double(skeleton[v].radius));
     }

@@ -29,7 +29,8 @@ public:
         m_is_outside(builder.size(), 0)
   {
     for (Index node = 0; node < builder.size(); ++node) {
-      m_is_outside[node] = !builder[node].is_removed && !surface.is_inside(builder[node].position) ? 1 : 0;
+      const bool has_place = !builder[node].is_removed && !builder[node].is_opening;
+      m_is_outside[node] = has_place && !surface.is_inside(builder[node].position) ? 1 : 0;
     }
   }
 
@@ -85,9 +86,12 @@ private:
     }
   }
 
-  /// The middle of the first stretch of the edge that is outside.
+  /// The middle of the first stretch of the edge that is outside. At an opening there is no surface that says.
   std::optional<Vector_3> first_stretch_outside(Index a, Index b)
   {
+    if (m_builder[a].is_opening || m_builder[b].is_opening) {
+      return std::nullopt;
+    }
     const Vector_3& from = m_builder[a].position;
     const Vector_3& to = m_builder[b].position;
     m_surface.crossings(from, to, m_crossings);

@@ -10,6 +10,7 @@
 #include <CSCD/Selection/Surface_regions.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Bridged_borders.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -21,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -97,14 +99,17 @@ private:
 
 /// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
+/// Where a limb ends at a border of the input, its last node is in the middle of the border.
 class Node_placement
 {
 public:
   Node_placement(const Triangulated_solid& solid, const std::vector<Separator>& separators,
                  const std::vector<Index>& packed, const Cut_graph& cut_graph)
       : m_solid(solid), m_separators(separators), m_packed(packed), m_cut_graph(cut_graph),
-        m_regions(solid.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions)
+        m_regions(solid.levels(), separators, packed, Surface_regions::precise_size), m_pieces(cut_graph, m_regions),
+        m_number_of_openings(cut_graph.pieces().size(), 0)
   {
+    find_openings();
   }
 
   /// The placed builder. Parallel edges and loops may occur where a piece joins two separators, or one to itself.
@@ -114,6 +119,9 @@ public:
     place_separators(builder);
     for (Index piece = 0; piece < m_cut_graph.pieces().size(); ++piece) {
       connect_piece(builder, piece);
+    }
+    for (const Opening& opening : m_openings) {
+      place_opening(builder, opening);
     }
     return builder;
   }
@@ -135,6 +143,32 @@ private:
   static constexpr double min_tip_length = 0.3;
   /// The direction of a tip is that to the vertices beyond this part of the height of the piece.
   static constexpr double far_part = 0.6;
+  /// A border at the end of a limb is an opening if it is this long, relative to the last separator of the limb. Across
+  /// a shorter one, the limb is closed ...
+  static constexpr double min_opening_length = 0.4;
+  /// ... and if the cosine of the angle between their normals is at least this: it is no window in the side.
+  static constexpr double min_opening_cosine = 0.3;
+  /// Of a component that no separator cuts, a border is an opening if the component is this deep behind it, relative to
+  /// its radius: it is no sheet.
+  static constexpr double min_depth = 1.5;
+  /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the node of the piece,
+  /// relative to the radius there, ...
+  static constexpr double min_stump_length = 1.6;
+  /// ... has this radius, likewise, ...
+  static constexpr double min_stump_radius = 0.3;
+  /// ... and if the cosine of the angle between its normal and the stump is at least this.
+  static constexpr double min_stump_cosine = 0.5;
+  /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius ...
+  static constexpr double min_depth_of_node = 0.5;
+  /// ... and the node of an opening is this far inside of the border, relative to its radius.
+  static constexpr double opening_depth = 0.01;
+
+  /// A border at which a limb ends.
+  struct Opening
+  {
+    Bridged_border border;
+    Index piece; ///< at the end of the limb
+  };
 
   void place_separators(Skeleton_builder& builder)
   {
@@ -190,6 +224,9 @@ private:
 
   void place_tip(Skeleton_builder& builder, Index piece, Index base)
   {
+    if (m_number_of_openings[piece] > 0) {
+      return;
+    }
     const double radius = builder[base].radius;
     const float height = m_pieces.height(piece);
     const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
@@ -227,8 +264,125 @@ private:
       }
     }
     const Vector_3 direction = (farthest - center).normalized();
-    extend(builder, node, piece, direction, radius);
-    extend(builder, node, piece, -direction, radius);
+    if (m_number_of_openings[piece] == 0) {
+      extend(builder, node, piece, direction, radius);
+      extend(builder, node, piece, -direction, radius);
+    }
+  }
+
+  /// Finds the borders at which limbs end.
+  void find_openings()
+  {
+    for (Bridged_border& border : bridged_borders(m_solid.triangulation(), m_cut_graph)) {
+      const Index piece = piece_behind(border);
+      if (piece != no_index && is_opening(border, piece)) {
+        ++m_number_of_openings[piece];
+        m_openings.push_back({std::move(border), piece});
+      }
+    }
+  }
+
+  /// The piece that is open at `border`. Where separators cross a border, it is the piece at the end of a limb; with
+  /// several of these, the border goes along the body, as that of a sheet does, and the result is `no_index`.
+  Index piece_behind(const Bridged_border& border) const
+  {
+    if (border.pieces.size() == 1) {
+      return border.pieces.front();
+    }
+    const auto is_end = [this](Index piece) { return m_cut_graph.pieces()[piece].separators.size() == 1; };
+    const auto end = std::find_if(border.pieces.begin(), border.pieces.end(), is_end);
+    return std::count_if(border.pieces.begin(), border.pieces.end(), is_end) == 1 ? *end : Index(no_index);
+  }
+
+  bool is_opening(const Bridged_border& border, Index piece) const
+  {
+    const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
+    if (around.empty()) {
+      return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
+    }
+    if (around.size() > 1) {
+      return border.pieces.size() == 1 && ends_stump(border, piece);
+    }
+    const Separator& separator = m_separators[m_packed[last_separator(border, piece)]];
+    const double side = separator.normal.dot(border.centroid - separator.center) < 0 ? -1 : 1;
+    return border.length >= min_opening_length * separator.length &&
+           side * separator.normal.dot(border.normal) >= min_opening_cosine;
+  }
+
+  /// The last separator of the limb that ends in `piece` before those that cross `border`, as many do where the limb is
+  /// cut obliquely.
+  Index last_separator(const Bridged_border& border, Index piece) const
+  {
+    Index separator = m_cut_graph.pieces()[piece].separators.front();
+    for (;;) {
+      piece = m_cut_graph.sides(separator).other(piece);
+      const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
+      if (around.size() != 2 || !std::binary_search(border.pieces.begin(), border.pieces.end(), piece)) {
+        return separator;
+      }
+      separator = around[0] == separator ? around[1] : around[0];
+    }
+  }
+
+  bool ends_stump(const Bridged_border& border, Index piece) const
+  {
+    double radius = 0;
+    for (Index i : m_cut_graph.pieces()[piece].separators) {
+      radius = std::max(radius, m_separators[m_packed[i]].radius());
+    }
+    const Surface_pieces::Weighted_sum sum = m_pieces.area_sum(piece);
+    const Vector_3 stump = sum.weight > 0 ? Vector_3(border.centroid - sum.sum / sum.weight) : Vector_3::Zero();
+    return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
+           border.normal.dot(stump) >= min_stump_cosine * stump.norm();
+  }
+
+  /// Leads the curve to the middle of the border.
+  void place_opening(Skeleton_builder& builder, const Opening& opening)
+  {
+    const Bridged_border& border = opening.border;
+    Index end = node_of_piece(builder, opening.piece);
+    if (m_cut_graph.pieces()[opening.piece].separators.size() == 1 && m_number_of_openings[opening.piece] == 1) {
+      end = shorten_limb(builder, opening);
+    }
+    const Index node = builder.add_node(border.centroid - opening_depth * border.radius * border.normal, border.radius);
+    builder[node].is_opening = true;
+    builder.add_edge(end, node);
+    if (m_cut_graph.pieces()[opening.piece].separators.empty() && m_number_of_openings[opening.piece] == 1) {
+      extend(builder, end, opening.piece, -border.normal, builder[end].radius);
+    }
+  }
+
+  /// The node in the middle of `piece` or, where there is none, that of its first separator.
+  Index node_of_piece(const Skeleton_builder& builder, Index piece) const
+  {
+    for (Index node = 0; node < builder.size(); ++node) {
+      const std::vector<Index>& pieces = builder[node].pieces;
+      if (std::find(pieces.begin(), pieces.end(), piece) != pieces.end()) {
+        return node;
+      }
+    }
+    return m_cut_graph.pieces()[piece].separators.front();
+  }
+
+  /// Removes the nodes at the end of a limb of which the separators cross its border, and those near the plane of the
+  /// border or beyond it. \return the last node that is left
+  Index shorten_limb(Skeleton_builder& builder, const Opening& opening) const
+  {
+    const Bridged_border& border = opening.border;
+    const Index last = last_separator(border, opening.piece);
+    Index end = m_cut_graph.pieces()[opening.piece].separators.front();
+    bool is_crossing = end != last;
+    while (builder.degree(end) == 1) {
+      const Index next = builder[end].neighbors.front();
+      const double depth = (border.centroid - builder[end].position).dot(border.normal);
+      if (!builder.is_regular(next) || (!is_crossing && depth >= min_depth_of_node * border.radius)) {
+        break;
+      }
+      builder.contract(end, next);
+      end = next;
+      is_crossing = is_crossing && end != last;
+    }
+    return end;
   }
 
   const Triangulated_solid& m_solid;
@@ -237,6 +391,8 @@ private:
   const Cut_graph& m_cut_graph;
   Surface_regions m_regions;
   Surface_pieces m_pieces;
+  std::vector<Opening> m_openings;
+  std::vector<Index> m_number_of_openings; ///< of each piece
 };
 
 } // namespace CSCD::internal

@@ -34,6 +34,9 @@ public:
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
+    /// Whether the node is in the middle of a border of the input, at which a limb ends; its radius is that of the
+    /// border.
+    bool is_opening = false;
     /// Whether the node was merged into another one.
     bool is_removed = false;
   };

@@ -111,9 +111,11 @@ CSCD_INLINE void describe_skeleton(const Skeleton_builder& skeleton, Skeletoniza
   report.betti_number = report.number_of_edges + report.number_of_skeleton_components - report.number_of_nodes;
   report.number_of_tips = 0;
   report.number_of_junctions = 0;
+  report.number_of_openings = 0;
   for (Index node = 0; node < skeleton.size(); ++node) {
     report.number_of_tips += skeleton.degree(node) == 1 ? 1 : 0;
     report.number_of_junctions += skeleton.is_junction(node) ? 1 : 0;
+    report.number_of_openings += skeleton[node].is_opening ? 1 : 0;
   }
   internal::warn_of_skeleton(report);
 }

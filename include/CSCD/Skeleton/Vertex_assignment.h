@@ -38,7 +38,7 @@ public:
 
   /// The node to which `vertex` belongs.
   Index node(Index vertex) const { return m_node[vertex]; }
-  /// Mean distance of the surface around `node` from the curve, by area.
+  /// Mean distance of the surface around `node` from the curve, by area; for an opening, the radius of the border.
   double radius(Index node) const { return m_radius[node]; }
 
   /// Hands both over to `skeleton`, and is empty afterwards.
@@ -125,7 +125,8 @@ private:
       weight[m_node[vertex]] += vertex_weight;
     }
     for (Index node = 0; node < m_builder.size(); ++node) {
-      m_radius[node] = weight[node] > 0 ? m_radius[node] / weight[node] : m_builder[node].radius;
+      const bool is_measured = weight[node] > 0 && !m_builder[node].is_opening;
+      m_radius[node] = is_measured ? m_radius[node] / weight[node] : m_builder[node].radius;
     }
   }
 
