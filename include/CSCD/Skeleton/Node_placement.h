@@ -145,7 +145,7 @@ private:
   static constexpr double far_part = 0.6;
   /// A border at the end of a limb is an opening if it is this long, relative to the last separator of the limb. Across
   /// a shorter one, the limb is closed ...
-  static constexpr double min_opening_length = 0.4;
+  static constexpr double min_opening_length = 0.6;
   /// ... and if the cosine of the angle between their normals is at least this: it is no window in the side.
   static constexpr double min_opening_cosine = 0.3;
   /// Of a component that no separator cuts, a border is an opening if the component is this deep behind it, relative to
