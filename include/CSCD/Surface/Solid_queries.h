@@ -29,16 +29,16 @@ public:
   ///        near in space, as those of `Triangle_mesh_traits` are
   explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
   {
-    const Index number_of_blocks = (surface.number_of_faces() + block_size - 1) / block_size;
-    std::vector<Bounding_box> boxes(number_of_blocks);
+    std::vector<Bounding_box> boxes = block_boxes();
     Bounding_box whole;
-    for (Index block = 0; block < number_of_blocks; ++block) {
-      for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
-        boxes[block].extend(surface.point(surface.origin(h)));
-      }
-      whole.extend(boxes[block]);
+    for (const Bounding_box& box : boxes) {
+      whole.extend(box);
     }
     m_offset = relative_offset * whole.diagonal();
+    if (is_scattered(boxes)) {
+      m_block_size = 1;
+      boxes = block_boxes();
+    }
     m_tree = Box_tree(boxes);
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
@@ -175,13 +175,39 @@ public:
 
 private:
   /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and asking is no slower.
-  static constexpr Index block_size = 4;
+  static constexpr Index default_block_size = 4;
+  /// Mean diagonal of the boxes of blocks, relative to the mean length of edges, from which on faces of near numbers
+  /// are not near in space, as where thin limbs are numbered side by side: then each is a leaf of its own. Of compact
+  /// blocks it is 2 to 3.
+  static constexpr double max_spread = 5;
   /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  Index begin_of(Index block) const { return block * block_size; }
-  Index end_of(Index block) const { return std::min((block + 1) * block_size, m_surface.number_of_faces()); }
+  Index begin_of(Index block) const { return block * m_block_size; }
+  Index end_of(Index block) const { return std::min((block + 1) * m_block_size, m_surface.number_of_faces()); }
+
+  std::vector<Bounding_box> block_boxes() const
+  {
+    std::vector<Bounding_box> boxes((m_surface.number_of_faces() + m_block_size - 1) / m_block_size);
+    for (Index block = 0; block < boxes.size(); ++block) {
+      for (Index h = 3 * begin_of(block); h < 3 * end_of(block); ++h) {
+        boxes[block].extend(m_surface.point(m_surface.origin(h)));
+      }
+    }
+    return boxes;
+  }
+
+  bool is_scattered(const std::vector<Bounding_box>& boxes) const
+  {
+    double diagonals = 0;
+    double edges = 0;
+    for (Index block = 0; block < boxes.size(); ++block) {
+      diagonals += boxes[block].diagonal();
+      edges += m_surface.length(3 * begin_of(block)); // of one edge stands for all of its block
+    }
+    return diagonals > max_spread * edges;
+  }
 
   struct Ray
   {
@@ -307,6 +333,7 @@ private:
   }
 
   const Triangulated_surface& m_surface;
+  Index m_block_size = default_block_size;
   double m_offset = 0;
   Box_tree m_tree;
 };

@@ -70,7 +70,7 @@ public:
     if (!boxes.empty()) {
       m_boxes.reserve(boxes.size() - 1);
       m_children.reserve(boxes.size() - 1);
-      m_root = build(boxes, entries, 0, Index(boxes.size()), 0);
+      m_root = build(boxes, entries, 0, Index(boxes.size()));
     }
   }
 
@@ -119,7 +119,7 @@ public:
       }
     };
     meet({m_root, no_index});
-    while (!to_do.empty()) {
+    while (!to_do.empty() && to_do.top().first < least) {
       const Index node = to_do.top().second;
       to_do.pop();
       meet(m_children[node]);
@@ -139,20 +139,32 @@ private:
   static bool is_node(Index child) { return child < first_object; }
   static bool is_object(Index child) { return !is_node(child) && child != no_index; }
 
-  /// Builds the tree over a range of `entries`, which is halved at the median center along each axis in turn.
+  static int longest_side(const std::vector<Entry>& entries, Index begin, Index end)
+  {
+    Bounding_box box;
+    for (Index i = begin; i < end; ++i) {
+      box.extend(entries[i].center);
+    }
+    const Vector_3 sides = box.max() - box.min();
+    return int(std::max_element(sides.begin(), sides.end()) - sides.begin());
+  }
+
+  /// Builds the tree over a range of `entries`, which is halved at the median center along the longest side of their
+  /// box.
   /// \return its root, a node or an object
-  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end, int axis)
+  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end)
   {
     if (end - begin == 1) {
       return first_object + entries[begin].object;
     }
     const Index middle = begin + (end - begin + (end - begin == 3 ? 1 : 0)) / 2;
     if (end - begin > 2) {
+      const int axis = longest_side(entries, begin, end);
       std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
                        [axis](const Entry& a, const Entry& b) { return a.center[axis] < b.center[axis]; });
     }
-    const Index lower = build(boxes, entries, begin, middle, (axis + 1) % 3);
-    const Index upper = build(boxes, entries, middle, end, (axis + 1) % 3);
+    const Index lower = build(boxes, entries, begin, middle);
+    const Index upper = build(boxes, entries, middle, end);
     const auto box_of = [&](Index child) { return is_node(child) ? m_boxes[child] : boxes[child - first_object]; };
     Bounding_box box = box_of(lower);
     box.extend(box_of(upper));
