@@ -6,6 +6,7 @@
 #include "commands.h"
 #include "types.h"
 #include <CSCD/IO/read_skeleton.h>
+#include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/estimate_radii.h>
@@ -107,15 +108,17 @@ template <class AnySkeleton>
 void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
 {
   const CSCD::Simplification_report report = simplify_by(options, input, skeleton);
+  CSCD::File_group files;
   bool is_standard_output_taken = false;
   for (const std::string& output : options.outputs) {
     if (output == standard_stream) {
       CSCD::write_gel_graph(std::cout, skeleton);
       is_standard_output_taken = true;
     } else {
-      CSCD::write_skeleton(output, skeleton);
+      files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
     }
   }
+  files.publish();
   if (!options.is_quiet && !is_standard_output_taken) {
     write_summary(options, report);
   }

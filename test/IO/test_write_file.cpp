@@ -102,4 +102,63 @@ TEST(Write_file, link_stays_a_link)
   EXPECT_EQ("new", read_file(target));
 }
 
+TEST(Write_file, link_to_no_file_is_followed)
+{
+  const Temporary_folder folder;
+  const std::string link = folder.file("link.txt");
+  std::filesystem::create_symlink("target.txt", link);
+  CSCD::write_file(link, [](std::ostream& out) { out << "new"; });
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_EQ("new", read_file(folder.file("target.txt")));
+}
+
+TEST(Write_file, permissions_are_kept)
+{
+  const Temporary_folder folder;
+  const std::string filename = folder.write("a.txt", "old");
+  constexpr auto own = std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+  std::filesystem::permissions(filename, own);
+  CSCD::write_file(filename, [](std::ostream& out) { out << "new"; });
+  EXPECT_EQ("new", read_file(filename));
+  EXPECT_EQ(own, std::filesystem::status(filename).permissions());
+}
+
+TEST(Write_file, names_may_be_as_long_as_the_file_system_allows)
+{
+  const Temporary_folder folder;
+  const std::string filename = folder.file(std::string(255, 'a'));
+  CSCD::write_file(filename, [](std::ostream& out) { out << "content"; });
+  EXPECT_EQ("content", read_file(filename));
+}
+
+TEST(File_group, appears_when_it_is_published)
+{
+  const Temporary_folder folder;
+  const std::string old = folder.write("old.txt", "old");
+  CSCD::File_group files;
+  files.write(old, [](std::ostream& out) { out << "first"; });
+  files.write(folder.file("new.txt"), [](std::ostream& out) { out << "second"; });
+  EXPECT_EQ("old", read_file(old));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("new.txt")));
+  files.publish();
+  EXPECT_EQ("first", read_file(old));
+  EXPECT_EQ("second", read_file(folder.file("new.txt")));
+  EXPECT_EQ(2, number_of_files(folder));
+}
+
+TEST(File_group, does_not_appear_when_a_file_fails)
+{
+  const Temporary_folder folder;
+  const std::string old = folder.write("old.txt", "old");
+  const auto write_two = [&] {
+    CSCD::File_group files;
+    files.write(old, [](std::ostream& out) { out << "first"; });
+    files.write(folder.file("missing/new.txt"), [](std::ostream& out) { out << "second"; });
+    files.publish();
+  };
+  EXPECT_THROW(write_two(), CSCD::File_error);
+  EXPECT_EQ("old", read_file(old));
+  EXPECT_EQ(1, number_of_files(folder));
+}
+
 } // namespace

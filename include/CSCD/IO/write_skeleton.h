@@ -8,12 +8,14 @@
 
 #include <CSCD/IO/internal/Skeleton_content.h>
 
+#include <ostream>
 #include <string>
 
 namespace CSCD {
 
 namespace internal {
 
+void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton_content& skeleton);
 void write_skeleton(const std::string& filename, const Skeleton_content& skeleton);
 
 } // namespace internal
@@ -31,6 +33,15 @@ void write_skeleton(const std::string& filename, const Skeleton& skeleton)
 {
   check_skeleton_filename(filename);
   internal::write_skeleton(filename, internal::skeleton_content(skeleton));
+}
+
+/// writes `skeleton` to `out` in the format that the ending of `filename` names. Linear.
+/// \tparam Skeleton as of the other function
+/// \throw File_error if the ending is unknown or the stream fails
+template <class Skeleton>
+void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton& skeleton)
+{
+  internal::write_skeleton(out, filename, internal::skeleton_content(skeleton));
 }
 
 } // namespace CSCD

@@ -31,14 +31,19 @@ CSCD_INLINE void check_skeleton_filename(const std::string& filename)
   internal::skeleton_ending(filename);
 }
 
-CSCD_INLINE void internal::write_skeleton(const std::string& filename, const Skeleton_content& skeleton)
+CSCD_INLINE void internal::write_skeleton(std::ostream& out, const std::string& filename,
+                                          const Skeleton_content& skeleton)
 {
   // In the order of `skeleton_endings`.
   constexpr std::array<void (*)(std::ostream&, const Skeleton_content&), skeleton_endings.size()> writers{
       write_gel_graph, write_json, write_obj, write_ply,    write_polylines,
       write_swc,       write_vtp,  write_dot, write_graphml};
-  const auto write = writers[skeleton_ending(filename)];
-  write_file(filename, [&](std::ostream& out) { write(out, skeleton); });
+  writers[skeleton_ending(filename)](out, skeleton);
+}
+
+CSCD_INLINE void internal::write_skeleton(const std::string& filename, const Skeleton_content& skeleton)
+{
+  write_file(filename, [&](std::ostream& out) { write_skeleton(out, filename, skeleton); });
 }
 
 } // namespace CSCD
