@@ -54,6 +54,11 @@ constexpr const char* diameter_examples =
     R"(  cscd diameter bunny.off -o bunny.txt               how thick the body is at each vertex, one value a line
 )";
 
+constexpr const char* segment_examples =
+    R"(  cscd segment bunny.off -o bunny.seg                the part of each face, one number a line
+  cscd segment bunny.off -o bunny.seg --parts 5
+)";
+
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
 to be repaired is named on standard error.
@@ -72,7 +77,7 @@ public:
     for (const auto& [its_command, its_examples] :
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
           std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
-          std::pair("diameter", diameter_examples)}) {
+          std::pair("diameter", diameter_examples), std::pair("segment", segment_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -283,6 +288,20 @@ CLI::App* add_application(CLI::App& app, const std::string& name, const std::str
   return command;
 }
 
+void add_segment(CLI::App& app, cscd::Segment_options& options)
+{
+  CLI::App* command = add_application(app, "segment", "segment a mesh into the parts that people would see",
+                                      "file for the number of each face's part, one a line, or -", options);
+  command->add_option("--parts", options.number_of_parts, "number of parts; by default the shape decides")
+      ->check(check_count)
+      ->type_name("N");
+  command
+      ->add_option("--by", options.by,
+                   "what decides: the skeleton and the shape of the parts, or the thickness of the body alone")
+      ->check(CLI::IsMember({cscd::by_skeleton, cscd::by_diameter}))
+      ->capture_default_str();
+}
+
 /// Says what is wrong in one line.
 void complain(std::string message)
 {
@@ -308,6 +327,8 @@ int run(int argc, char** argv)
   cscd::Application_options diameter_options;
   add_application(app, "diameter", "estimate how thick the body of a mesh is at each vertex",
                   "file for one value a line, in the order of the vertices, or -", diameter_options);
+  cscd::Segment_options segment_options;
+  add_segment(app, segment_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // help or version
@@ -321,6 +342,8 @@ int run(int argc, char** argv)
     cscd::compare(compare_options);
   } else if (app.got_subcommand("simplify")) {
     cscd::simplify(simplify_options);
+  } else if (app.got_subcommand("segment")) {
+    cscd::segment(segment_options);
   } else if (app.got_subcommand("diameter")) {
     cscd::write_diameters(diameter_options);
   } else {

@@ -4,3 +4,4 @@
 // What is done with skeletons, compiled once.
 
 #include <CSCD/Application/estimate_shape_diameters_impl.h>
+#include <CSCD/Application/segment_mesh_impl.h>

@@ -9,9 +9,13 @@
 #include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 
+#include <CGAL/mesh_segmentation.h>
+
+#include <cstddef>
 #include <iostream>
 #include <limits>
 #include <ostream>
@@ -56,7 +60,38 @@ void write_output(const Application_options& options, const Write& write)
   }
 }
 
+/// CGAL's segmentation, by the shape diameters of the faces. \return the number of parts
+template <class FaceLabelMap>
+std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
+{
+  const auto diameters = input.mesh.add_property_map<Mesh::Face_index, double>("f:diameter").first;
+  CSCD::estimate_face_shape_diameters(input.mesh, input.skeleton, diameters);
+  CGAL::sdf_values_postprocessing(input.mesh, diameters);
+  return CGAL::segmentation_from_sdf_values(input.mesh, diameters, labels);
+}
+
 } // namespace
+
+void segment(const Segment_options& options)
+{
+  if (options.by == by_diameter && options.number_of_parts > 0) {
+    throw Usage_error("--parts: only a segmentation by the skeleton has a choice of parts; leave out --by diameter");
+  }
+  Skeletonized_input input = skeletonized_input(options);
+  const auto labels = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  const std::size_t number_of_parts =
+      options.by == by_diameter ? segment_by_diameter(input, labels)
+                                : CSCD::segment_mesh(input.mesh, input.skeleton, labels,
+                                                     CSCD::parameters::default_values(), options.number_of_parts);
+  write_output(options, [&](std::ostream& out) {
+    for (const Mesh::Face_index face : input.mesh.faces()) {
+      out << labels[face] << '\n';
+    }
+  });
+  if (!options.is_quiet && options.output != standard_stream) {
+    std::cout << options.output << ": " << number_of_parts << " parts\n";
+  }
+}
 
 void write_diameters(const Application_options& options)
 {

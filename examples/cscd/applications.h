@@ -20,6 +20,23 @@ struct Application_options
   bool is_quiet = false;
 };
 
+/// \name What a segmentation goes by
+/// @{
+inline constexpr const char* by_skeleton = "skeleton";
+inline constexpr const char* by_diameter = "diameter";
+/// @}
+
+/// How to segment a mesh.
+struct Segment_options : Application_options
+{
+  std::size_t number_of_parts = 0; ///< 0 lets the shape decide
+  std::string by = by_skeleton;
+};
+
+/// Reads a mesh, segments it and writes the number of the part of each face, one a line.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void segment(const Segment_options& options);
+
 /// Reads a mesh and writes the shape diameter at each of its vertices, one a line.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void write_diameters(const Application_options& options);
