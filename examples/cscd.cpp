@@ -3,6 +3,7 @@
 //
 // The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
+#include "cscd/applications.h"
 #include "cscd/commands.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -49,6 +50,15 @@ constexpr const char* simplify_examples =
   cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
 )";
 
+constexpr const char* diameter_examples =
+    R"(  cscd diameter bunny.off -o bunny.txt               how thick the body is at each vertex, one value a line
+)";
+
+constexpr const char* segment_examples =
+    R"(  cscd segment bunny.off -o bunny.seg                the part of each face, one number a line
+  cscd segment bunny.off -o bunny.seg --parts 5
+)";
+
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
 to be repaired is named on standard error.
@@ -66,7 +76,8 @@ public:
     std::string examples = "Examples:\n";
     for (const auto& [its_command, its_examples] :
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
-          std::pair("compare", compare_examples), std::pair("simplify", simplify_examples)}) {
+          std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
+          std::pair("diameter", diameter_examples), std::pair("segment", segment_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -264,6 +275,33 @@ void add_simplify(CLI::App& app, cscd::Simplify_options& options)
   command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
 }
 
+/// The arguments that the commands which use the skeleton of a mesh have in common.
+CLI::App* add_application(CLI::App& app, const std::string& name, const std::string& description,
+                          const std::string& output, cscd::Application_options& options)
+{
+  CLI::App* command = app.add_subcommand(name, description);
+  command->add_option("INPUT", options.input, "file of a mesh, or - for standard input")->required();
+  command->add_option("-o,--output", options.output, output)->type_name("OUT")->check(check_name)->required();
+  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+  command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
+  return command;
+}
+
+void add_segment(CLI::App& app, cscd::Segment_options& options)
+{
+  CLI::App* command = add_application(app, "segment", "segment a mesh into the parts that people would see",
+                                      "file for the number of each face's part, one a line, or -", options);
+  command->add_option("--parts", options.number_of_parts, "number of parts; by default the shape decides")
+      ->check(check_count)
+      ->type_name("N");
+  command
+      ->add_option("--by", options.by,
+                   "what decides: the skeleton and the shape of the parts, or the thickness of the body alone")
+      ->check(CLI::IsMember({cscd::by_skeleton, cscd::by_diameter}))
+      ->capture_default_str();
+}
+
 /// Says what is wrong in one line.
 void complain(std::string message)
 {
@@ -286,6 +324,11 @@ int run(int argc, char** argv)
   add_compare(app, compare_options);
   cscd::Simplify_options simplify_options;
   add_simplify(app, simplify_options);
+  cscd::Application_options diameter_options;
+  add_application(app, "diameter", "estimate how thick the body of a mesh is at each vertex",
+                  "file for one value a line, in the order of the vertices, or -", diameter_options);
+  cscd::Segment_options segment_options;
+  add_segment(app, segment_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // help or version
@@ -299,6 +342,10 @@ int run(int argc, char** argv)
     cscd::compare(compare_options);
   } else if (app.got_subcommand("simplify")) {
     cscd::simplify(simplify_options);
+  } else if (app.got_subcommand("segment")) {
+    cscd::segment(segment_options);
+  } else if (app.got_subcommand("diameter")) {
+    cscd::write_diameters(diameter_options);
   } else {
     cscd::skeletonize(skeletonize_options);
   }

@@ -3,5 +3,6 @@
 //
 // The measures of skeletons, compiled once.
 
+#include <CSCD/Measure/compare_segmentations_impl.h>
 #include <CSCD/Measure/compare_skeletons_impl.h>
 #include <CSCD/Measure/evaluate_skeleton_impl.h>

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -122,12 +123,52 @@ TEST_F(Cscd, help_begins_with_examples)
   EXPECT_NE(std::string::npos, run("compare --help").out.find("--match-distance"));
 }
 
+TEST_F(Cscd, diameter_of_each_vertex_in_the_order_of_the_file)
+{
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(0, run("diameter torus.off -o torus.txt").status);
+  std::istringstream values(content("torus.txt"));
+  std::size_t number = 0;
+  for (double value = 0; values >> value; ++number) {
+    EXPECT_NEAR(value, 2, 0.2); // the tube has radius 1
+  }
+  EXPECT_EQ(number, torus().points.size());
+  EXPECT_EQ(run("diameter - --format off -o - < torus.off").out, content("torus.txt"));
+  expect_refusal("diameter torus.off", 1, {"--output"});
+  expect_refusal("diameter torus.off -o torus.off", 1, {"is the input"});
+  expect_refusal("diameter missing.off -o a.txt", 2, {"missing.off"});
+}
+
+TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
+{
+  m_folder.write("torus.off", off(torus()));
+  for (const std::string options : {"", "--parts 4", "--by diameter"}) {
+    const Outcome outcome = run("segment torus.off -o torus.seg " + options);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_NE(std::string::npos, outcome.out.find(" parts\n"));
+    std::istringstream values(content("torus.seg"));
+    std::set<std::size_t> parts;
+    std::size_t number = 0;
+    for (std::size_t part = 0; values >> part; ++number) {
+      parts.insert(part);
+    }
+    EXPECT_EQ(number, torus().polygons.size());
+    EXPECT_EQ(*parts.rbegin() + 1, parts.size());
+    if (options == "--parts 4") {
+      EXPECT_EQ(parts.size(), 4u);
+    }
+  }
+  expect_refusal("segment torus.off -o a.seg --by colour", 1, {"--by"});
+  expect_refusal("segment torus.off -o a.seg --parts 0", 1, {"--parts"});
+  expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
+}
+
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify"}) {
+  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify"}) {
+    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }

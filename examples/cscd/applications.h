@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The commands of the program that use a skeleton, and their arguments.
+
+#ifndef CSCD_PROGRAM_APPLICATIONS_H
+#define CSCD_PROGRAM_APPLICATIONS_H
+
+#include <cstddef>
+#include <string>
+
+namespace cscd {
+
+/// What the commands that use the skeleton of a mesh have in common.
+struct Application_options
+{
+  std::string input;  ///< a file name, or `standard_stream`
+  std::string format; ///< of the input: off, obj, ply or stl; by its ending if empty
+  std::string output; ///< a file name, or `standard_stream`
+  bool is_quiet = false;
+};
+
+/// \name What a segmentation goes by
+/// @{
+inline constexpr const char* by_skeleton = "skeleton";
+inline constexpr const char* by_diameter = "diameter";
+/// @}
+
+/// How to segment a mesh.
+struct Segment_options : Application_options
+{
+  std::size_t number_of_parts = 0; ///< 0 lets the shape decide
+  std::string by = by_skeleton;
+};
+
+/// Reads a mesh, segments it and writes the number of the part of each face, one a line.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void segment(const Segment_options& options);
+
+/// Reads a mesh and writes the shape diameter at each of its vertices, one a line.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void write_diameters(const Application_options& options);
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_APPLICATIONS_H

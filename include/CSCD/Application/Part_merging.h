@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From slices of a surface to parts: which neighboring parts belong together.
+
+#ifndef CSCD_APPLICATION_PART_MERGING_H
+#define CSCD_APPLICATION_PART_MERGING_H
+
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <queue>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A slice: connected faces that belong to the same node.
+struct Surface_slice
+{
+  Vector_3 point; ///< of its node
+  double area = 0;
+  double log_diameter = 0; ///< mean by area of the logarithm of the shape diameter
+  bool is_at_junction = false;
+};
+
+/// Where two slices or parts touch: sums over the edges between them, weighted by length.
+struct Part_boundary
+{
+  double length = 0;
+  double turning = 0;                 ///< of the surface across the boundary, positive where it is concave, in radians
+  double concave_turning = 0;         ///< the concave part of it alone
+  Vector_3 moment = Vector_3::Zero(); ///< of the midpoints
+  double log_diameter = 0;
+
+  void add(const Part_boundary& other)
+  {
+    length += other.length;
+    turning += other.turning;
+    concave_turning += other.concave_turning;
+    moment += other.moment;
+    log_diameter += other.log_diameter;
+  }
+};
+
+/// Slices, the slice of each face, and what is between slices.
+struct Slice_graph
+{
+  std::vector<Surface_slice> slices;
+  std::vector<Index> slice; ///< of each face
+  std::vector<std::array<Index, 2>> neighbors;
+  std::vector<Part_boundary> boundaries; ///< of the pairs of neighbors
+  double area = 0;                       ///< of all slices
+};
+
+/// Cuts the surface into slices. Near linear. \param diameters of the faces
+Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters);
+
+/// What is known of two neighboring parts. Of the two, the smaller one has less area.
+enum class Merge_feature
+{
+  turning,              ///< mean turning of the surface across the boundary, in radians
+  concave_turning,      ///< mean of its concave part
+  thickness_ratio,      ///< logarithm of the mean diameter of the larger part over that of the smaller
+  thickness_difference, ///< its absolute value
+  near_thickness_ratio, ///< the same as the ratio, within three radii of the boundary
+  near_thickness_difference,
+  boundary_over_size,  ///< logarithm of the squared length of the boundary over the area of the smaller part
+  smaller_size,        ///< logarithm of the area of the smaller part over that of the surface
+  larger_size,         ///< the same of the larger part
+  boundary_over_girth, ///< logarithm of the length of the boundary over the girth of a limb as thick
+  straightness,        ///< cosine of the angle by which the skeleton turns across the boundary
+  slenderness,         ///< logarithm of the area of the smaller part over its squared diameter
+  share_of_smaller,    ///< of the boundary in all that the smaller part has
+  share_of_larger,     ///< likewise of the larger part
+  junction             ///< 1 if a junction of the skeleton is near, else 0
+};
+
+/// The number of features.
+inline constexpr std::size_t number_of_merge_features = 15;
+
+using Merge_features = std::array<double, number_of_merge_features>;
+
+/// The logarithm of the odds that two parts are one for people.
+double merge_score(const Merge_features& features);
+
+/// Merges neighboring slices, and the parts that come of it, the most probable first.
+class Part_merging
+{
+public:
+  using Score = std::function<double(Index first, Index second, const Merge_features& features)>;
+
+  explicit Part_merging(const Slice_graph& graph) : m_graph(graph), m_boundaries(graph.boundaries)
+  {
+    m_parts.resize(graph.slices.size());
+    for (Index s = 0; s < m_parts.size(); ++s) {
+      m_parts[s].slices = {s};
+      m_parts[s].area = graph.slices[s].area;
+      m_parts[s].log_diameter = graph.slices[s].area * graph.slices[s].log_diameter;
+    }
+    for (Index b = 0; b < m_boundaries.size(); ++b) {
+      const auto [s, t] = graph.neighbors[b];
+      m_parts[s].boundaries[t] = b;
+      m_parts[t].boundaries[s] = b;
+      m_parts[s].boundary_length += m_boundaries[b].length;
+      m_parts[t].boundary_length += m_boundaries[b].length;
+    }
+    m_number_of_parts = m_parts.size();
+  }
+
+  /// Merges until no two parts have a positive score, or, if `number_of_parts` is not 0, until there are so many.
+  /// O(s^2 log s) for s slices where parts have few neighbors.
+  /// \param score of two parts with these features
+  /// \param merged is called with the numbers of the part that grows and of the one that goes into it
+  void run(
+      std::size_t number_of_parts, const Score& score,
+      const std::function<void(Index, Index)>& merged = [](Index, Index) {})
+  {
+    for (Index p = 0; p < m_parts.size(); ++p) {
+      for (const auto& [neighbor, boundary] : m_parts[p].boundaries) {
+        if (p < neighbor) {
+          propose(p, neighbor, boundary, score);
+        }
+      }
+    }
+    while (!m_candidates.empty() && (number_of_parts == 0 || m_number_of_parts > number_of_parts)) {
+      const Candidate best = m_candidates.top();
+      m_candidates.pop();
+      if (!is_current(best)) {
+        continue;
+      }
+      if (number_of_parts == 0 && best.score <= 0) {
+        break;
+      }
+      merge(best.first, best.second);
+      merged(best.first, best.second);
+      for (const auto& [neighbor, boundary] : m_parts[best.first].boundaries) {
+        propose(std::min(best.first, neighbor), std::max(best.first, neighbor), boundary, score);
+      }
+    }
+  }
+
+  /// The part of each slice, by the number of one of its slices.
+  std::vector<Index> part_of_slices() const
+  {
+    std::vector<Index> result(m_parts.size());
+    for (Index p = 0; p < m_parts.size(); ++p) {
+      for (const Index s : m_parts[p].slices) {
+        result[s] = p;
+      }
+    }
+    return result;
+  }
+
+private:
+  struct Part
+  {
+    std::vector<Index> slices; // none if it went into another one
+    double area = 0;
+    double log_diameter = 0; // integral over the area
+    double boundary_length = 0;
+    std::map<Index, Index> boundaries; // by neighbors
+    std::size_t version = 0;
+
+    double mean_log_diameter() const { return log_diameter / area; }
+  };
+
+  struct Candidate
+  {
+    double score;
+    Index first;
+    Index second;
+    std::size_t first_version;
+    std::size_t second_version;
+
+    bool operator<(const Candidate& other) const
+    {
+      return std::tie(score, other.first, other.second) < std::tie(other.score, first, second);
+    }
+  };
+
+  /// The mean place of the nodes of a part near a boundary, and the mean logarithm of its diameter there.
+  struct Vicinity
+  {
+    Vector_3 center = Vector_3::Zero();
+    double log_diameter = 0;
+    bool has_junction = false;
+  };
+
+  // Of the local radius: how far what is near a boundary reaches, and how far a junction there may be.
+  static constexpr double vicinity_reach = 3;
+  static constexpr double junction_reach = 1.5;
+
+  bool is_current(const Candidate& candidate) const
+  {
+    const Part& first = m_parts[candidate.first];
+    const Part& second = m_parts[candidate.second];
+    return first.version == candidate.first_version && second.version == candidate.second_version;
+  }
+
+  void propose(Index first, Index second, Index boundary, const Score& score)
+  {
+    const double value = score(first, second, features(m_parts[first], m_parts[second], m_boundaries[boundary]));
+    m_candidates.push({value, first, second, m_parts[first].version, m_parts[second].version});
+  }
+
+  Vicinity vicinity(const Part& part, const Vector_3& center, double radius) const
+  {
+    Vicinity result;
+    double area = 0;
+    for (const Index s : part.slices) {
+      const Surface_slice& slice = m_graph.slices[s];
+      const double squared_distance = (slice.point - center).squaredNorm();
+      if (squared_distance < CGAL::square(vicinity_reach * radius)) {
+        area += slice.area;
+        result.center += slice.area * slice.point;
+        result.log_diameter += slice.area * slice.log_diameter;
+        result.has_junction =
+            result.has_junction || (slice.is_at_junction && squared_distance < CGAL::square(junction_reach * radius));
+      }
+    }
+    if (area > 0) {
+      result.center /= area;
+      result.log_diameter /= area;
+    } else {
+      result.center = m_graph.slices[part.slices.front()].point;
+      result.log_diameter = part.mean_log_diameter();
+    }
+    return result;
+  }
+
+  Merge_features features(const Part& first, const Part& second, const Part_boundary& boundary) const
+  {
+    const bool is_first_smaller = first.area < second.area;
+    const Part& smaller = is_first_smaller ? first : second;
+    const Part& larger = is_first_smaller ? second : first;
+    const double length = boundary.length;
+    const Vector_3 center = boundary.moment / length;
+    const double log_diameter = boundary.log_diameter / length;
+    const double radius = std::exp(log_diameter) / 2;
+    const Vicinity near_smaller = vicinity(smaller, center, radius);
+    const Vicinity near_larger = vicinity(larger, center, radius);
+    const double ratio = larger.mean_log_diameter() - smaller.mean_log_diameter();
+    const double near_ratio = near_larger.log_diameter - near_smaller.log_diameter;
+    constexpr double log_pi = 1.1447298858494002;
+    Merge_features result{
+        boundary.turning / length,
+        boundary.concave_turning / length,
+        ratio,
+        std::abs(ratio),
+        near_ratio,
+        std::abs(near_ratio),
+        std::log(length * length / smaller.area),
+        std::log(smaller.area / m_graph.area),
+        std::log(larger.area / m_graph.area),
+        std::log(length) - log_pi - log_diameter,
+        (center - near_smaller.center).normalized().dot((near_larger.center - center).normalized()),
+        std::log(smaller.area) - 2 * smaller.mean_log_diameter(),
+        length / smaller.boundary_length,
+        length / larger.boundary_length,
+        near_smaller.has_junction || near_larger.has_junction ? 1. : 0.,
+    };
+    for (double& feature : result) { // of what has no extent
+      feature = std::isfinite(feature) ? feature : 0;
+    }
+    return result;
+  }
+
+  void merge(Index to, Index from)
+  {
+    Part& result = m_parts[to];
+    Part& other = m_parts[from];
+    const double common_length = m_boundaries[result.boundaries.at(from)].length;
+    result.slices.insert(result.slices.end(), other.slices.begin(), other.slices.end());
+    result.area += other.area;
+    result.log_diameter += other.log_diameter;
+    result.boundary_length += other.boundary_length - 2 * common_length;
+    result.boundaries.erase(from);
+    other.boundaries.erase(to);
+    for (const auto& [neighbor, boundary] : other.boundaries) {
+      m_parts[neighbor].boundaries.erase(from);
+      const auto [place, is_new] = result.boundaries.emplace(neighbor, boundary);
+      if (is_new) {
+        m_parts[neighbor].boundaries[to] = boundary;
+      } else {
+        m_boundaries[place->second].add(m_boundaries[boundary]);
+      }
+    }
+    other.boundaries.clear();
+    other.slices.clear();
+    ++result.version;
+    ++other.version;
+    --m_number_of_parts;
+  }
+
+  const Slice_graph& m_graph;
+  std::vector<Part_boundary> m_boundaries;
+  std::vector<Part> m_parts; // by their first slice
+  std::size_t m_number_of_parts = 0;
+  std::priority_queue<Candidate> m_candidates;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_APPLICATION_PART_MERGING_H

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How thick a body is at each vertex or face of its surface, from its skeleton.
+
+#ifndef CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H
+#define CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H
+
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/input_concepts.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace CSCD {
+
+/// How often shape diameters are averaged with those around them, unless another number is given. Some steps level the
+/// jumps between the vertices of neighboring nodes.
+inline constexpr std::size_t default_number_of_diameter_smoothing_steps = 3;
+
+namespace internal {
+
+/// Twice the distances of the vertices from the parts of the skeleton that they belong to, smoothed.
+std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps);
+
+/// The means of `vertex_values` over the corners of the faces.
+std::vector<double> face_means(const Skeletonized_surface& surface, const std::vector<double>& vertex_values);
+
+} // namespace internal
+
+/// estimates the shape diameter at each vertex of a mesh: how thick the body is there.
+///
+/// It is twice the distance from the vertex to the part of the skeleton that it belongs to, which is its node and the
+/// edges of that node, averaged along the surface: in each step, every vertex takes half of its own value and half of
+/// the mean of its neighbors. Near linear. See the supplement of the method's paper, appendix I.1.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
+/// \tparam VertexDiameterMap a model of `WritablePropertyMap` with vertex descriptors as keys and `double` as value
+/// \param mesh an oriented manifold with or without borders
+/// \param skeleton of `mesh`: each vertex with a face is in the list of a node
+/// \param diameters gets the shape diameters, in the unit of the mesh; 0 for vertices without a face
+/// \param np an optional sequence of named parameters
+/// \param number_of_smoothing_steps how often to average
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
+template <class TriangleMesh, class Skeleton, class VertexDiameterMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& skeleton, VertexDiameterMap diameters,
+                                     const NamedParameters& np = parameters::default_values(),
+                                     std::size_t number_of_smoothing_steps = default_number_of_diameter_smoothing_steps)
+{
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
+  check_triangle_mesh<TriangleMesh>();
+  const auto [surface, descriptors] =
+      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
+  const std::vector<double> values = internal::vertex_shape_diameters(surface, number_of_smoothing_steps);
+  for (const auto vertex : boost::make_iterator_range(vertices(mesh))) {
+    put(diameters, vertex, 0.);
+  }
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    put(diameters, descriptors[v], values[v]);
+  }
+}
+
+/// estimates the shape diameter at each face of a mesh, the mean of those of its vertices: what
+/// `CGAL::sdf_values_postprocessing()` and `CGAL::segmentation_from_sdf_values()` take.
+///
+/// Near linear. \see estimate_vertex_shape_diameters()
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
+/// \tparam FaceDiameterMap a model of `WritablePropertyMap` with face descriptors as keys and `double` as value
+/// \param mesh an oriented manifold with or without borders
+/// \param skeleton of `mesh`: each vertex with a face is in the list of a node
+/// \param diameters gets the shape diameters, in the unit of the mesh
+/// \param np an optional sequence of named parameters
+/// \param number_of_smoothing_steps how often to average
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
+template <class TriangleMesh, class Skeleton, class FaceDiameterMap,
+          class NamedParameters = parameters::Default_named_parameters>
+void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& skeleton, FaceDiameterMap diameters,
+                                   const NamedParameters& np = parameters::default_values(),
+                                   std::size_t number_of_smoothing_steps = default_number_of_diameter_smoothing_steps)
+{
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
+  check_triangle_mesh<TriangleMesh>();
+  const internal::Skeletonized_surface surface =
+      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np)).first;
+  const std::vector<double> values =
+      internal::face_means(surface, internal::vertex_shape_diameters(surface, number_of_smoothing_steps));
+  std::size_t number = 0;
+  for (const auto face : boost::make_iterator_range(faces(mesh))) {
+    put(diameters, face, values[number++]);
+  }
+}
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Application/estimate_shape_diameters_impl.h>
+#endif
+
+#endif // CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of estimate_shape_diameters.h.
+
+#ifndef CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H
+#define CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H
+
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The distance of `point` from the segment between two points.
+CSCD_INLINE double distance_to_segment(const Vector_3& point, const Vector_3& source, const Vector_3& target)
+{
+  const Vector_3 along = target - source;
+  const double squared_length = along.squaredNorm();
+  const double t = squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+  return (source + t * along - point).norm();
+}
+
+CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface,
+                                                       std::size_t number_of_smoothing_steps)
+{
+  const std::size_t n = surface.node.size();
+  const std::vector<Vector_3>& nodes = surface.skeleton.points;
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
+  std::vector<double> diameters(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    const Vector_3& point = surface.triangles.points[v];
+    const Index node = surface.node[v];
+    double distance = (point - nodes[node]).norm();
+    for (const Index neighbor : neighbors[node]) {
+      distance = std::min(distance, distance_to_segment(point, nodes[node], nodes[neighbor]));
+    }
+    diameters[v] = 2 * distance;
+  }
+  std::vector<double> sum(n);
+  std::vector<double> weight(n); // an edge counts once for each of its faces
+  for (std::size_t step = 0; step < number_of_smoothing_steps; ++step) {
+    std::fill(sum.begin(), sum.end(), 0.);
+    std::fill(weight.begin(), weight.end(), 0.);
+    for (const std::array<Index, 3>& face : surface.triangles.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[face[k]] += diameters[face[(k + 1) % 3]] + diameters[face[(k + 2) % 3]];
+        weight[face[k]] += 2;
+      }
+    }
+    for (std::size_t v = 0; v < n; ++v) {
+      diameters[v] = (diameters[v] + sum[v] / weight[v]) / 2;
+    }
+  }
+  return diameters;
+}
+
+CSCD_INLINE std::vector<double> face_means(const Skeletonized_surface& surface,
+                                           const std::vector<double>& vertex_values)
+{
+  std::vector<double> means;
+  means.reserve(surface.triangles.faces.size());
+  for (const auto& [a, b, c] : surface.triangles.faces) {
+    means.push_back((vertex_values[a] + vertex_values[b] + vertex_values[c]) / 3);
+  }
+  return means;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parts that people see in a body, from its skeleton.
+
+#ifndef CSCD_APPLICATION_SEGMENT_MESH_H
+#define CSCD_APPLICATION_SEGMENT_MESH_H
+
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/Vector_3.h>
+
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD {
+namespace internal {
+
+/// The part of each face, numbered in the order of their first faces; see `segment_mesh()`.
+std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts);
+
+} // namespace internal
+
+/// segments a mesh into the parts that people would see, by its skeleton.
+///
+/// The surface is first cut into slices, one for each node of the skeleton. Then neighboring parts are merged, pair by
+/// pair, beginning with those that most probably belong together. How probable this is follows from their boundary, its
+/// length and concavity, from what thicknesses and sizes are on both sides, and from how the skeleton goes on across
+/// it, by a logistic function that was fitted to segmentations by people; see `doc/applications.md`. Last, the
+/// boundaries are moved by a graph cut to where they are short and concave. Expectedly near linear in the number n of
+/// faces, and O(s^2 log s) in the number s of nodes.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
+/// \tparam FaceLabelMap a model of `WritablePropertyMap` with face descriptors as keys and `std::size_t` as value
+/// \param mesh an oriented manifold with or without borders
+/// \param skeleton of `mesh`: each vertex with a face is in the list of a node
+/// \param labels gets the numbers of the parts, from 0
+/// \param np an optional sequence of named parameters
+/// \param number_of_parts how many parts there should be; 0 lets the shape decide. There are at least as many as the
+///        mesh has components, and at most as many as slices. Fewer parts are unions of more parts, but for the last
+///        moves of the boundaries.
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return the number of parts
+/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
+template <class TriangleMesh, class Skeleton, class FaceLabelMap,
+          class NamedParameters = parameters::Default_named_parameters>
+std::size_t segment_mesh(const TriangleMesh& mesh, const Skeleton& skeleton, FaceLabelMap labels,
+                         const NamedParameters& np = parameters::default_values(), std::size_t number_of_parts = 0)
+{
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
+  check_triangle_mesh<TriangleMesh>();
+  const std::vector<Index> parts = internal::segment_surface(
+      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np)).first,
+      number_of_parts);
+  std::size_t number = 0;
+  for (const auto face : boost::make_iterator_range(faces(mesh))) {
+    put(labels, face, std::size_t(parts[number++]));
+  }
+  return std::size_t(*std::max_element(parts.begin(), parts.end())) + 1;
+}
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Application/segment_mesh_impl.h>
+#endif
+
+#endif // CSCD_APPLICATION_SEGMENT_MESH_H

@@ -1,0 +1,482 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of segment_mesh.h and Part_merging.h.
+
+#ifndef CSCD_APPLICATION_SEGMENT_MESH_IMPL_H
+#define CSCD_APPLICATION_SEGMENT_MESH_IMPL_H
+
+#include <CSCD/Application/Part_merging.h>
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Application/segment_mesh.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
+
+#include <boost/graph/adjacency_list.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Lengths, angles and areas of a triangulated surface.
+class Face_geometry
+{
+public:
+  explicit Face_geometry(const Skeletonized_surface& surface) : m_surface(surface)
+  {
+    const std::size_t n = surface.triangles.faces.size();
+    centers.reserve(n);
+    normals.reserve(n);
+    areas.reserve(n);
+    for (const auto& [a, b, c] : surface.triangles.faces) {
+      const Vector_3& origin = surface.triangles.points[a];
+      const Vector_3 second = surface.triangles.points[b] - origin;
+      const Vector_3 third = surface.triangles.points[c] - origin;
+      const Vector_3 normal = second.cross(third);
+      centers.push_back(origin + (second + third) / 3);
+      normals.push_back(normal.normalized());
+      areas.push_back(normal.norm() / 2);
+      area += areas.back();
+    }
+  }
+
+  const Vector_3& origin(Index halfedge) const
+  {
+    return m_surface.triangles.points[m_surface.triangles.faces[Halfedge_pairing::face(halfedge)][halfedge % 3]];
+  }
+  Vector_3 vector(Index halfedge) const { return origin(Halfedge_pairing::next(halfedge)) - origin(halfedge); }
+
+  /// By how much the normal turns across the edge of `halfedge`, in radians; positive where the surface is concave.
+  double turning(Index halfedge) const
+  {
+    const Vector_3& here = normals[Halfedge_pairing::face(halfedge)];
+    const Vector_3& there = normals[Halfedge_pairing::face(m_surface.pairing.twin(halfedge))];
+    return -std::atan2(here.cross(there).dot(vector(halfedge).normalized()), here.dot(there));
+  }
+
+  /// Calls `use(h)` for one halfedge of each edge between two faces.
+  template <class Use>
+  void for_each_inner_edge(const Use& use) const
+  {
+    for (Index h = 0; h < m_surface.pairing.number_of_halfedges(); ++h) {
+      const Index twin = m_surface.pairing.twin(h);
+      if (twin != no_index && h < twin) {
+        use(h);
+      }
+    }
+  }
+
+  std::vector<Vector_3> centers;
+  std::vector<Vector_3> normals;
+  std::vector<double> areas;
+  double area = 0; ///< of all faces
+
+private:
+  const Skeletonized_surface& m_surface;
+};
+
+/// Cuts a surface into slices and measures their boundaries.
+class Slice_cutting
+{
+public:
+  Slice_cutting(const Skeletonized_surface& surface, const std::vector<double>& diameters)
+      : m_surface(surface), m_geometry(surface)
+  {
+    find_slices();
+    measure_slices(diameters);
+    find_boundaries();
+    add_turning_inside();
+  }
+
+  Slice_graph release() { return std::move(m_graph); }
+
+private:
+  /// The node to which two corners of a face belong, else the nearest of three.
+  Index node_of_face(Index face) const
+  {
+    const std::array<Index, 3>& corners = m_surface.triangles.faces[face];
+    const std::array<Index, 3> nodes{m_surface.node[corners[0]], m_surface.node[corners[1]],
+                                     m_surface.node[corners[2]]};
+    if (nodes[1] == nodes[2]) {
+      return nodes[1];
+    }
+    if (nodes[0] == nodes[1] || nodes[0] == nodes[2]) {
+      return nodes[0];
+    }
+    const auto distance = [&](Index node) {
+      return (m_surface.skeleton.points[node] - m_geometry.centers[face]).squaredNorm();
+    };
+    return *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
+  }
+
+  void find_slices()
+  {
+    const auto number_of_faces = Index(m_surface.triangles.faces.size());
+    std::vector<Index> nodes;
+    nodes.reserve(number_of_faces);
+    for (Index f = 0; f < number_of_faces; ++f) {
+      nodes.push_back(node_of_face(f));
+    }
+    std::vector<std::size_t> degrees(m_surface.skeleton.number_of_nodes(), 0);
+    for (const auto& [u, v] : m_surface.skeleton.edges) {
+      ++degrees[u];
+      ++degrees[v];
+    }
+    std::vector<Index>& slice = m_graph.slice;
+    slice.assign(number_of_faces, no_index);
+    std::vector<Index> stack;
+    for (Index seed = 0; seed < number_of_faces; ++seed) {
+      if (slice[seed] != no_index) {
+        continue;
+      }
+      const auto number = Index(m_graph.slices.size());
+      const Index node = nodes[seed];
+      m_graph.slices.push_back({m_surface.skeleton.points[node], 0, 0, degrees[node] > 2});
+      slice[seed] = number;
+      stack.push_back(seed);
+      while (!stack.empty()) {
+        const Index face = stack.back();
+        stack.pop_back();
+        for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+          const Index twin = m_surface.pairing.twin(h);
+          const Index next = twin == no_index ? face : Halfedge_pairing::face(twin);
+          if (slice[next] == no_index && nodes[next] == node) {
+            slice[next] = number;
+            stack.push_back(next);
+          }
+        }
+      }
+    }
+  }
+
+  void measure_slices(const std::vector<double>& diameters)
+  {
+    // What has no area or no thickness counts as having next to none, so that all logarithms are finite.
+    const double negligible = 1e-9;
+    const double min_area = negligible * m_geometry.area / double(diameters.size());
+    const double min_diameter = negligible * std::sqrt(m_geometry.area);
+    for (Index f = 0; f < diameters.size(); ++f) {
+      Surface_slice& slice = m_graph.slices[m_graph.slice[f]];
+      const double area = std::max(m_geometry.areas[f], min_area);
+      slice.area += area;
+      slice.log_diameter += area * std::log(std::max(diameters[f], min_diameter));
+      m_graph.area += area;
+    }
+    for (Surface_slice& slice : m_graph.slices) {
+      slice.log_diameter /= slice.area;
+    }
+  }
+
+  /// Adds the turning of the surface across an edge, so far as it turns along `direction`.
+  void add_turning(Index halfedge, const Vector_3& direction, double share, Part_boundary& boundary) const
+  {
+    const Vector_3 edge = m_geometry.vector(halfedge);
+    const double length = edge.norm();
+    const double along = edge.normalized().dot(direction);
+    const double turning = m_geometry.turning(halfedge) * length * share * (1 - along * along);
+    boundary.turning += turning;
+    boundary.concave_turning += std::max(0., turning);
+  }
+
+  Vector_3 direction(Index from, Index to) const
+  {
+    return (m_graph.slices[to].point - m_graph.slices[from].point).normalized();
+  }
+
+  void find_boundaries()
+  {
+    m_inner_edges.resize(m_graph.slices.size());
+    std::map<std::array<Index, 2>, Index> number_of;
+    m_geometry.for_each_inner_edge([&](Index h) {
+      const Index first = m_graph.slice[Halfedge_pairing::face(h)];
+      const Index second = m_graph.slice[Halfedge_pairing::face(m_surface.pairing.twin(h))];
+      if (first == second) {
+        m_inner_edges[first].push_back(h);
+        return;
+      }
+      const std::array<Index, 2> pair{std::min(first, second), std::max(first, second)};
+      const auto [place, is_new] = number_of.emplace(pair, Index(m_graph.boundaries.size()));
+      if (is_new) {
+        m_graph.neighbors.push_back(pair);
+        m_graph.boundaries.emplace_back();
+      }
+      Part_boundary& boundary = m_graph.boundaries[place->second];
+      const double length = std::max(m_geometry.vector(h).norm(), std::numeric_limits<double>::min());
+      boundary.length += length;
+      boundary.moment += length * (m_geometry.origin(h) + m_geometry.vector(h) / 2);
+      boundary.log_diameter += length * (m_graph.slices[first].log_diameter + m_graph.slices[second].log_diameter) / 2;
+      add_turning(h, direction(pair[0], pair[1]), 1, boundary);
+    });
+  }
+
+  /// Shares the turning inside each slice among its boundaries: creases run beside boundaries as often as along them.
+  void add_turning_inside()
+  {
+    std::vector<double> whole_length(m_graph.slices.size(), 0);
+    for (std::size_t b = 0; b < m_graph.boundaries.size(); ++b) {
+      for (const Index s : m_graph.neighbors[b]) {
+        whole_length[s] += m_graph.boundaries[b].length;
+      }
+    }
+    for (std::size_t b = 0; b < m_graph.boundaries.size(); ++b) {
+      Part_boundary& boundary = m_graph.boundaries[b];
+      const auto [first, second] = m_graph.neighbors[b];
+      for (const Index s : {first, second}) {
+        for (const Index h : m_inner_edges[s]) {
+          add_turning(h, direction(first, second), boundary.length / whole_length[s], boundary);
+        }
+      }
+    }
+  }
+
+  const Skeletonized_surface& m_surface;
+  Face_geometry m_geometry;
+  Slice_graph m_graph;
+  std::vector<std::vector<Index>> m_inner_edges; // of each slice
+};
+
+CSCD_INLINE Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters)
+{
+  return Slice_cutting(surface, diameters).release();
+}
+
+/// \name Weights of the score of two parts
+/// Fitted by logistic regression to the segmentations by people of the odd-numbered meshes of the Princeton benchmark;
+/// `doc/applications.md` tells how.
+/// @{
+
+/// What is subtracted from each feature.
+constexpr std::array<double, number_of_merge_features> feature_means{
+    -0.00663, 0.11, 0.445, 0.55, 0.163, 0.268, 0.798, -5.42, -1.61, -0.941, 0.108, -0.31, 0.392, 0.155, 0.137};
+
+/// By what the differences are divided.
+constexpr std::array<double, number_of_merge_features> feature_deviations{
+    0.118, 0.161, 0.57, 0.468, 0.362, 0.293, 1.59, 2.87, 1.62, 1.26, 0.633, 2.48, 0.25, 0.202, 0.344};
+
+/// The score of two parts that are average in all features.
+constexpr double mean_score = -0.5577;
+
+/// Of the normalized features.
+constexpr std::array<double, number_of_merge_features> linear_weights{
+    -0.208, -0.965, -0.127, -0.319, 0.00289, 0.307, 0.804, 0.677, -1.59, -0.467, -0.164, -0.395, -0.0525, 0.583, 0.214};
+
+/// Of their products: of the first with all, of the second with all from the second on, and so on.
+constexpr std::array<double, number_of_merge_features*(number_of_merge_features + 1) / 2> quadratic_weights{
+    0.0578,  0.0584,  -0.099,  0.0511,  0.0322,  0.0266,  0.176,    0.0736, 0.0139,  -0.315,  -0.0559, 0.22,
+    0.0151,  -0.0358, 0.0136,  0.306,   0.385,   -0.0745, -0.228,   0.0471, -0.0637, -0.163,  0.265,   0.154,
+    -0.0632, -0.0538, -0.0931, -0.0357, 0.00423, 0.012,   -0.162,   -0.163, 0.233,   -0.247,  0.00641, 0.383,
+    -0.12,   0.0505,  0.111,   0.0424,  0.0993,  0.00513, 0.163,    0.0871, -0.159,  0.0506,  -0.321,  0.145,
+    -0.159,  0.114,   0.343,   -0.0323, -0.0864, 0.127,   -0.0757,  -0.156, 0.323,   0.109,   -0.134,  -0.172,
+    0.0456,  0.0204,  -0.171,  -0.0827, 0.0345,  0.194,   0.117,    0.424,  0.0284,  -0.0961, -0.0859, -0.156,
+    0.0214,  -0.0888, 0.0522,  0.0257,  -0.141,  0.466,   -0.0272,  -0.227, 0.344,   0.114,   -0.0255, 0.043,
+    0.305,   1.09,    -0.294,  -0.304,  -0.365,  -0.44,   -0.0503,  0.135,  -0.347,  -0.166,  -0.0927, -0.577,
+    -0.121,  -0.134,  0.0448,  0.0407,  0.329,   0.261,   0.0522,   -0.238, 0.138,   0.0167,  -0.177,  0.15,
+    0.0941,  0.104,   0.177,   -0.0766, -0.205,  -0.34,   -0.00541, 0.373,  -0.0663, -0.0745, -0.0363, -0.106};
+
+/// @}
+
+CSCD_INLINE double merge_score(const Merge_features& features)
+{
+  constexpr double greatest = 3; // normalized features beyond this were too rare to be fitted
+  Merge_features normalized{};
+  for (std::size_t i = 0; i < number_of_merge_features; ++i) {
+    normalized[i] = std::clamp((features[i] - feature_means[i]) / feature_deviations[i], -greatest, greatest);
+  }
+  double score = mean_score;
+  std::size_t product = 0;
+  for (std::size_t i = 0; i < number_of_merge_features; ++i) {
+    score += linear_weights[i] * normalized[i];
+    for (std::size_t j = i; j < number_of_merge_features; ++j) {
+      score += quadratic_weights[product++] * normalized[i] * normalized[j];
+    }
+  }
+  return score;
+}
+
+/// Moves the boundaries between parts to where they are short and concave, by a graph cut.
+class Boundary_refinement
+{
+public:
+  Boundary_refinement(const Skeletonized_surface& surface, const std::vector<double>& diameters)
+      : m_surface(surface), m_geometry(surface), m_diameters(diameters)
+  {
+  }
+
+  /// Changes the parts of faces near boundaries. Expectedly near linear for each part.
+  void run(std::vector<Index>& parts) const
+  {
+    const Band band = find_band(parts);
+    if (band.faces.empty()) {
+      return;
+    }
+    Graph graph(band.faces.size());
+    const std::size_t number_of_parts = std::size_t(*std::max_element(parts.begin(), parts.end())) + 1;
+    for (std::size_t i = 0; i < band.faces.size(); ++i) {
+      const Index face = band.faces[i];
+      graph[i].part = parts[face];
+      graph[i].costs.assign(number_of_parts, fidelity * m_geometry.areas[face] * band.depths[i] / m_diameters[face]);
+      graph[i].costs[parts[face]] = 0;
+    }
+    m_geometry.for_each_inner_edge([&](Index h) { add_edge_cost(h, parts, band, graph); });
+    CGAL::alpha_expansion_graphcut(graph, get(&Face_link::cost, graph), get(&Band_face::costs, graph),
+                                   get(&Band_face::part, graph),
+                                   CGAL::parameters::vertex_index_map(get(boost::vertex_index, graph))
+                                       .implementation_tag(CGAL::Alpha_expansion_boost_compressed_sparse_row_tag()));
+    for (std::size_t i = 0; i < band.faces.size(); ++i) {
+      parts[band.faces[i]] = Index(graph[i].part);
+    }
+  }
+
+private:
+  // Tuned on the odd-numbered meshes of the Princeton benchmark, like the weights of the features.
+  static constexpr double band_width = 0.25; // of the shape diameter, on either side of a boundary
+  static constexpr double fidelity = 0.5;    // cost of a face that leaves its part at the rim of the band
+  static constexpr double angle_scale = 0.3; // radians: a boundary along such a concave edge costs 1/e of its length
+  static constexpr double min_cost = 0.05;   // relative to the length of an edge
+
+  struct Band_face
+  {
+    std::size_t part = 0;
+    std::vector<double> costs; // of each part
+  };
+  struct Face_link
+  {
+    double cost = 0;
+  };
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Band_face, Face_link>;
+
+  struct Band
+  {
+    std::vector<Index> faces;
+    std::vector<double> depths; // distances from the boundary, relative to the width of the band
+    std::vector<Index> number;  // of each face of the surface
+  };
+
+  /// The faces near boundaries. Parts that would lie in the band as wholes, and could vanish, are left out.
+  Band find_band(const std::vector<Index>& parts) const
+  {
+    const std::vector<double> depths = depths_in_band(parts);
+    std::vector<char> has_core(parts.size(), 0);
+    for (std::size_t face = 0; face < parts.size(); ++face) {
+      if (depths[face] >= 1) {
+        has_core[parts[face]] = 1;
+      }
+    }
+    Band band;
+    band.number.assign(parts.size(), no_index);
+    for (Index face = 0; face < parts.size(); ++face) {
+      if (depths[face] < 1 && has_core[parts[face]] != 0) {
+        band.number[face] = Index(band.faces.size());
+        band.faces.push_back(face);
+        band.depths.push_back(depths[face]);
+      }
+    }
+    return band;
+  }
+
+  /// The distances of faces from the nearest boundary, relative to the width of the band; 1 outside of it.
+  std::vector<double> depths_in_band(const std::vector<Index>& parts) const
+  {
+    Dijkstra_search search(parts.size());
+    m_geometry.for_each_inner_edge([&](Index h) {
+      const Index face = Halfedge_pairing::face(h);
+      const Index other = Halfedge_pairing::face(m_surface.pairing.twin(h));
+      if (parts[face] != parts[other]) {
+        search.reach(face, 0);
+        search.reach(other, 0);
+      }
+    });
+    std::vector<double> depths(parts.size(), 1);
+    search.spread([&](Index face, float distance) {
+      const double width = band_width * m_diameters[face];
+      if (double(distance) >= width) {
+        return;
+      }
+      depths[face] = double(distance) / width;
+      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+        const Index twin = m_surface.pairing.twin(h);
+        if (twin != no_index) {
+          const Index next = Halfedge_pairing::face(twin);
+          search.reach(next, distance + float((m_geometry.centers[next] - m_geometry.centers[face]).norm()));
+        }
+      }
+    });
+    return depths;
+  }
+
+  void add_edge_cost(Index halfedge, const std::vector<Index>& parts, const Band& band, Graph& graph) const
+  {
+    const Index face = Halfedge_pairing::face(halfedge);
+    const Index other = Halfedge_pairing::face(m_surface.pairing.twin(halfedge));
+    const Index i = band.number[face];
+    const Index j = band.number[other];
+    if (i == no_index && j == no_index) {
+      return;
+    }
+    const double ease = std::exp(-std::max(0., m_geometry.turning(halfedge)) / angle_scale);
+    const double cost = m_geometry.vector(halfedge).norm() * std::max(min_cost, ease);
+    if (i != no_index && j != no_index) {
+      add_edge(i, j, Face_link{cost}, graph);
+      return;
+    }
+    // One of the faces is outside of the band and stays where it is.
+    const Index inside = i != no_index ? i : j;
+    const Index fixed_part = parts[i != no_index ? other : face];
+    for (std::size_t part = 0; part < graph[inside].costs.size(); ++part) {
+      graph[inside].costs[part] += part == fixed_part ? 0 : cost;
+    }
+  }
+
+  const Skeletonized_surface& m_surface;
+  Face_geometry m_geometry;
+  const std::vector<double>& m_diameters;
+};
+
+/// Numbers parts from 0 in the order of their first faces.
+CSCD_INLINE void number_parts(std::vector<Index>& parts)
+{
+  std::vector<Index> number(parts.size(), no_index);
+  Index next = 0;
+  for (Index& part : parts) {
+    if (number[part] == no_index) {
+      number[part] = next++;
+    }
+    part = number[part];
+  }
+}
+
+CSCD_INLINE std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
+{
+  const std::vector<double> diameters =
+      face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps));
+  const Slice_graph graph = cut_into_slices(surface, diameters);
+  Part_merging merging(graph);
+  merging.run(number_of_parts, [](Index, Index, const Merge_features& features) { return merge_score(features); });
+  const std::vector<Index> part_of_slices = merging.part_of_slices();
+  std::vector<Index> parts;
+  parts.reserve(graph.slice.size());
+  for (const Index slice : graph.slice) {
+    parts.push_back(part_of_slices[slice]);
+  }
+  number_parts(parts);
+  Boundary_refinement(surface, diameters).run(parts);
+  number_parts(parts);
+  return parts;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_APPLICATION_SEGMENT_MESH_IMPL_H

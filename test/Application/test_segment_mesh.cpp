@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of segmentation: what every segmentation holds, and bodies of which the parts are beyond doubt.
+
+#include "support/convert_shape.h"
+#include "support/limb_shapes.h"
+#include "support/shape_operations.h"
+#include "support/simple_shapes.h"
+#include "support/swept_shapes.h"
+#include <CSCD/Application/segment_mesh.h>
+#include <CSCD/Measure/compare_segmentations.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Part_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Part_skeleton = CSCD::Skeleton_graph<Part_mesh::Point, Part_mesh::Vertex_index>;
+
+/// A mesh and its parts.
+struct Segmented_shape
+{
+  explicit Segmented_shape(const CSCD::test::Shape& shape, std::size_t wanted = 0)
+      : mesh(CSCD::test::to_mesh<Part_mesh>(shape)),
+        parts(mesh.add_property_map<Part_mesh::Face_index, std::size_t>("f:part", 1000000).first)
+  {
+    Part_skeleton skeleton;
+    CSCD::extract_curve_skeleton(mesh, skeleton);
+    number_of_parts = CSCD::segment_mesh(mesh, skeleton, parts, CSCD::parameters::default_values(), wanted);
+  }
+
+  std::set<std::size_t> labels() const { return {parts.begin(), parts.end()}; }
+
+  /// The part of most faces for which `is_chosen` is true at all corners, and which share of them it has.
+  template <class Condition>
+  std::pair<std::size_t, double> main_part(const Condition& is_chosen) const
+  {
+    std::vector<std::size_t> counts(number_of_parts, 0);
+    std::size_t number = 0;
+    for (const auto face : mesh.faces()) {
+      const auto corners = vertices_around_face(mesh.halfedge(face), mesh);
+      if (std::all_of(corners.begin(), corners.end(), [&](auto v) { return is_chosen(mesh.point(v)); })) {
+        ++counts[parts[face]];
+        ++number;
+      }
+    }
+    const auto greatest = std::max_element(counts.begin(), counts.end());
+    return {std::size_t(greatest - counts.begin()), double(*greatest) / double(number)};
+  }
+
+  Part_mesh mesh;
+  Part_mesh::Property_map<Part_mesh::Face_index, std::size_t> parts;
+  std::size_t number_of_parts = 0;
+};
+
+TEST(Segment_mesh, labels_are_the_numbers_of_parts_from_zero)
+{
+  for (const CSCD::test::Shape& shape : {CSCD::test::sphere(3), CSCD::test::torus(3, 1, 24), CSCD::test::cube(),
+                                         CSCD::test::tube(8, 1, 24, CSCD::test::Tube_end::open)}) {
+    const Segmented_shape segmented(shape);
+    EXPECT_GE(segmented.number_of_parts, 1u) << shape.name;
+    EXPECT_EQ(segmented.labels().size(), segmented.number_of_parts) << shape.name;
+    EXPECT_EQ(*segmented.labels().rbegin() + 1, segmented.number_of_parts) << shape.name;
+  }
+}
+
+TEST(Segment_mesh, tail_and_ball_are_two_parts)
+{
+  const Segmented_shape shape(CSCD::test::ball_with_tail(0.08));
+  EXPECT_GE(shape.number_of_parts, 2u);
+}
+
+TEST(Segment_mesh, there_are_as_many_parts_as_wanted)
+{
+  for (const std::size_t wanted : {1, 2, 5, 9}) {
+    EXPECT_EQ(Segmented_shape(CSCD::test::star(5, 4, 0.5, 0.15), wanted).number_of_parts, wanted);
+  }
+}
+
+TEST(Segment_mesh, components_are_never_joined)
+{
+  const CSCD::test::Shape two = CSCD::test::merged(
+      "two", {CSCD::test::capsule(6, 1, 24), CSCD::test::translated(CSCD::test::capsule(6, 1, 24), {0, 5, 0})});
+  const Segmented_shape segmented(two, 1);
+  EXPECT_EQ(segmented.number_of_parts, 2u);
+  const auto below = segmented.main_part([](const auto& p) { return p.y() < 2.5; });
+  const auto above = segmented.main_part([](const auto& p) { return p.y() > 2.5; });
+  EXPECT_EQ(below.second, 1);
+  EXPECT_EQ(above.second, 1);
+  EXPECT_NE(below.first, above.first);
+}
+
+TEST(Segment_mesh, does_not_depend_on_the_scale)
+{
+  const CSCD::test::Shape star = CSCD::test::star(4, 4, 0.5, 0.2);
+  const Segmented_shape one(star);
+  const Segmented_shape small(CSCD::test::scaled(star, 1. / 1024)); // a power of two: nothing is rounded
+  ASSERT_EQ(one.number_of_parts, small.number_of_parts);
+  for (const auto face : one.mesh.faces()) {
+    EXPECT_EQ(one.parts[face], small.parts[face]);
+  }
+}
+
+TEST(Segment_mesh, more_parts_refine_fewer)
+{
+  const CSCD::test::Shape shape = CSCD::test::star(5, 4, 0.5, 0.15);
+  Segmented_shape coarse(shape, 3);
+  const Segmented_shape fine(shape, 6);
+  const auto finer = coarse.mesh.add_property_map<Part_mesh::Face_index, std::size_t>("f:finer").first;
+  for (const auto face : coarse.mesh.faces()) {
+    finer[face] = fine.parts[face];
+  }
+  // All but for the last moves of the boundaries.
+  EXPECT_LT(CSCD::compare_segmentations(coarse.mesh, coarse.parts, finer).global_consistency_error, 0.05);
+}
+
+} // namespace
