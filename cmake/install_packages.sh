@@ -43,3 +43,6 @@ library_packages=(
   g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libjs-three
 )
+
+# What the Python module is built with, and its tests.
+python_packages=(python3-dev pybind11-dev python3-numpy python3-networkx python3-pytest python3-mypy)

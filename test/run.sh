@@ -25,8 +25,8 @@ step()
   echo "== $name: $((SECONDS - begin)) s"
 }
 
-step "packages" install_packages "${library_packages[@]}" libgtest-dev libbenchmark-dev chromium clang clang-format \
-  clang-tidy ccache doxygen python3
+step "packages" install_packages "${library_packages[@]}" "${python_packages[@]}" libgtest-dev libbenchmark-dev \
+  chromium clang clang-format clang-tidy ccache doxygen python3
 jobs=$(number_of_jobs)
 
 # configure <preset> [<option>...]
@@ -47,11 +47,12 @@ build_preset()
 # The options of the cache are written out: an earlier run of examples/run.sh may have left them off. Benchmarks are
 # not run here: they are compiled and linked without optimization.
 step "configure" configure release -DCSCD_BUILD_TESTS=ON -DCSCD_BUILD_EXAMPLES=ON -DCSCD_BUILD_BENCHMARKS=ON \
-  -DCSCD_BENCHMARK_FLAGS=-O0
+  -DCSCD_BENCHMARK_FLAGS=-O0 -DCSCD_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 step "format" cmake --build --preset release --target format_check
 step "order of includes" ctest --preset release --tests-regex '^includes_point_down'
 step "build" cmake --build --preset release --parallel "$jobs"
-step "fast tests" ctest --preset release --parallel "$jobs" --label-exclude slow
+step "fast tests" ctest --preset release --parallel "$jobs" --label-exclude 'slow|python'
+step "Python module" ctest --preset release --label-regex python
 
 # clang-tidy reads one file, and takes as long as the builds for both sanitizers.
 output_of_tidy=$(mktemp)

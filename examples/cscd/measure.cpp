@@ -101,13 +101,17 @@ CSCD::Skeleton_measures measure(const Surface& surface, const Skeleton& skeleton
 
 } // namespace
 
+CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)
+{
+  return input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
+}
+
 void evaluate(const Evaluate_options& options)
 {
   check_options(options);
   const Input input = read_input(options.input, options.format, options.is_quiet);
   const Skeleton skeleton = skeleton_argument(options.skeleton);
-  const CSCD::Skeleton_measures measures =
-      input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
+  const CSCD::Skeleton_measures measures = measure_skeleton(input, skeleton, options);
   if (options.is_json) {
     write_measures_as_json(std::cout, options, measures);
   } else {

@@ -73,8 +73,7 @@ void estimate_radii(const Mesh& mesh, Skeleton& skeleton)
 }
 
 template <class AnySkeleton>
-CSCD::Simplification_report simplify_by(const Simplify_options& options, const std::optional<Input>& input,
-                                        AnySkeleton& skeleton)
+CSCD::Simplification_report simplify_by(const Simplify_options& options, const Mesh* mesh, AnySkeleton& skeleton)
 {
   const auto np = CSCD::parameters::minimum_significance(options.min_significance)
                       .minimum_branch_length(options.min_length)
@@ -86,7 +85,7 @@ CSCD::Simplification_report simplify_by(const Simplify_options& options, const s
                       .join_components(options.fragments.joins_components)
                       .minimum_component_size(options.fragments.min_component_size);
   try {
-    return input ? CSCD::simplify_skeleton(skeleton, input->mesh, np) : CSCD::simplify_skeleton(skeleton, np);
+    return mesh != nullptr ? CSCD::simplify_skeleton(skeleton, *mesh, np) : CSCD::simplify_skeleton(skeleton, np);
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(options.skeleton + ": " + error.what());
   }
@@ -107,7 +106,7 @@ void write_summary(const Simplify_options& options, const CSCD::Simplification_r
 template <class AnySkeleton>
 void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
 {
-  const CSCD::Simplification_report report = simplify_by(options, input, skeleton);
+  const CSCD::Simplification_report report = simplify_by(options, input ? &input->mesh : nullptr, skeleton);
   CSCD::File_group files;
   bool is_standard_output_taken = false;
   for (const std::string& output : options.outputs) {
@@ -125,6 +124,11 @@ void simplify_and_write(const Simplify_options& options, const std::optional<Inp
 }
 
 } // namespace
+
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton)
+{
+  return simplify_by(options, mesh, skeleton);
+}
 
 void simplify(const Simplify_options& options)
 {

@@ -81,30 +81,6 @@ Input read_from(const std::string& name, const std::string& format)
   return read(in, format.empty() ? name : "." + format, name);
 }
 
-void check_method(const Skeletonize_options& options)
-{
-  const bool is_published = options.method == published_method;
-  if (!is_published && !options.target.empty()) {
-    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
-  }
-  if (!is_published && !options.shortening.empty()) {
-    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
-  }
-  if (is_published && options.detail) {
-    throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
-  }
-  if (is_published && options.shape == tree_shape) {
-    throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
-  }
-  if (is_published && !options.root.empty()) {
-    throw Usage_error("--root: only a tree has a root, and trees have a method of their own; leave out --method "
-                      "published");
-  }
-  if (!options.root.empty() && options.shape == surface_shape) {
-    throw Usage_error("--root: only a tree has a root; leave out --shape surface");
-  }
-}
-
 void check_outputs(const Skeletonize_options& options)
 {
   check_skeleton_outputs(options.outputs, options.input);
@@ -131,19 +107,6 @@ void check_options(const Skeletonize_options& options)
   }
 }
 
-Skeletonization_result compute(Input& input, const Skeletonize_options& options)
-{
-  std::optional<Progress_bar> bar;
-  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
-    bar.emplace(std::cerr);
-  }
-  try {
-    return compute_skeleton(input, options, bar ? &*bar : nullptr);
-  } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
-  }
-}
-
 /// Calls `write(out)` with a stream to the file `filename`, or with standard output.
 template <class Write>
 void write_to(const std::string& filename, const Write& write)
@@ -153,13 +116,6 @@ void write_to(const std::string& filename, const Write& write)
   } else {
     CSCD::write_file(filename, write);
   }
-}
-
-/// The name of the input file without its folder, which means nothing to whom the page is given.
-std::string title(const Skeletonize_options& options, const Skeletonization_result& result)
-{
-  const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
-  return result.tree ? name + ", taken for a scan of trees" : name;
 }
 
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
@@ -198,11 +154,8 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     }
   }
   if (!options.html.empty()) {
-    const CSCD::Html_page_cloud<Point> cloud = make_cloud(input, result);
-    write_to(options.html, [&](std::ostream& out) {
-      CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
-                            title(options, result), cloud);
-    });
+    const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
+    write_to(options.html, [&](std::ostream& out) { write_page(out, input, result, name); });
   }
   if (!options.report.empty()) {
     write_to(options.report, [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
@@ -254,17 +207,44 @@ void check_is_not_input(const std::string& output, const std::string& input, con
   }
 }
 
-void skeletonize(const Skeletonize_options& options)
+void check_method(const Skeletonize_options& options)
 {
-  check_options(options);
-  Input input = read_input(options.input, options.format, options.is_quiet);
+  const bool is_published = options.method == published_method;
+  if (!is_published && !options.target.empty()) {
+    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
+  }
+  if (!is_published && !options.shortening.empty()) {
+    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
+  }
+  if (is_published && options.detail) {
+    throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
+  }
+  if (is_published && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
+  }
+  if (is_published && !options.root.empty()) {
+    throw Usage_error("--root: only a tree has a root, and trees have a method of their own; leave out --method "
+                      "published");
+  }
+  if (!options.root.empty() && options.shape == surface_shape) {
+    throw Usage_error("--root: only a tree has a root; leave out --shape surface");
+  }
+}
+
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar)
+{
   if (!input.is_point_set && (options.shape == tree_shape || !options.root.empty())) {
     throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape and --root");
   }
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
-  Skeletonization_result result = compute(input, options);
+  Skeletonization_result result;
+  try {
+    result = compute_skeleton(input, options, bar);
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
+  }
   if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
     throw Usage_error(name_of(options.input) + ": is taken for a scan of trees, whose report numbers the nodes; leave "
                                                "out --join and --min-component, and use cscd simplify");
@@ -277,6 +257,25 @@ void skeletonize(const Skeletonize_options& options)
       result.openings.push_back({node, {bundle.point.x(), bundle.point.y(), bundle.point.z()}, bundle.radius});
     }
   }
+  return result;
+}
+
+void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
+{
+  CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
+                        result.tree ? name + ", taken for a scan of trees" : name, make_cloud(input, result));
+}
+
+void skeletonize(const Skeletonize_options& options)
+{
+  check_options(options);
+  Input input = read_input(options.input, options.format, options.is_quiet);
+  std::optional<Progress_bar> bar;
+  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
+    bar.emplace(std::cerr);
+  }
+  const Skeletonization_result result = skeletonize_input(input, options, bar ? &*bar : nullptr);
+  bar.reset(); // messages follow
   if (!options.is_quiet) {
     for (const std::string& warning : result.warnings()) {
       say(options.input, warning);

@@ -9,15 +9,20 @@
 #include "commands.h"
 #include "write_report.h"
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
 namespace cscd {
+
+class Progress_bar;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -63,6 +68,29 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
 
 /// Removes and joins components as `options` demand.
 void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
+
+/// Refuses options that exclude each other, before anything is read.
+/// \throw Usage_error
+void check_method(const Skeletonize_options& options);
+
+/// Skeletonizes `input`, which messages call by the name that `options` have for it, with whatever these demand but
+/// for files. If it is a point set, its mesh becomes the surface made of the points.
+/// \param bar shows the progress, or null
+/// \throw Usage_error if the options do not apply to this input; `CSCD::Input_error` if it cannot be skeletonized
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar);
+
+/// Writes the viewer page.
+/// \param name of the input, without its folder, which means nothing to whom the page is given
+void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
+
+/// Measures `skeleton` against `input`, and writes the reconstructed surfaces for which `options` name files.
+/// \throw `CSCD::Input_error`, `CSCD::File_error`
+CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);
+
+/// Simplifies a skeleton that has radii.
+/// \param mesh of which the skeleton stays inside, or null
+/// \throw `CSCD::Input_error`
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton);
 
 /// Refuses an output file that is the input, by whatever name.
 /// \param option by which the output is named

@@ -4,6 +4,7 @@
 // Tests of the program cscd as its users see it: arguments, exit status, messages, files.
 
 #include "IO/mesh_files.h"
+#include "program/Cscd.h"
 #include "support/Shape.h"
 #include "support/Temporary_folder.h"
 #include "support/limb_shapes.h"
@@ -27,75 +28,6 @@
 namespace {
 
 using namespace test_support;
-
-/// A torus, whose skeleton is one cycle.
-Mesh_file_content torus()
-{
-  constexpr std::size_t around = 60;
-  constexpr std::size_t across = 24;
-  constexpr double pi = 3.141592653589793;
-  Mesh_file_content mesh;
-  for (std::size_t i = 0; i < around; ++i) {
-    for (std::size_t j = 0; j < across; ++j) {
-      const double u = 2 * pi * double(i) / double(around);
-      const double v = 2 * pi * double(j) / double(across);
-      mesh.points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
-      const std::size_t a = i * across + j;
-      const std::size_t b = (i + 1) % around * across + j;
-      const std::size_t c = (i + 1) % around * across + (j + 1) % across;
-      const std::size_t d = i * across + (j + 1) % across;
-      mesh.polygons.push_back({a, b, c});
-      mesh.polygons.push_back({a, c, d});
-    }
-  }
-  return mesh;
-}
-
-struct Outcome
-{
-  int status = -1;
-  std::string out;
-  std::string err;
-};
-
-class Cscd : public testing::Test
-{
-protected:
-  /// Runs the program in the test's folder, in a shell: arguments may redirect.
-  Outcome run(const std::string& arguments)
-  {
-    const std::string command = "cd '" + m_folder.path().string() + "' && '" CSCD_PROGRAM "' " + arguments + " > '" +
-                                m_streams.file("out") + "' 2> '" + m_streams.file("err") + "'";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(m_streams.file("out")),
-            read_file(m_streams.file("err"))};
-  }
-
-  std::string content(const std::string& name) const { return read_file(m_folder.file(name)); }
-  std::ptrdiff_t number_of_files() const
-  {
-    return std::distance(std::filesystem::directory_iterator(m_folder.path()), std::filesystem::directory_iterator());
-  }
-
-  /// Expects a refusal in one line that holds all `parts`.
-  void expect_refusal(const std::string& arguments, int status, const std::vector<std::string>& parts)
-  {
-    SCOPED_TRACE(arguments);
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(status, outcome.status);
-    EXPECT_EQ("", outcome.out);
-    EXPECT_EQ(0u, outcome.err.rfind("cscd: ", 0)) << outcome.err;
-    EXPECT_EQ(1, std::count(outcome.err.begin(), outcome.err.end(), '\n')) << outcome.err;
-    for (const std::string& part : parts) {
-      EXPECT_NE(std::string::npos, outcome.err.find(part)) << part << " in " << outcome.err;
-    }
-  }
-
-  Temporary_folder m_folder;
-
-private:
-  Temporary_folder m_streams;
-};
 
 /// Whether `text` holds a graph of GEL of one cycle.
 bool is_graph_of_a_cycle(const std::string& text)
@@ -165,10 +97,10 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
 
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment"}) {
+  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "batch"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment"}) {
+    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "batch"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }

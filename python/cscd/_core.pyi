@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+import numpy as np
+import numpy.typing as npt
+
+__version__: str
+
+class InputError(ValueError): ...
+class FileError(OSError): ...
+
+class SkeletonizeOptions:
+    method: str
+    target: str
+    shortening: str
+    shape: str
+    root: list[float]
+    detail: float | None
+    seed: int
+    threads: int
+    separators: int
+    min_component: int
+    join: bool
+    def __init__(self) -> None: ...
+
+class SimplifyOptions:
+    min_significance: float
+    min_length: float
+    min_length_over_radius: float
+    merge_junctions: float
+    spacing: float
+    spacing_over_radius: float
+    smooth: int
+    min_component: int
+    join: bool
+    def __init__(self) -> None: ...
+
+class Skeleton:
+    @property
+    def nodes(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def radius(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def edges(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def significance(self) -> npt.NDArray[np.float64]: ...
+    @property
+    def vertex_to_node(self) -> npt.NDArray[np.int32]: ...
+    @property
+    def report(self) -> str: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def repairs(self) -> list[str]: ...
+    def simplify(self, options: SimplifyOptions, stays_inside: bool) -> Skeleton: ...
+    def evaluate(self, radii: str, resolution: int) -> str: ...
+    def page(self, title: str) -> str: ...
+    def save(self, filename: str) -> None: ...
+    def branches(self) -> list[tuple[list[int], float, float, float]]: ...
+
+def skeletonize(
+    V: npt.NDArray[np.float64],
+    F: npt.NDArray[np.int64] | None,
+    normals: npt.NDArray[np.float64] | None,
+    options: SkeletonizeOptions,
+) -> Skeleton: ...

@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
+// cscd/__init__.py.
+
+#include "commands.h"
+#include "compute_skeleton.h"
+#include "three_js_source.h"
+#include "types.h"
+#include "write_measures.h"
+#include "write_report.h"
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/simplify_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/version.h>
+
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace py = pybind11;
+using namespace pybind11::literals;
+using CSCD::Index;
+
+using Coordinates = py::array_t<double, py::array::c_style>;
+using Corners = py::array_t<std::int64_t, py::array::c_style>;
+
+/// The number of a node or vertex as NumPy gets it, signed, so that differences are right; -1 for none.
+using Signed_index = std::int32_t;
+static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_index) == -1,
+              "NumPy sees the library's indices as signed ones");
+static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
+              "NumPy sees points and edges as rows");
+
+/// What was skeletonized, and which of its vertices became which of the mesh.
+struct Source
+{
+  cscd::Input input;
+  std::vector<Signed_index> mesh_vertices; ///< of each vertex of the arrays; -1 if it is gone
+
+  /// What messages call the input.
+  const char* name() const { return input.is_point_set ? "points" : "mesh"; }
+};
+
+std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string& name)
+{
+  std::vector<CSCD::Vector_3> result;
+  result.reserve(std::size_t(rows.shape(0)));
+  const auto value = rows.unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    const CSCD::Vector_3 point(value(i, 0), value(i, 1), value(i, 2));
+    if (!std::isfinite(point.x()) || !std::isfinite(point.y()) || !std::isfinite(point.z())) {
+      throw CSCD::Input_error(name + ": row " + std::to_string(i) +
+                              ": a coordinate is not finite; correct or remove this row");
+    }
+    result.push_back(point);
+  }
+  return result;
+}
+
+CSCD::internal::Polygon_soup to_soup(const Coordinates& points, const Corners& corners)
+{
+  CSCD::internal::Polygon_soup result;
+  result.points = to_points(points, "V");
+  result.corners.reserve(std::size_t(corners.size()));
+  const auto value = corners.unchecked<2>();
+  for (py::ssize_t i = 0; i < corners.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < corners.shape(1); ++j) {
+      if (value(i, j) < 0 || value(i, j) >= points.shape(0)) {
+        throw CSCD::Input_error("F: row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
+                                ", and V has rows 0 to " + std::to_string(points.shape(0) - 1));
+      }
+      result.corners.push_back(static_cast<Index>(value(i, j)));
+    }
+    result.end_polygon();
+  }
+  return result;
+}
+
+/// For each of `points`, the first vertex of `mesh` that is there, or -1. Repairs merge, double and remove points, but
+/// never move them. O(n log n).
+std::vector<Signed_index> find_by_position(const std::vector<CSCD::Vector_3>& points, const cscd::Mesh& mesh)
+{
+  using Place = std::array<double, 3>;
+  std::vector<std::pair<Place, Signed_index>> places;
+  places.reserve(mesh.number_of_vertices());
+  for (const auto vertex : mesh.vertices()) {
+    const cscd::Point& p = mesh.point(vertex);
+    places.emplace_back(Place{p.x(), p.y(), p.z()}, Signed_index(vertex.idx()));
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<Signed_index> result;
+  result.reserve(points.size());
+  for (const CSCD::Vector_3& p : points) {
+    const Place place{p.x(), p.y(), p.z()};
+    const auto found = std::lower_bound(places.begin(), places.end(), std::pair(place, Signed_index(0)));
+    result.push_back(found != places.end() && found->first == place ? found->second : -1);
+  }
+  return result;
+}
+
+/// Makes the mesh of `source` from polygons, repaired as the program repairs them.
+void make_mesh(CSCD::internal::Polygon_soup&& soup, Source& source)
+{
+  const std::vector<CSCD::Vector_3> points = soup.points;
+  source.input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), source.name(), source.input.mesh);
+  source.mesh_vertices = find_by_position(points, source.input.mesh);
+}
+
+void make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals, Source& source)
+{
+  source.input.is_point_set = true;
+  CSCD::internal::Polygon_soup soup;
+  soup.points = to_points(points, "V");
+  if (normals) {
+    soup.normals = to_points(*normals, "normals");
+  }
+  CSCD::internal::convert_to_points(soup, source.input.points, source.input.normals);
+  for (std::size_t i = 0; i < soup.points.size(); ++i) {
+    source.mesh_vertices.push_back(Signed_index(i));
+  }
+}
+
+/// A skeleton, with its arrays as NumPy shows them and what it was made of.
+class Shown_skeleton
+{
+public:
+  Shown_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonization_result result, std::string report)
+      : m_source(std::move(source)), m_result(std::move(result)), m_report(std::move(report)),
+        m_content(CSCD::internal::index_skeleton(m_result.skeleton))
+  {
+    const cscd::Skeleton& skeleton = m_result.skeleton;
+    m_significances.reserve(num_edges(skeleton));
+    for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
+      m_significances.push_back(skeleton[edge].significance);
+    }
+    std::vector<Signed_index> node_of_mesh_vertex(std::max(m_source->input.mesh.number_of_vertices(), //
+                                                           cscd::Mesh::size_type(m_source->input.points.size())),
+                                                  -1);
+    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+      for (const auto vertex : skeleton[node].vertices) {
+        node_of_mesh_vertex[vertex.idx()] = Signed_index(node);
+      }
+    }
+    m_nodes_of_vertices.reserve(m_source->mesh_vertices.size());
+    for (const Signed_index vertex : m_source->mesh_vertices) {
+      m_nodes_of_vertices.push_back(vertex < 0 ? -1 : node_of_mesh_vertex[std::size_t(vertex)]);
+    }
+  }
+
+  const Source& source() const { return *m_source; }
+  const cscd::Skeletonization_result& result() const { return m_result; }
+  const std::string& report() const { return m_report; }
+  const CSCD::internal::Indexed_skeleton& content() const { return m_content; }
+  const std::vector<double>& significances() const { return m_significances; }
+  const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
+
+  Shown_skeleton simplify(const cscd::Simplify_options& options, bool stays_inside) const
+  {
+    cscd::Skeletonization_result result = m_result;
+    const bool has_mesh = stays_inside && !m_source->input.is_point_set;
+    cscd::simplify_skeleton(options, has_mesh ? &m_source->input.mesh : nullptr, result.skeleton);
+    return {m_source, std::move(result), m_report};
+  }
+
+private:
+  std::shared_ptr<const Source> m_source;
+  cscd::Skeletonization_result m_result;
+  std::string m_report; ///< of the skeletonization, as JSON
+  CSCD::internal::Indexed_skeleton m_content;
+  std::vector<double> m_significances;           ///< of the edges
+  std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
+};
+
+Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
+                           const std::optional<Coordinates>& normals, cscd::Skeletonize_options& options)
+{
+  cscd::check_method(options);
+  const auto source = std::make_shared<Source>();
+  std::optional<CSCD::internal::Polygon_soup> soup;
+  if (corners) {
+    soup = to_soup(points, *corners);
+  } else {
+    make_point_set(points, normals, *source);
+  }
+  const py::gil_scoped_release release;
+  if (soup) {
+    make_mesh(std::move(*soup), *source);
+  }
+  options.input = source->name();
+  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
+  std::ostringstream report;
+  cscd::write_report(report, options, source->input.repairs.sentences(), result);
+  return {source, std::move(result), report.str()};
+}
+
+std::string evaluate(const Shown_skeleton& skeleton, const std::string& radii, std::size_t resolution)
+{
+  cscd::Evaluate_options options;
+  options.input = skeleton.source().name();
+  options.skeleton = "skeleton";
+  options.radii = radii;
+  options.resolution = resolution;
+  std::ostringstream out;
+  cscd::write_measures_as_json(out, options,
+                               cscd::measure_skeleton(skeleton.source().input, skeleton.result().skeleton, options));
+  return out.str();
+}
+
+std::string page(const Shown_skeleton& skeleton, const std::string& title)
+{
+  if (CSCD::three_js_source().empty()) {
+    throw cscd::Usage_error("this module was built without three.js; install libjs-three and build it again");
+  }
+  std::ostringstream out;
+  cscd::write_page(out, skeleton.source().input, skeleton.result(), title);
+  return out.str();
+}
+
+/// An array that refers to memory of `owner`, for reading.
+template <class Value>
+py::array view(const py::object& owner, const Value* values, std::vector<py::ssize_t> shape)
+{
+  py::array result(py::dtype::of<Value>(), std::move(shape), values, owner);
+  result.attr("setflags")("write"_a = false);
+  return result;
+}
+
+/// The arrays of a skeleton, without a copy: each keeps the skeleton alive.
+void define_arrays(py::class_<Shown_skeleton>& type)
+{
+  const auto skeleton_of = [](const py::object& self) -> const Shown_skeleton& {
+    return self.cast<const Shown_skeleton&>();
+  };
+  type.def_property_readonly("nodes", [skeleton_of](const py::object& self) {
+    const auto& points = skeleton_of(self).content().points;
+    return view(self, reinterpret_cast<const double*>(points.data()), {py::ssize_t(points.size()), 3});
+  });
+  type.def_property_readonly("radius", [skeleton_of](const py::object& self) {
+    const auto& radii = skeleton_of(self).content().radii;
+    return view(self, radii.data(), {py::ssize_t(radii.size())});
+  });
+  type.def_property_readonly("edges", [skeleton_of](const py::object& self) {
+    const auto& edges = skeleton_of(self).content().edges;
+    return view(self, reinterpret_cast<const Signed_index*>(edges.data()), {py::ssize_t(edges.size()), 2});
+  });
+  type.def_property_readonly("significance", [skeleton_of](const py::object& self) {
+    const auto& significances = skeleton_of(self).significances();
+    return view(self, significances.data(), {py::ssize_t(significances.size())});
+  });
+  type.def_property_readonly("vertex_to_node", [skeleton_of](const py::object& self) {
+    const auto& nodes = skeleton_of(self).nodes_of_vertices();
+    return view(self, nodes.data(), {py::ssize_t(nodes.size())});
+  });
+}
+
+void define_options(py::module_& module)
+{
+  using cscd::Simplify_options;
+  using cscd::Skeletonize_options;
+  py::class_<Skeletonize_options>(module, "SkeletonizeOptions")
+      .def(py::init())
+      .def_readwrite("method", &Skeletonize_options::method)
+      .def_readwrite("target", &Skeletonize_options::target)
+      .def_readwrite("shortening", &Skeletonize_options::shortening)
+      .def_readwrite("shape", &Skeletonize_options::shape)
+      .def_readwrite("root", &Skeletonize_options::root)
+      .def_readwrite("detail", &Skeletonize_options::detail)
+      .def_readwrite("seed", &Skeletonize_options::seed)
+      .def_readwrite("threads", &Skeletonize_options::number_of_threads)
+      .def_readwrite("separators", &Skeletonize_options::maximum_number_of_sources)
+      .def_property(
+          "min_component", [](const Skeletonize_options& o) { return o.fragments.min_component_size; },
+          [](Skeletonize_options& o, std::size_t size) { o.fragments.min_component_size = size; })
+      .def_property(
+          "join", [](const Skeletonize_options& o) { return o.fragments.joins_components; },
+          [](Skeletonize_options& o, bool joins) { o.fragments.joins_components = joins; });
+  py::class_<Simplify_options>(module, "SimplifyOptions")
+      .def(py::init([] {
+        Simplify_options options;
+        options.skeleton = "skeleton"; // in messages
+        return options;
+      }))
+      .def_readwrite("min_significance", &Simplify_options::min_significance)
+      .def_readwrite("min_length", &Simplify_options::min_length)
+      .def_readwrite("min_length_over_radius", &Simplify_options::min_length_over_radius)
+      .def_readwrite("merge_junctions", &Simplify_options::junction_distance)
+      .def_readwrite("spacing", &Simplify_options::spacing)
+      .def_readwrite("spacing_over_radius", &Simplify_options::spacing_over_radius)
+      .def_readwrite("smooth", &Simplify_options::number_of_smoothing_steps)
+      .def_property(
+          "min_component", [](const Simplify_options& o) { return o.fragments.min_component_size; },
+          [](Simplify_options& o, std::size_t size) { o.fragments.min_component_size = size; })
+      .def_property(
+          "join", [](const Simplify_options& o) { return o.fragments.joins_components; },
+          [](Simplify_options& o, bool joins) { o.fragments.joins_components = joins; });
+}
+
+/// Messages on arguments name these as the program does, by `--name`, and Python knows no dashes.
+void register_usage_error()
+{
+  py::register_exception_translator([](std::exception_ptr exception) {
+    try {
+      if (exception) {
+        std::rethrow_exception(exception);
+      }
+    } catch (const cscd::Usage_error& error) {
+      std::string message = error.what();
+      for (std::size_t at = message.find("--"); at != std::string::npos; at = message.find("--", at)) {
+        message.erase(at, 2);
+      }
+      PyErr_SetString(PyExc_ValueError, message.c_str());
+    }
+  });
+}
+
+} // namespace
+
+PYBIND11_MODULE(_core, module)
+{
+  module.attr("__version__") = CSCD_VERSION;
+  py::register_exception<CSCD::Input_error>(module, "InputError", PyExc_ValueError);
+  py::register_exception<CSCD::File_error>(module, "FileError", PyExc_OSError);
+  register_usage_error();
+  define_options(module);
+  const py::call_guard<py::gil_scoped_release> without_gil;
+  py::class_<Shown_skeleton> type(module, "Skeleton");
+  define_arrays(type);
+  type.def_property_readonly("report", &Shown_skeleton::report)
+      .def_property_readonly("warnings", [](const Shown_skeleton& skeleton) { return skeleton.result().warnings(); })
+      .def_property_readonly("repairs",
+                             [](const Shown_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
+      .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a, without_gil)
+      .def("evaluate", &evaluate, "radii"_a, "resolution"_a, without_gil)
+      .def("page", &page, "title"_a, without_gil)
+      .def(
+          "save",
+          [](const Shown_skeleton& skeleton, const std::string& filename) {
+            CSCD::write_skeleton(filename, skeleton.result().skeleton);
+          },
+          "filename"_a, without_gil)
+      .def("branches", [](const Shown_skeleton& skeleton) {
+        py::list result;
+        for (const auto& branch : CSCD::internal::branch_contents(skeleton.content())) {
+          result.append(py::make_tuple(branch.nodes, branch.length, branch.mean_radius, branch.significance));
+        }
+        return result;
+      });
+  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "options"_a);
+}

@@ -1,0 +1,250 @@
+# SPDX-FileCopyrightText: 2026 The CSCD developers
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arrays in and out: what the module gives for shapes whose skeletons are known."""
+
+import gc
+import threading
+import time
+
+import numpy as np
+import pytest
+
+import cscd
+import shapes
+
+
+@pytest.fixture(scope="module")
+def ring():
+    return cscd.skeletonize(*shapes.torus())
+
+
+@pytest.fixture(scope="module")
+def crossing():
+    return cscd.skeletonize(*shapes.cross())
+
+
+def test_the_skeleton_of_a_torus_is_its_circle(ring):
+    assert len(ring.nodes) == len(ring.edges) > 10
+    np.testing.assert_allclose(np.hypot(ring.nodes[:, 0], ring.nodes[:, 1]), 3, atol=0.1)
+    np.testing.assert_allclose(ring.nodes[:, 2], 0, atol=0.1)
+    np.testing.assert_allclose(ring.radius, 1, atol=0.1)
+    assert np.all(np.isinf(ring.significance)), "a handle is never pruned"
+    assert ring.warnings == [] and ring.repairs == []
+    assert ring.report["genus"] == ring.report["betti_number"] == 1
+
+
+def test_every_vertex_belongs_to_a_node_nearby(ring):
+    V, _ = shapes.torus()
+    assert ring.vertex_to_node.shape == (len(V),)
+    assert ring.vertex_to_node.min() >= 0
+    distances = np.linalg.norm(V - ring.nodes[ring.vertex_to_node], axis=1)
+    assert np.all(distances < 1.5)
+
+
+def test_types_of_arrays(ring):
+    assert ring.nodes.dtype == ring.radius.dtype == ring.significance.dtype == np.float64
+    assert ring.edges.dtype == ring.vertex_to_node.dtype == np.int32
+    assert ring.nodes.shape == (len(ring.radius), 3) and ring.edges.shape == (len(ring.significance), 2)
+
+
+def test_arrays_are_no_copies_and_keep_the_skeleton_alive():
+    skeleton = cscd.skeletonize(*shapes.torus())
+    for name in ("nodes", "radius", "edges", "significance", "vertex_to_node"):
+        array = getattr(skeleton, name)
+        assert np.shares_memory(array, getattr(skeleton, name)), name
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 0
+    nodes, expected = skeleton.nodes, skeleton.nodes.copy()
+    del skeleton, array
+    gc.collect()
+    churn = [np.full_like(expected, np.nan) for _ in range(100)]
+    assert len(churn) == 100 and np.array_equal(nodes, expected)
+
+
+def test_quads_are_cut_into_triangles(ring):
+    skeleton = cscd.skeletonize(*shapes.torus_of_quads())
+    assert skeleton.repairs == ["1440 polygons triangulated"]
+    assert len(skeleton.nodes) == len(skeleton.edges)
+
+
+def test_integers_lists_and_columns_are_taken(ring):
+    V, F = shapes.torus()
+    same = cscd.skeletonize(np.asfortranarray(V), F.astype(np.uint32).tolist())
+    assert np.array_equal(same.nodes, ring.nodes)
+
+
+def test_a_soup_is_repaired_and_numbered_as_it_came(ring):
+    V, F = shapes.torus()
+    soup = cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))
+    assert soup.repairs == [f"{3 * len(F) - len(V)} duplicate points merged"]
+    assert len(soup.nodes) == len(ring.nodes)
+    places = soup.nodes[soup.vertex_to_node]
+    expected = ring.nodes[ring.vertex_to_node[F.ravel()]]
+    np.testing.assert_allclose(places, expected, atol=1e-9)
+
+
+def test_faces_that_are_turned_and_doubled_do_not_change_the_numbering(ring):
+    V, F = shapes.torus()
+    V = np.vstack([V, [[9, 9, 9]]])
+    F = np.vstack([F[:, ::-1], F[:5]])
+    repaired = cscd.skeletonize(V, F)
+    assert "5 degenerate or duplicate faces removed" in repaired.repairs
+    assert "1 point without faces removed" in repaired.repairs
+    assert repaired.vertex_to_node[-1] == -1
+    np.testing.assert_allclose(
+        repaired.nodes[repaired.vertex_to_node[:-1]], ring.nodes[ring.vertex_to_node], atol=1e-9
+    )
+
+
+def test_points_get_the_skeleton_of_their_surface():
+    V, _ = shapes.torus(120, 48)
+    skeleton = cscd.skeletonize(V)
+    assert len(skeleton.nodes) == len(skeleton.edges)
+    np.testing.assert_allclose(np.hypot(skeleton.nodes[:, 0], skeleton.nodes[:, 1]), 3, atol=0.2)
+    assert skeleton.vertex_to_node.shape == (len(V),) and skeleton.vertex_to_node.min() >= 0
+    center = 3 * V * [1, 1, 0] / np.hypot(V[:, 0], V[:, 1])[:, None]
+    same = cscd.skeletonize(V, normals=V - center)
+    assert len(same.nodes) == len(same.edges)
+
+
+def test_a_tree_has_a_root():
+    rng = np.random.default_rng(1)
+    height = np.sort(rng.uniform(0, 10, 4000))
+    angle = rng.uniform(0, 2 * np.pi, 4000)
+    V = np.stack([0.2 * np.cos(angle), 0.2 * np.sin(angle), height], axis=1)
+    skeleton = cscd.skeletonize(V, shape="tree", root=(0, 0, 10))
+    assert skeleton.report["method"] == "tree"
+    assert skeleton.nodes[0, 2] > 5, "the trunk begins at the root"
+
+
+def test_the_number_of_threads_does_not_matter(crossing):
+    for threads in (1, 2):
+        other = cscd.skeletonize(*shapes.cross(), threads=threads)
+        assert np.array_equal(other.nodes, crossing.nodes) and np.array_equal(other.edges, crossing.edges)
+
+
+def test_python_goes_on_meanwhile():
+    V, F = shapes.torus(400, 160)
+    begin_and_end = []
+
+    def work():
+        begin_and_end.append(time.perf_counter())
+        cscd.skeletonize(V, F, threads=1)
+        begin_and_end.append(time.perf_counter())
+
+    thread = threading.Thread(target=work)
+    thread.start()
+    ticks = []
+    while thread.is_alive():
+        ticks.append(time.perf_counter())
+        time.sleep(0)
+    begin, end = begin_and_end
+    longest_pause = np.diff([begin, *(t for t in ticks if begin < t < end), end]).max()
+    assert longest_pause < 0.5 * (end - begin)
+
+
+def test_detail(crossing):
+    assert len(cscd.skeletonize(*shapes.cross(), detail=0).nodes) < len(crossing.nodes)
+
+
+def test_branches_and_networkx(crossing):
+    networkx = pytest.importorskip("networkx")
+    branches = crossing.branches()
+    assert sum(len(branch.nodes) - 1 for branch in branches) == len(crossing.edges)
+    graph = crossing.to_networkx()
+    assert type(graph) is networkx.Graph
+    assert sum(degree == 1 for _, degree in graph.degree) == 4
+    assert graph.size(weight="length") == pytest.approx(sum(branch.length for branch in branches))
+    assert networkx.is_tree(graph)
+    for a, b in crossing.edges[:5]:
+        assert graph.edges[a, b]["significance"] > 0
+    assert np.array_equal(graph.nodes[3]["position"], crossing.nodes[3])
+    for branch in branches:
+        assert 0 < branch.mean_radius < 1
+        assert branch.length == pytest.approx(
+            np.linalg.norm(np.diff(crossing.nodes[branch.nodes], axis=0), axis=1).sum()
+        )
+
+
+def test_simplify(crossing):
+    before = crossing.nodes.copy()
+    finite = crossing.significance[np.isfinite(crossing.significance)]
+    path = crossing.simplify(min_significance=2 * finite.max())
+    assert (np.bincount(path.edges.ravel()) == 1).sum() == 2, "the last branch of a tree stays"
+    assert path.vertex_to_node.min() >= 0 and path.vertex_to_node.max() < len(path.nodes)
+    sparse = crossing.simplify(spacing=1.0)
+    assert len(sparse.nodes) < len(crossing.nodes)
+    assert np.array_equal(crossing.nodes, before)
+    with pytest.raises(cscd.InputError):
+        crossing.simplify(min_length=-1)
+
+
+def test_evaluate(ring):
+    measures = ring.evaluate(resolution=50)
+    assert measures["has_topology_of_surface"] is True
+    assert measures["position"]["fraction_of_nodes_inside"] == 1
+    assert measures["limbs"]["number_of_limbs"] == 0 and measures["tip_recall"] is None
+    assert ring.evaluate(resolution=50, radii="own")["radii"] == "own"
+
+
+def test_save(ring, tmp_path):
+    ring.save(tmp_path / "ring.graph")
+    lines = (tmp_path / "ring.graph").read_text().split("\n")
+    positions = np.array([line.split()[1:] for line in lines if line.startswith("n ")], dtype=float)
+    assert np.array_equal(positions, ring.nodes)
+    ring.save(str(tmp_path / "ring.html"))
+    assert "THREE" in (tmp_path / "ring.html").read_text()
+    with pytest.raises(cscd.FileError, match="ring.xyz"):
+        ring.save(tmp_path / "ring.xyz")
+    for name in ("ring.json", "ring.html"):
+        with pytest.raises(cscd.FileError, match="cannot be written"):
+            ring.save(tmp_path / "nowhere" / name)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["ring.graph", "ring.html"]
+
+
+def test_show(ring, monkeypatch):
+    opened = []
+    monkeypatch.setattr("webbrowser.open", opened.append)
+    name = ring.show()
+    assert opened == ["file://" + name]
+    with open(name, encoding="utf-8") as page:
+        assert page.read().startswith("<!DOCTYPE html>")
+    assert ring._repr_html_().startswith('<iframe srcdoc="&lt;!DOCTYPE html&gt;')
+
+
+@pytest.mark.parametrize(
+    "V, F, words",
+    [
+        ([[0, 0, 0]], None, "points"),
+        ([[0, 0], [1, 0]], None, "V: has the shape"),
+        ([[0, 0, np.nan]], None, "V: row 0: a coordinate is not finite"),
+        (np.eye(3), [[0, 1, 3]], "F: row 0 names vertex 3, and V has rows 0 to 2"),
+        (np.eye(3), [[0, 1, -1]], "F: row 0 names vertex -1"),
+        (np.eye(3), [[0, 1]], "F: has the shape"),
+        (np.eye(3), [[0.0, 1.0, 2.0]], "F: holds float64"),
+        (np.eye(3), np.zeros((0, 3), dtype=int), "F: has no rows; leave it out for points"),
+        (np.zeros((3, 3)), [[0, 1, 2]], "mesh: "),
+        (np.zeros((0, 3)), None, "points: "),
+    ],
+)
+def test_what_cannot_be_skeletonized_is_refused(V, F, words):
+    with pytest.raises(ValueError) as refusal:
+        cscd.skeletonize(V, F)
+    assert words in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        ({"method": "best"}, "method: best not in {local,published}"),
+        ({"detail": 2}, "the detail is 2"),
+        ({"detail": 0.5, "method": "published"}, "detail: the published method has no choice of detail"),
+        ({"shape": "tree"}, "only points can be a tree"),
+        ({"seed": -1}, "seed: must be an integer that is at least 0"),
+        ({"normals": np.eye(3)}, "leave out normals"),
+    ],
+)
+def test_arguments_that_cannot_be_obeyed_are_refused(arguments, words):
+    with pytest.raises(ValueError) as refusal:
+        cscd.skeletonize(*shapes.torus(), **arguments)
+    assert words in str(refusal.value) and "--" not in str(refusal.value)
