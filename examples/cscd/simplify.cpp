@@ -4,10 +4,9 @@
 // The command `cscd simplify`, and what `cscd skeletonize` does with fragments.
 
 #include "commands.h"
+#include "roots.h"
 #include "types.h"
 #include <CSCD/IO/read_skeleton.h>
-#include <CSCD/IO/write_gel_graph.h>
-#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
@@ -107,14 +106,11 @@ template <class AnySkeleton>
 void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
 {
   const CSCD::Simplification_report report = simplify_by(options, input, skeleton);
+  const std::vector<CSCD::Index> roots = find_roots(skeleton, options.root);
   bool is_standard_output_taken = false;
   for (const std::string& output : options.outputs) {
-    if (output == standard_stream) {
-      CSCD::write_gel_graph(std::cout, skeleton);
-      is_standard_output_taken = true;
-    } else {
-      CSCD::write_skeleton(output, skeleton);
-    }
+    write_skeleton_output(output, skeleton, roots, options.swc);
+    is_standard_output_taken = is_standard_output_taken || output == standard_stream;
   }
   if (!options.is_quiet && !is_standard_output_taken) {
     write_summary(options, report);
