@@ -24,9 +24,9 @@ namespace CSCD {
 /// skeleton, indices are counted from 0.
 struct Tree_cylinder
 {
-  Vector_3 start; ///< the end nearer to the root, on the axis
-  Vector_3 axis;  ///< away from the root, unit length
-  double length = 0;
+  Vector_3 start;                         ///< the end nearer to the root, on the axis
+  Vector_3 axis;                          ///< away from the root, unit length
+  double length = 0;                      ///< along the axis
   double radius = 0;                      ///< mean of both nodes
   std::optional<std::size_t> parent{};    ///< the cylinder before it; none for the first of a trunk
   std::optional<std::size_t> extension{}; ///< the cylinder after it in its limb; none for the last
