@@ -177,6 +177,9 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--branches", options.branches, "file for the table of branches as CSV, or -")
       ->check(check_name)
       ->type_name("FILE");
+  command->add_option("--nodes", options.nodes, "file for the table of nodes as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
   command
       ->add_option("--cylinders", options.cylinders,
                    "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -")

@@ -72,6 +72,7 @@ struct Skeletonize_options
   Fragment_options fragments;
   Swc_arguments swc;
   std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty
+  std::string nodes;          ///< likewise for the table of nodes
   std::string cylinders;      ///< likewise for the cylinders of a scan of trees
   double breast_height = 1.3; ///< in the unit of the input
   std::string correspondence; ///< likewise for the node and branch of every vertex

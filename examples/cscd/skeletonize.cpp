@@ -108,9 +108,10 @@ void check_method(const Skeletonize_options& options)
 }
 
 /// The options that name files besides those of the skeleton, and the files.
-std::array<std::pair<std::string, std::string>, 6> other_outputs(const Skeletonize_options& options)
+std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletonize_options& options)
 {
   return {{{"--branches", options.branches},
+           {"--nodes", options.nodes},
            {"--cylinders", options.cylinders},
            {"--correspondence", options.correspondence},
            {"--labelled", options.labelled},
@@ -203,7 +204,14 @@ CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonizatio
           centers(result.report.reconstruction->joined_gaps)};
 }
 
-/// Chooses roots and measures branches: of a surface with the parts of it that belong to them.
+/// Whether the mesh of `input` is the surface of a body: not that of a tree, which has no faces, nor the triangles that
+/// join points by the published method.
+bool bounds_body(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  return !result.tree && !(result.is_of_points && options.method == published_method);
+}
+
+/// Chooses roots and measures branches; with the parts of the surface that belong to them if that is to be written.
 void add_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
 {
   result.roots = find_roots(result.skeleton, options.root);
@@ -214,10 +222,11 @@ void add_branches(const Input& input, const Skeletonize_options& options, Skelet
     result.branches = CSCD::measure_branches(result.skeleton, result.roots);
     CSCD::assign_limbs(*result.tree, result.branches);
     result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
-  } else if (result.is_of_points && options.method == published_method) { // its triangles bound no body
-    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
   } else {
-    result.branches = CSCD::measure_branches(result.skeleton, input.mesh, result.roots);
+    const bool is_surface_measured =
+        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
+    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
+                                          : CSCD::measure_branches(result.skeleton, result.roots);
   }
 }
 
@@ -231,8 +240,10 @@ void write_labels(const Input& input, const Skeletonization_result& result, cons
   const auto number_without_node = std::count_if(
       labels.begin(), labels.end(), [](const CSCD::Vertex_label& label) { return label.node == CSCD::no_index; });
   if (number_without_node > 0 && !options.is_quiet) {
-    say(options.input, CSCD::internal::counted(std::size_t(number_without_node), "vertex", "vertices") + " of " +
-                           std::to_string(labels.size()) + " in the file without a node");
+    say(options.input,
+        CSCD::internal::counted(std::size_t(number_without_node), input.is_point_set ? "point" : "vertex",
+                                input.is_point_set ? "points" : "vertices") +
+            " of " + std::to_string(labels.size()) + " in the file without a node");
   }
   if (!options.correspondence.empty()) {
     write_to(options.correspondence, [&](std::ostream& out) { CSCD::write_correspondence(out, labels); });
@@ -250,6 +261,13 @@ void write_results(const Input& input, const Skeletonization_result& result, con
   }
   if (!options.branches.empty()) {
     write_to(options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
+  }
+  if (!options.nodes.empty()) {
+    const std::vector<CSCD::Node_measures> measures = bounds_body(result, options)
+                                                          ? CSCD::measure_nodes(result.skeleton, input.mesh)
+                                                          : std::vector<CSCD::Node_measures>();
+    write_to(options.nodes,
+             [&](std::ostream& out) { CSCD::write_node_table(out, result.skeleton, result.branches, measures); });
   }
   if (!options.cylinders.empty()) {
     write_to(options.cylinders, [&](std::ostream& out) {

@@ -322,6 +322,59 @@ TEST(Skeleton_branches, equal_limbs_have_equal_parts)
   }
 }
 
+TEST(Node_measures, of_a_prism_are_exact)
+{
+  constexpr double pi = 3.141592653589793;
+  constexpr std::size_t around = 24;
+  constexpr std::size_t number_of_nodes = 11;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
+  std::vector<Drawn_node> nodes;
+  std::vector<std::pair<int, int>> edges;
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    nodes.push_back({Point(0.17 + 0.96 * double(i), 0, 0), 1});
+    edges.emplace_back(int(i), int(i) + 1);
+  }
+  nodes.push_back({Point(50, 0, 0), 1}); // outside, with no vertices
+  Skeleton skeleton = drawn_skeleton(nodes, edges);
+  for (const auto vertex : vertices(mesh)) {
+    const double position = std::round((mesh.point(vertex).x() - 0.17) / 0.96);
+    skeleton[std::size_t(std::clamp(position, 0., double(number_of_nodes - 1)))].vertices.push_back(vertex);
+  }
+  const std::vector<CSCD::Node_measures> measures = CSCD::measure_nodes(skeleton, mesh);
+  ASSERT_EQ(number_of_nodes + 1, measures.size());
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    EXPECT_NEAR(around * std::sin(2 * pi / around) / 2, measures[i].section_area, 1e-9) << i;
+    const double to_end = std::min(0.17 + 0.96 * double(i), 10 - (0.17 + 0.96 * double(i)));
+    EXPECT_NEAR(std::min(std::cos(pi / around), to_end), measures[i].inscribed_radius, 1e-9) << i;
+  }
+  EXPECT_TRUE(std::isnan(measures.back().section_area));
+}
+
+TEST(Node_measures, of_a_torus_are_those_of_its_circle)
+{
+  constexpr double pi = 3.141592653589793;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 32));
+  Skeleton skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  for (const CSCD::Node_measures& measured : CSCD::measure_nodes(skeleton, mesh)) {
+    EXPECT_NEAR(pi, measured.section_area, 0.1);
+    EXPECT_NEAR(1, measured.inscribed_radius, 0.05);
+  }
+}
+
+TEST(Node_measures, of_junctions_have_no_section)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
+  Skeleton skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  const std::vector<CSCD::Node_measures> measures = CSCD::measure_nodes(skeleton, mesh);
+  for (std::size_t node = 0; node < measures.size(); ++node) {
+    EXPECT_EQ(out_degree(node, skeleton) > 2, std::isnan(measures[node].section_area)) << node;
+    EXPECT_LT(0, measures[node].inscribed_radius);
+    EXPECT_GE(skeleton[node].radius * 1.2, measures[node].inscribed_radius);
+  }
+}
+
 TEST(Skeleton_branches, openings_count_as_closed)
 {
   constexpr double pi = 3.141592653589793;

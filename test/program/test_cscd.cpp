@@ -353,6 +353,9 @@ TEST_F(Cscd, writes_the_table_of_branches)
   }
   EXPECT_EQ(4u, number_of_lines(content("b.csv")));
   EXPECT_EQ(content("b.csv"), run("skeletonize y.off --branches - --root thickest").out);
+  EXPECT_EQ(0, run("skeletonize y.off --nodes n.csv -o y.json -q").status);
+  EXPECT_EQ(0u, content("n.csv").rfind("node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_", 0));
+  EXPECT_EQ(nlohmann::json::parse(content("y.json")).at("nodes").size() + 1, number_of_lines(content("n.csv")));
   expect_refusal("skeletonize y.off --cylinders c.csv", 1, {"--cylinders", "--shape tree"});
   expect_refusal("skeletonize y.off --branches y.off", 1, {"--branches", "is the input"});
 }

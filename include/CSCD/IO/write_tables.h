@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tables as CSV: branches, and the cylinders of trees.
+// Tables as CSV: branches, nodes, and the cylinders of trees.
 
 #ifndef CSCD_IO_WRITE_TABLES_H
 #define CSCD_IO_WRITE_TABLES_H
@@ -64,6 +64,36 @@ inline void write_branch_table(std::ostream& out, const Skeleton_branches& branc
     internal::write_field(out, branch.parent);
     internal::write_field(out, branch.order);
     internal::write_field(out, branch.limb);
+    out << '\n';
+  }
+  format.finish();
+}
+
+/// writes the table of nodes as CSV, a line for each node under a line of names: number, coordinates, degree, branch,
+/// radius, how many vertices or points belong to it, and the members of `Node_measures`. What is not known is empty.
+/// Linear.
+/// \tparam Skeleton a model of `CurveSkeletonGraph`
+/// \param branches of `skeleton`, as `measure_branches()` gives them
+/// \param measures of the nodes of `skeleton`, as `measure_nodes()` gives them; may be empty
+/// \throw File_error if `out` fails
+template <class Skeleton>
+void write_node_table(std::ostream& out, const Skeleton& skeleton, const Skeleton_branches& branches,
+                      const std::vector<Node_measures>& measures = {})
+{
+  const internal::Skeleton_content content = internal::skeleton_content(skeleton);
+  const auto neighbors = internal::node_neighbors(content);
+  internal::Exact_format format(out);
+  out << "node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_area\n";
+  for (std::size_t v = 0; v < content.number_of_nodes(); ++v) {
+    const Node_measures measured = measures.empty() ? Node_measures() : measures[v];
+    const Vector_3& point = content.points[v];
+    out << v << ',' << point.x() << ',' << point.y() << ',' << point.z() << ',' << neighbors[v].size() << ','
+        << branches.branch_of_node[v];
+    internal::write_field(out, content.has_radii() ? content.radii[v] : Skeleton_branch::unknown);
+    internal::write_field(out, content.number_of_vertices.empty() ? std::optional<std::size_t>()
+                                                                  : content.number_of_vertices[v]);
+    internal::write_field(out, measured.inscribed_radius);
+    internal::write_field(out, measured.section_area);
     out << '\n';
   }
   format.finish();

@@ -91,6 +91,16 @@ struct Skeleton_branches
   std::vector<Index> branch_of_node;
 };
 
+/// What the surface around a node measures, in the unit of the skeleton. What is not known is not a number.
+struct Node_measures
+{
+  /// Distance to the surface, to the faces with vertices of nodes that are up to two radii away along the skeleton.
+  double inscribed_radius = Skeleton_branch::unknown;
+  /// Area of the section through the node, perpendicular to the skeleton. It is not known of junctions and isolated
+  /// nodes, which have no direction, nor where the section leaves the faces of those nodes or meets a border.
+  double section_area = Skeleton_branch::unknown;
+};
+
 namespace internal {
 
 /// Triangles and the node to which each vertex belongs.
@@ -143,6 +153,8 @@ Skeleton_branches measure_branches(const Indexed_skeleton& skeleton, const std::
 void measure_surface_parts(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
                            Skeleton_branches& branches);
 
+std::vector<Node_measures> measure_nodes(const Indexed_skeleton& skeleton, const Assigned_surface& surface);
+
 } // namespace internal
 
 /// measures the branches of a skeleton of any origin; `surface_area` and `volume` are left unknown.
@@ -172,6 +184,17 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const TriangleMesh&
   Skeleton_branches result = internal::measure_branches(indexed, roots);
   internal::measure_surface_parts(indexed, internal::assigned_surface(mesh, skeleton), result);
   return result;
+}
+
+/// measures the surface of a mesh around each node of its skeleton. O(n k) for n nodes and up to k faces within two
+/// radii of each. \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
+/// \return the measures of the nodes in their order
+/// \pre all faces of `mesh` are triangles; all coordinates are finite
+template <class Skeleton, class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
+std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const TriangleMesh& mesh)
+{
+  return internal::measure_nodes(internal::index_skeleton(skeleton), internal::assigned_surface(mesh, skeleton));
 }
 
 } // namespace CSCD

@@ -16,12 +16,17 @@
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/config.h>
 
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
+#include <CGAL/squared_distance_3.h>
+
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -181,6 +186,20 @@ private:
   boost::unordered_map<std::pair<Index, Index>, Index> m_branch_of_edge;
 };
 
+/// The node of two corners of each triangle, or the least of three different ones; `no_index` if no corner has any.
+inline std::vector<Index> nodes_of_faces(const Assigned_surface& surface)
+{
+  std::vector<Index> result;
+  result.reserve(surface.triangles.size());
+  for (const std::array<Index, 3>& triangle : surface.triangles) {
+    std::array<Index, 3> nodes{surface.node_of_vertex[triangle[0]], surface.node_of_vertex[triangle[1]],
+                               surface.node_of_vertex[triangle[2]]};
+    std::sort(nodes.begin(), nodes.end()); // those without a node come last
+    result.push_back(nodes[1] == nodes[2] && nodes[1] != no_index ? nodes[1] : nodes[0]);
+  }
+  return result;
+}
+
 /// Adds up area and volume of the faces of each branch, and of the cones that close them.
 class Surface_part_measurement
 {
@@ -188,12 +207,9 @@ public:
   Surface_part_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
                            Skeleton_branches& branches)
       : m_skeleton(skeleton), m_surface(surface), m_branches(branches.branches),
-        m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size())
+        m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
+        m_node_of_face(nodes_of_faces(surface))
   {
-    m_node_of_face.reserve(surface.triangles.size());
-    for (const std::array<Index, 3>& triangle : surface.triangles) {
-      m_node_of_face.push_back(node_of(triangle));
-    }
     for (const Vector_3& point : surface.points) {
       m_origin += point / double(surface.points.size());
     }
@@ -220,15 +236,6 @@ public:
   }
 
 private:
-  /// The node of two corners, or the least of three different ones.
-  Index node_of(const std::array<Index, 3>& triangle) const
-  {
-    std::array<Index, 3> nodes{m_surface.node_of_vertex[triangle[0]], m_surface.node_of_vertex[triangle[1]],
-                               m_surface.node_of_vertex[triangle[2]]};
-    std::sort(nodes.begin(), nodes.end()); // those without a node come last
-    return nodes[1] == nodes[2] && nodes[1] != no_index ? nodes[1] : nodes[0];
-  }
-
   /// The anchor of a node is the nearer junction at an end of its branch, of a junction itself: the apex of cones.
   void find_anchors()
   {
@@ -316,11 +323,197 @@ private:
   std::vector<Skeleton_branch>& m_branches;
   const std::vector<Index>& m_branch_of_node;
   Halfedge_pairing m_pairing;
-  Vector_3 m_origin = Vector_3::Zero(); ///< near the surface, so that volumes do not cancel
   std::vector<Index> m_node_of_face;
-  std::vector<Index> m_anchor; ///< of each node
-  Disjoint_sets m_borders;     ///< of vertices
+  Vector_3 m_origin = Vector_3::Zero(); ///< near the surface, so that volumes do not cancel
+  std::vector<Index> m_anchor;          ///< of each node
+  Disjoint_sets m_borders;              ///< of vertices
   std::vector<Vector_3> m_middle;
+};
+
+/// The section of faces by a plane: segments, which are joined to curves where they meet on an edge of the surface.
+class Face_section
+{
+public:
+  /// The plane through `center` perpendicular to `normal`, of unit length.
+  Face_section(const Assigned_surface& surface, const Vector_3& center, const Vector_3& normal)
+      : m_surface(surface), m_center(center), m_normal(normal)
+  {
+  }
+
+  void add(Index face)
+  {
+    const std::array<Index, 3>& corners = m_surface.triangles[face];
+    std::array<Index, 2> ends{no_index, no_index}; // where the boundary of the face goes below the plane, and above
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index from = corners[i];
+      const Index to = corners[(i + 1) % 3];
+      if (is_above(from) != is_above(to)) {
+        ends[is_above(to) ? 1 : 0] = crossing(from, to);
+      }
+    }
+    if (ends[0] != no_index) {
+      m_segments.push_back(ends);
+      m_curves.join(ends[0], ends[1]);
+    }
+  }
+
+  /// The area within the closed curve that winds around the center, the least of several; not a number if there is
+  /// none.
+  double area()
+  {
+    std::vector<Curve> curves(m_places.size());
+    for (const auto& [source, target] : m_segments) {
+      Curve& curve = curves[m_curves.find(source)];
+      const Vector_3& p = m_places[source];
+      const Vector_3& q = m_places[target];
+      const double twice_area = p.cross(q).dot(m_normal);
+      curve.area += twice_area / 2;
+      curve.angle += std::atan2(twice_area, p.dot(q));
+      ++curve.number_of_segments;
+    }
+    for (Index place = 0; place < m_places.size(); ++place) {
+      ++curves[m_curves.find(place)].number_of_places;
+    }
+    double least = Skeleton_branch::unknown;
+    for (const Curve& curve : curves) {
+      constexpr double half_turn = 3.141592653589793; // the angle of a closed curve is a multiple of a turn
+      const bool is_closed = curve.number_of_segments > 0 && curve.number_of_segments == curve.number_of_places;
+      if (is_closed && std::abs(curve.angle) > half_turn && !(std::abs(curve.area) >= least)) {
+        least = std::abs(curve.area);
+      }
+    }
+    return least;
+  }
+
+private:
+  struct Curve
+  {
+    double area = 0;
+    double angle = 0;
+    std::size_t number_of_segments = 0;
+    std::size_t number_of_places = 0;
+  };
+
+  double height(Index vertex) const { return (m_surface.points[vertex] - m_center).dot(m_normal); }
+  bool is_above(Index vertex) const { return height(vertex) > 0; }
+
+  /// The place where an edge crosses the plane, relative to the center.
+  Index crossing(Index from, Index to)
+  {
+    const auto [place, is_new] = m_place_on_edge.emplace(std::minmax(from, to), Index(m_places.size()));
+    if (is_new) {
+      const double t = height(from) / (height(from) - height(to));
+      m_places.push_back((1 - t) * m_surface.points[from] + t * m_surface.points[to] - m_center);
+      m_curves.add();
+    }
+    return place->second;
+  }
+
+  const Assigned_surface& m_surface;
+  Vector_3 m_center;
+  Vector_3 m_normal;
+  boost::unordered_map<std::pair<Index, Index>, Index> m_place_on_edge;
+  std::vector<Vector_3> m_places;
+  std::vector<std::array<Index, 2>> m_segments;
+  Disjoint_sets m_curves; ///< of places
+};
+
+/// Measures the surface around one node after the other.
+class Node_measurement
+{
+public:
+  Node_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
+        m_faces(skeleton.number_of_nodes()), m_is_near(skeleton.number_of_nodes(), 0),
+        m_last_node(surface.triangles.size(), no_index)
+  {
+    for (Index face = 0; face < surface.triangles.size(); ++face) {
+      for (const Index corner : surface.triangles[face]) {
+        if (surface.node_of_vertex[corner] != no_index) {
+          m_faces[surface.node_of_vertex[corner]].push_back(face);
+        }
+      }
+    }
+  }
+
+  Node_measures operator()(Index node)
+  {
+    find_near_nodes(node);
+    const Vector_3& center = m_skeleton.points[node];
+    const Vector_3 direction = direction_at(node);
+    Face_section section(m_surface, center, direction);
+    double least = std::numeric_limits<double>::infinity(); // squared distance
+    for (const Index near : m_near) {
+      for (const Index face : m_faces[near]) {
+        if (std::exchange(m_last_node[face], node) == node) {
+          continue;
+        }
+        least = std::min(least, squared_distance(center, face));
+        if (direction != Vector_3::Zero()) {
+          section.add(face);
+        }
+      }
+    }
+    Node_measures result;
+    result.inscribed_radius = std::isfinite(least) ? std::sqrt(least) : result.inscribed_radius;
+    result.section_area = section.area();
+    return result;
+  }
+
+private:
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  /// The nodes up to two radii away along the skeleton.
+  void find_near_nodes(Index node)
+  {
+    constexpr double max_distance = 2; // in radii: a section stays within one radius of an even limb
+    const double radius = m_skeleton.radii[node];
+    m_near.assign(1, node);
+    std::vector<double> distance{0};
+    m_is_near[node] = 1;
+    for (std::size_t i = 0; i < m_near.size(); ++i) {
+      for (const Index neighbor : m_neighbors[m_near[i]]) {
+        const double its_distance = distance[i] + m_skeleton.length({m_near[i], neighbor});
+        // The next nodes always belong to it, however thin the limb is for the spacing of the nodes.
+        if (m_is_near[neighbor] == 0 && (i == 0 || its_distance <= max_distance * radius)) {
+          m_is_near[neighbor] = 1;
+          m_near.push_back(neighbor);
+          distance.push_back(its_distance);
+        }
+      }
+    }
+    for (const Index near : m_near) {
+      m_is_near[near] = 0;
+    }
+  }
+
+  /// Along the skeleton, unit length; zero at junctions and isolated nodes.
+  Vector_3 direction_at(Index node) const
+  {
+    const std::vector<Index>& neighbors = m_neighbors[node];
+    if (neighbors.empty() || neighbors.size() > 2) {
+      return Vector_3::Zero();
+    }
+    const Vector_3& from = neighbors.size() == 2 ? m_skeleton.points[neighbors[1]] : m_skeleton.points[node];
+    return (m_skeleton.points[neighbors[0]] - from).normalized();
+  }
+
+  double squared_distance(const Vector_3& point, Index face) const
+  {
+    const auto to_point = [](const Vector_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+    const auto& [a, b, c] = m_surface.triangles[face];
+    const Kernel::Triangle_3 triangle(to_point(m_surface.points[a]), to_point(m_surface.points[b]),
+                                      to_point(m_surface.points[c]));
+    return CGAL::squared_distance(to_point(point), triangle);
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  const Assigned_surface& m_surface;
+  std::vector<std::vector<Index>> m_neighbors;
+  std::vector<std::vector<Index>> m_faces; ///< with a vertex of each node
+  std::vector<char> m_is_near;
+  std::vector<Index> m_near;
+  std::vector<Index> m_last_node; ///< for which each face was looked at
 };
 
 CSCD_INLINE std::vector<double> edge_significances(const Indexed_skeleton& skeleton)
@@ -348,6 +541,18 @@ CSCD_INLINE void measure_surface_parts(const Indexed_skeleton& skeleton, const A
                                        Skeleton_branches& branches)
 {
   Surface_part_measurement(skeleton, surface, branches).measure();
+}
+
+CSCD_INLINE std::vector<Node_measures> measure_nodes(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+{
+  CGAL_precondition(skeleton.has_radii());
+  Node_measurement measure(skeleton, surface);
+  std::vector<Node_measures> result;
+  result.reserve(skeleton.number_of_nodes());
+  for (Index node = 0; node < skeleton.number_of_nodes(); ++node) {
+    result.push_back(measure(node));
+  }
+  return result;
 }
 
 } // namespace CSCD::internal
