@@ -126,6 +126,27 @@ void add_fragments(CLI::App& command, cscd::Fragment_options& options, const std
   command.add_flag("--join", options.joins_components, "join components into one by the shortest straight edges");
 }
 
+void add_root_and_swc(CLI::App& command, std::string& root, cscd::Swc_arguments& swc)
+{
+  command
+      .add_option("--root", root,
+                  "where the skeleton begins, for SWC and orders of branches: the node next to a point (of a tree the "
+                  "foot of its trunk), thickest, lowest, or the thicker end of the longest path")
+      ->check(cscd::check_root)
+      ->type_name("X,Y,Z|thickest|lowest|longest");
+  command
+      .add_option("--swc-type", swc.type, "type of the nodes in SWC, such as 2 axon, 3 dendrite; by default 0, 5, 6")
+      ->check(CLI::Range(0, 7))
+      ->type_name("T");
+  command
+      .add_option("--soma", swc.min_soma_radius, "in SWC, the thickest node is the soma if its radius is at least R")
+      ->check([](const std::string& text) { return check_length(text, false); })
+      ->type_name("R");
+  command.add_option("--swc-scale", swc.scale, "what coordinates and radii in SWC are multiplied by")
+      ->check(CLI::PositiveNumber)
+      ->type_name("S");
+}
+
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 {
   CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh or a point set");
@@ -152,10 +173,6 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
           "what points sample: the surface of a body, or trees and other thin shapes; auto decides by the points")
       ->check(CLI::IsMember({cscd::automatic_shape, cscd::surface_shape, cscd::tree_shape}))
       ->capture_default_str();
-  command->add_option("--root", options.root, "where the trunk of a tree begins; by default at its lowest points")
-      ->expected(3)
-      ->delimiter(',')
-      ->type_name("X,Y,Z");
   command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
@@ -173,6 +190,35 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(check_count)
       ->type_name("N");
   add_fragments(*command, options.fragments, "vertices or points");
+  add_root_and_swc(*command, options.root, options.swc);
+  command->add_option("--branches", options.branches, "file for the table of branches as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command->add_option("--nodes", options.nodes, "file for the table of nodes as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      ->add_option("--cylinders", options.cylinders,
+                   "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      ->add_option("--breast-height", options.breast_height,
+                   "where diameters of trunks are measured, above the root, in the unit of the scan")
+      ->check(CLI::PositiveNumber)
+      ->type_name("H")
+      ->capture_default_str();
+  command
+      ->add_option("--correspondence", options.correspondence,
+                   "file for the node and branch of each vertex or point as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--labelled", options.labelled,
+          "file for the input as PLY with node, branch, radius and distance to the skeleton at each vertex, or -")
+      ->check(check_name)
+      ->type_name("FILE");
   command->add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
       ->check(check_name)
       ->type_name("FILE");
@@ -278,6 +324,7 @@ void add_simplify(CLI::App& app, cscd::Simplify_options& options)
       ->check(check_count)
       ->type_name("N");
   add_fragments(*command, options.fragments, "nodes");
+  add_root_and_swc(*command, options.root, options.swc);
   command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
 }
 

@@ -34,6 +34,9 @@ inline constexpr const char* variational_shortening = "variational";
 inline constexpr const char* automatic_shape = "auto";
 inline constexpr const char* surface_shape = "surface";
 inline constexpr const char* tree_shape = "tree";
+inline constexpr const char* thickest_root = "thickest";
+inline constexpr const char* lowest_root = "lowest";
+inline constexpr const char* longest_root = "longest";
 /// @}
 
 /// What to do with components of a skeleton that are fragments.
@@ -41,6 +44,14 @@ struct Fragment_options
 {
   std::size_t min_component_size = 0; ///< in vertices or points, or in nodes of a skeleton from a file; 0 keeps all
   bool joins_components = false;
+};
+
+/// What SWC files tell besides the skeleton.
+struct Swc_arguments
+{
+  std::optional<int> type;               ///< of all nodes but the soma; by default by their degrees
+  std::optional<double> min_soma_radius; ///< of the thickest node, for it to be the soma; by default there is none
+  double scale = 1;                      ///< of coordinates and radii
 };
 
 /// What to skeletonize, how, and where the results go.
@@ -53,14 +64,21 @@ struct Skeletonize_options
   std::string target;                  ///< of the published method: which cut point; `euclidean_target` if empty
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
-  std::vector<double> root;            ///< of a tree: where its trunk begins, three coordinates; or empty
+  std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
   Fragment_options fragments;
-  std::string report; ///< file name for the report as JSON, `standard_stream`, or empty
-  std::string html;   ///< likewise for the viewer page
+  Swc_arguments swc;
+  std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty
+  std::string nodes;          ///< likewise for the table of nodes
+  std::string cylinders;      ///< likewise for the cylinders of a scan of trees
+  double breast_height = 1.3; ///< in the unit of the input
+  std::string correspondence; ///< likewise for the node and branch of every vertex
+  std::string labelled;       ///< likewise for the input with node, branch, radius and distance at its vertices
+  std::string report;         ///< file name for the report as JSON, `standard_stream`, or empty
+  std::string html;           ///< likewise for the viewer page
   bool is_quiet = false;
 };
 
@@ -106,6 +124,8 @@ struct Simplify_options
   double spacing_over_radius = 0;
   std::size_t number_of_smoothing_steps = 0;
   Fragment_options fragments;
+  std::string root; ///< three coordinates with commas between, the name of a rule, or empty
+  Swc_arguments swc;
   bool is_quiet = false;
 };
 
@@ -144,6 +164,9 @@ void simplify(const Simplify_options& options);
 /// \return whether each input of this run has a skeleton
 /// \throw Usage_error, `CSCD::File_error`
 bool batch(const Batch_options& options);
+
+/// What is wrong with the value `root` of `--root`; empty if nothing is.
+std::string check_root(const std::string& root);
 
 /// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
 std::string printable(const std::string& text);

@@ -6,6 +6,7 @@
 
 #include "compute_skeleton.h"
 
+#include "roots.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
@@ -29,6 +30,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -190,11 +192,10 @@ Skeletonization_result compute_tree_skeleton(Input& input, const Skeletonize_opt
 {
   Skeletonization_result result;
   CSCD::Skeleton_graph<Point, std::size_t> skeleton;
-  if (options.root.empty()) {
-    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton);
+  if (const std::optional<Point> root = root_point(options.root)) {
+    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton, CSCD::parameters::root(*root));
   } else {
-    const Point root(options.root[0], options.root[1], options.root[2]);
-    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton, CSCD::parameters::root(root));
+    result.tree = CSCD::extract_tree_skeleton(input.points, skeleton);
   }
   result.skeleton = convert_skeleton(skeleton);
   input.mesh.clear();

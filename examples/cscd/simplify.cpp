@@ -4,11 +4,10 @@
 // The command `cscd simplify`, and what `cscd skeletonize` does with fragments.
 
 #include "commands.h"
+#include "roots.h"
 #include "types.h"
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_gel_graph.h>
-#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
@@ -107,15 +106,12 @@ template <class AnySkeleton>
 void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
 {
   const CSCD::Simplification_report report = simplify_by(options, input ? &input->mesh : nullptr, skeleton);
+  const std::vector<CSCD::Index> roots = find_roots(skeleton, options.root);
   CSCD::File_group files;
   bool is_standard_output_taken = false;
   for (const std::string& output : options.outputs) {
-    if (output == standard_stream) {
-      CSCD::write_gel_graph(std::cout, skeleton);
-      is_standard_output_taken = true;
-    } else {
-      files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
-    }
+    write_skeleton_output(files, output, skeleton, roots, options.swc);
+    is_standard_output_taken = is_standard_output_taken || output == standard_stream;
   }
   files.publish();
   if (!options.is_quiet && !is_standard_output_taken) {

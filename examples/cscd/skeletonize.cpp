@@ -6,23 +6,29 @@
 #include "Progress_bar.h"
 #include "commands.h"
 #include "compute_skeleton.h"
+#include "correspondence.h"
+#include "roots.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_report.h"
-#include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/IO/read_mesh_or_points.h>
+#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/IO/write_tables.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/counted.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -32,6 +38,7 @@
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace cscd {
@@ -49,26 +56,30 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-Input read(std::istream& in, const std::string& format, const std::string& name)
+Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file)
 {
   Input input;
-  const std::optional<CSCD::Mesh_repair_report> repairs =
-      CSCD::read_mesh_or_points(in, format, name, input.mesh, input.points, input.normals);
-  input.is_point_set = !repairs;
-  if (repairs) {
-    input.repairs = *repairs;
+  CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, format, name);
+  if (keeps_file) {
+    input.as_read = soup;
+  }
+  input.is_point_set = soup.number_of_polygons() == 0;
+  if (input.is_point_set) {
+    CSCD::internal::convert_to_points(soup, input.points, input.normals);
+  } else {
+    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh);
   }
   return input;
 }
 
-Input read_from(const std::string& name, const std::string& format)
+Input read_from(const std::string& name, const std::string& format, bool keeps_file)
 {
   if (name == standard_stream) {
     if (format.empty()) {
       throw Usage_error(
           "standard input has no ending: name its format by --format off, obj, ply, stl, xyz, pwn or pts");
     }
-    return read(std::cin, "." + format, name_of(name));
+    return read(std::cin, "." + format, name_of(name), keeps_file);
   }
   std::error_code error;
   if (std::filesystem::is_directory(name, error)) {
@@ -78,14 +89,27 @@ Input read_from(const std::string& name, const std::string& format)
   if (!in) {
     throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
   }
-  return read(in, format.empty() ? name : "." + format, name);
+  return read(in, format.empty() ? name : "." + format, name, keeps_file);
+}
+
+/// The options that name files besides those of the skeleton, and the files.
+std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletonize_options& options)
+{
+  return {{{"--branches", options.branches},
+           {"--nodes", options.nodes},
+           {"--cylinders", options.cylinders},
+           {"--correspondence", options.correspondence},
+           {"--labelled", options.labelled},
+           {"--report", options.report},
+           {"--html", options.html}}};
 }
 
 void check_outputs(const Skeletonize_options& options)
 {
   check_skeleton_outputs(options.outputs, options.input);
-  check_is_not_input(options.report, options.input, "--report");
-  check_is_not_input(options.html, options.input, "--html");
+  for (const auto& [option, file] : other_outputs(options)) {
+    check_is_not_input(file, options.input, option);
+  }
   if (!options.html.empty() && CSCD::three_js_source().empty()) {
     throw Usage_error("--html: this program was built without three.js; install libjs-three and build it again");
   }
@@ -94,8 +118,9 @@ void check_outputs(const Skeletonize_options& options)
 /// The number of results that go to standard output.
 std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
 {
+  const auto files = other_outputs(options);
   return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
-         (options.report == standard_stream ? 1 : 0) + (options.html == standard_stream ? 1 : 0);
+         std::count_if(files.begin(), files.end(), [](const auto& file) { return file.second == standard_stream; });
 }
 
 void check_options(const Skeletonize_options& options)
@@ -107,14 +132,14 @@ void check_options(const Skeletonize_options& options)
   }
 }
 
-/// Calls `write(out)` with a stream to the file `filename`, or with standard output.
+/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output.
 template <class Write>
-void write_to(const std::string& filename, const Write& write)
+void write_to(CSCD::File_group& files, const std::string& filename, const Write& write)
 {
   if (filename == standard_stream) {
     write(static_cast<std::ostream&>(std::cout));
   } else {
-    CSCD::write_file(filename, write);
+    files.write(filename, write);
   }
 }
 
@@ -144,38 +169,109 @@ CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonizatio
           centers(result.report.reconstruction->joined_gaps)};
 }
 
+/// Whether the mesh of `input` is the surface of a body: not that of a tree, which has no faces, nor the triangles that
+/// join points by the published method.
+bool bounds_body(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  return !result.tree && !(result.is_of_points && options.method == published_method);
+}
+
+/// Chooses roots and measures branches; with the parts of the surface that belong to them if that is to be written.
+void add_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
+{
+  result.roots = find_roots(result.skeleton, options.root);
+  if (result.tree) {
+    if (result.roots.empty() || root_point(options.root)) {
+      result.roots = {0}; // the first node of each object is its root
+    }
+    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
+    CSCD::assign_limbs(*result.tree, result.branches);
+    result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
+  } else {
+    const bool is_surface_measured =
+        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
+    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
+                                          : CSCD::measure_branches(result.skeleton, result.roots);
+  }
+}
+
+/// Writes which node the vertices of the file belong to, and says how many belong to none.
+void write_labels(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                  const Skeletonize_options& options)
+{
+  if (options.correspondence.empty() && options.labelled.empty()) {
+    return;
+  }
+  const std::vector<CSCD::Vertex_label> labels = labels_of_file(input, result);
+  const auto number_without_node = std::count_if(
+      labels.begin(), labels.end(), [](const CSCD::Vertex_label& label) { return label.node == CSCD::no_index; });
+  if (number_without_node > 0 && !options.is_quiet) {
+    say(options.input,
+        CSCD::internal::counted(std::size_t(number_without_node), input.is_point_set ? "point" : "vertex",
+                                input.is_point_set ? "points" : "vertices") +
+            " of " + std::to_string(labels.size()) + " in the file without a node");
+  }
+  if (!options.correspondence.empty()) {
+    write_to(files, options.correspondence, [&](std::ostream& out) { CSCD::write_correspondence(out, labels); });
+  }
+  if (!options.labelled.empty()) {
+    write_to(files, options.labelled,
+             [&](std::ostream& out) { CSCD::internal::write_labelled_ply(out, input.as_read, labels); });
+  }
+}
+
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
+  CSCD::File_group files;
   for (const std::string& output : options.outputs) {
-    if (output == standard_stream) {
-      CSCD::write_gel_graph(std::cout, result.skeleton);
-    } else {
-      CSCD::write_skeleton(output, result.skeleton);
-    }
+    write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
   }
+  if (!options.branches.empty()) {
+    write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
+  }
+  if (!options.nodes.empty()) {
+    const std::vector<CSCD::Node_measures> measures = bounds_body(result, options)
+                                                          ? CSCD::measure_nodes(result.skeleton, input.mesh)
+                                                          : std::vector<CSCD::Node_measures>();
+    write_to(files, options.nodes,
+             [&](std::ostream& out) { CSCD::write_node_table(out, result.skeleton, result.branches, measures); });
+  }
+  if (!options.cylinders.empty()) {
+    write_to(files, options.cylinders, [&](std::ostream& out) {
+      CSCD::write_cylinders(out, CSCD::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
+    });
+  }
+  write_labels(files, input, result, options);
   if (!options.html.empty()) {
     const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
-    write_to(options.html, [&](std::ostream& out) { write_page(out, input, result, name); });
+    write_to(files, options.html, [&](std::ostream& out) { write_page(out, input, result, name); });
   }
   if (!options.report.empty()) {
-    write_to(options.report, [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
+    write_to(files, options.report,
+             [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
   }
+  files.publish();
   if (options.is_quiet) {
     return;
   }
   if (number_of_results_on_standard_output(options) == 0) {
     write_summary(std::cout, options, result);
   }
-  if (options.outputs.empty() && options.html.empty()) {
+  const auto files = other_outputs(options);
+  const bool is_nothing_written =
+      options.outputs.empty() && std::all_of(files.begin(), files.end(), [](const auto& file) {
+        return file.second.empty() || file.first == "--report";
+      });
+  if (is_nothing_written) {
     say(options.input, "the skeleton is not written; name a file by --output or --html");
   }
 }
 
 } // namespace
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet)
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
 {
-  Input input = read_from(name, format);
+  Input input = read_from(name, format, keeps_file);
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
@@ -222,19 +318,12 @@ void check_method(const Skeletonize_options& options)
   if (is_published && options.shape == tree_shape) {
     throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
   }
-  if (is_published && !options.root.empty()) {
-    throw Usage_error("--root: only a tree has a root, and trees have a method of their own; leave out --method "
-                      "published");
-  }
-  if (!options.root.empty() && options.shape == surface_shape) {
-    throw Usage_error("--root: only a tree has a root; leave out --shape surface");
-  }
 }
 
 Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar)
 {
-  if (!input.is_point_set && (options.shape == tree_shape || !options.root.empty())) {
-    throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape and --root");
+  if (!input.is_point_set && options.shape == tree_shape) {
+    throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape");
   }
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
@@ -250,7 +339,12 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
                                                "out --join and --min-component, and use cscd simplify");
   }
   treat_fragments(options.fragments, result);
-  result.branches = CSCD::internal::branch_contents(CSCD::internal::index_skeleton(result.skeleton));
+  if (!options.cylinders.empty() && !result.tree) {
+    throw Usage_error("--cylinders: " + name_of(options.input) +
+                      " is not taken for a scan of trees; --shape tree "
+                      "decides");
+  }
+  add_branches(input, options, result);
   for (const auto node : boost::make_iterator_range(vertices(result.skeleton))) {
     const auto& bundle = result.skeleton[node];
     if (bundle.is_opening) {
@@ -269,7 +363,8 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
-  Input input = read_input(options.input, options.format, options.is_quiet);
+  const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
+  Input input = read_input(options.input, options.format, options.is_quiet, keeps_file);
   std::optional<Progress_bar> bar;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);

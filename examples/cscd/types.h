@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "write_report.h"
+#include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
@@ -37,7 +38,8 @@ struct Input
   Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
-  std::vector<Vector> normals; ///< of the points, or empty
+  std::vector<Vector> normals;          ///< of the points, or empty
+  CSCD::internal::Polygon_soup as_read; ///< what the file has, if it was to be kept
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -50,8 +52,9 @@ struct Skeletonization_result : Run_report
 /// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
 /// was repaired to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
+/// \param keeps_file whether the input is also kept as it was read
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
-Input read_input(const std::string& name, const std::string& format, bool is_quiet);
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
 
 /// Refuses files from which no skeleton can be read, by their endings.
 /// \throw Usage_error

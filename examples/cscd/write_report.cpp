@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
@@ -140,7 +141,20 @@ Json sections(const CSCD::Tree_report& r)
   return result;
 }
 
-Json branches(const CSCD::Tree_report& r)
+Json trees(const std::vector<CSCD::Tree_measures>& trees)
+{
+  Json result = Json::array();
+  for (const CSCD::Tree_measures& tree : trees) {
+    result.push_back({{"height", tree.height},
+                      {"length", tree.length},
+                      {"volume", tree.volume},
+                      {"trunk_volume", tree.trunk_volume},
+                      {"diameter_at_breast_height", CSCD::internal::json_number(tree.diameter_at_breast_height)}});
+  }
+  return result;
+}
+
+Json limbs(const CSCD::Tree_report& r)
 {
   Json result = Json::array();
   for (const CSCD::Tree_branch& branch : r.branches) {
@@ -167,8 +181,9 @@ Json gaps(const CSCD::Tree_report& r)
   return result;
 }
 
-Json tree_document(const Skeletonize_options& options, const CSCD::Tree_report& r)
+Json tree_document(const Skeletonize_options& options, const Run_report& result)
 {
+  const CSCD::Tree_report& r = *result.tree;
   return {{"version", CSCD_VERSION},
           {"input", options.input},
           {"method", tree_shape},
@@ -179,16 +194,21 @@ Json tree_document(const Skeletonize_options& options, const CSCD::Tree_report& 
           {"spacing", r.spacing},
           {"number_of_nodes", r.number_of_nodes},
           {"number_of_edges", r.number_of_edges},
-          {"number_of_branches", r.branches.size()},
+          {"number_of_branches", result.branches.branches.size()},
+          {"number_of_limbs", r.branches.size()},
           {"number_of_sections", sections(r)},
-          {"branches", branches(r)},
+          {"breast_height", options.breast_height},
+          {"trees", trees(result.trees)},
+          {"limbs", limbs(r)},
+          {"branches", CSCD::internal::json_branches(result.branches.branches)},
           {"gaps", gaps(r)},
           {"seconds", r.seconds},
           {"warnings", r.warnings}};
 }
 
-void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const CSCD::Tree_report& report)
+void write_tree_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)
 {
+  const CSCD::Tree_report& report = *result.tree;
   constexpr int digits = 3; // of the time
   double length = 0;
   std::size_t order = 0;
@@ -198,9 +218,16 @@ void write_tree_summary(std::ostream& out, const Skeletonize_options& options, c
   }
   out << printable(options.input) << ": " << counted(report.number_of_points, "point") << ", "
       << counted(report.number_of_objects, "tree") << "\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
-      << counted(report.branches.size(), "branch", "branches") << " of orders 0 to " << order << ", length " << length
-      << ", " << counted(report.gaps.size(), "gap") << "\ntime: " << std::fixed << std::setprecision(digits)
-      << report.seconds << " s\n";
+      << counted(report.branches.size(), "limb") << " of orders 0 to " << order << ", length " << length << ", "
+      << counted(report.gaps.size(), "gap");
+  if (result.trees.size() == 1) {
+    const CSCD::Tree_measures& tree = result.trees.front();
+    out << "\ntree: height " << tree.height << ", volume " << tree.volume;
+    if (!std::isnan(tree.diameter_at_breast_height)) {
+      out << ", diameter at breast height " << tree.diameter_at_breast_height;
+    }
+  }
+  out << "\ntime: " << std::fixed << std::setprecision(digits) << report.seconds << " s\n";
 }
 
 } // namespace
@@ -209,7 +236,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                   const Run_report& result)
 {
   if (result.tree) {
-    out << dump(tree_document(options, *result.tree)) << '\n';
+    out << dump(tree_document(options, result)) << '\n';
     return;
   }
   const CSCD::Skeletonization_report& report = result.report;
@@ -238,7 +265,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                              {"number_of_removed_sites", result.fragments->number_of_removed_vertices},
                              {"number_of_joined_edges", result.fragments->number_of_joined_edges}};
   }
-  document["branches"] = CSCD::internal::json_branches(result.branches);
+  document["branches"] = CSCD::internal::json_branches(result.branches.branches);
   document["openings"] = Json::array();
   for (const Opening& opening : result.openings) {
     document["openings"].push_back({{"node", opening.node}, {"center", opening.center}, {"radius", opening.radius}});
@@ -255,7 +282,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
 void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)
 {
   if (result.tree) {
-    write_tree_summary(out, options, *result.tree);
+    write_tree_summary(out, options, result);
     return;
   }
   const CSCD::Skeletonization_report& report = result.report;

@@ -7,10 +7,12 @@
 #define CSCD_PROGRAM_WRITE_REPORT_H
 
 #include "commands.h"
-#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Vector_3.h>
 
 #include <array>
 #include <cstddef>
@@ -35,8 +37,10 @@ struct Run_report
   CSCD::Skeletonization_report report;
   std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
-  std::vector<CSCD::internal::Branch_content> branches;
+  std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty if there are none
+  CSCD::Skeleton_branches branches;
   std::vector<Opening> openings;
+  std::vector<CSCD::Tree_measures> trees;               ///< the objects of a scan of trees
   std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
 
   /// What the user should know: one sentence each.

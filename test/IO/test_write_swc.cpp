@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <sstream>
 #include <string>
@@ -142,6 +143,86 @@ TYPED_TEST(Write_swc, edge_to_the_same_node_and_parallel_edges_are_loops)
   const Swc_file file = parse(out.str());
   EXPECT_EQ(2u, file.nodes.size());
   EXPECT_EQ((std::vector<std::pair<std::size_t, std::size_t>>{{1, 2}, {2, 2}}), normalized(file.loops));
+}
+
+/// Reads SWC by the strictest rules of readers of neurons: identifiers 1, 2, ..., types 1 to 7, parents before
+/// children, one root for each component, of which the soma is one.
+Swc_file parse_strictly(const std::string& content, std::size_t number_of_components)
+{
+  Swc_file file = parse(content);
+  std::size_t number_of_roots = 0;
+  for (std::size_t i = 0; i < file.nodes.size(); ++i) {
+    const Swc_node& node = file.nodes[i];
+    EXPECT_EQ(i + 1, node.id);
+    EXPECT_TRUE(1 <= node.type && node.type <= 7) << node.type;
+    EXPECT_TRUE(node.parent == -1 || (1 <= node.parent && node.parent < long(node.id))) << node.parent;
+    EXPECT_TRUE(node.type != 1 || node.parent == -1);
+    number_of_roots += node.parent == -1 ? 1 : 0;
+  }
+  EXPECT_EQ(number_of_components, number_of_roots);
+  for (const auto& [i, j] : file.loops) {
+    EXPECT_TRUE(1 <= i && i <= file.nodes.size() && 1 <= j && j <= file.nodes.size());
+  }
+  return file;
+}
+
+std::string swc_text_with(const Skeleton& skeleton, const CSCD::Swc_options& options)
+{
+  std::ostringstream out;
+  CSCD::write_swc(out, skeleton, options);
+  return out.str();
+}
+
+/// A tail 0 - 1 of radius 1 to a ring 1 - 2 - 3 - 4, which is thinnest between 2 and 3, and a ball apart of radius 9.
+Skeleton tail_with_ring()
+{
+  Skeleton skeleton(6);
+  const std::vector<double> radii{1, 2, 0.5, 0.25, 2, 9};
+  const std::vector<Point> points{{0, 0, 0}, {2, 0, 0}, {4, 2, 0}, {6, 0, 0}, {4, -2, 0}, {50, 0, 0}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    skeleton[i].radius = radii[i];
+    skeleton[i].point = points[i];
+  }
+  for (const auto& [u, v] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(3, 4), std::pair(4, 1)}) {
+    add_edge(std::size_t(u), std::size_t(v), skeleton);
+  }
+  return skeleton;
+}
+
+TEST(Write_swc_for_neurons, obeys_strict_rules)
+{
+  CSCD::Swc_options options;
+  options.type = 3;
+  const Swc_file dendrite = parse_strictly(swc_text_with(tail_with_ring(), options), 2);
+  EXPECT_EQ(6, std::count_if(dendrite.nodes.begin(), dendrite.nodes.end(), [](auto& n) { return n.type == 3; }));
+  options.min_soma_radius = 5;
+  const Swc_file with_soma = parse_strictly(swc_text_with(tail_with_ring(), options), 2);
+  EXPECT_EQ(1, with_soma.nodes.front().type);
+  EXPECT_EQ(9, with_soma.nodes.front().radius);
+  EXPECT_EQ(5, std::count_if(with_soma.nodes.begin(), with_soma.nodes.end(), [](auto& n) { return n.type == 3; }));
+  options.min_soma_radius = 10; // nothing is as thick
+  parse_strictly(swc_text_with(sample_skeleton<Skeleton>(), options), 4);
+}
+
+TEST(Write_swc_for_neurons, cuts_cycles_where_they_are_thinnest)
+{
+  const Swc_file file = parse(swc_text_with(tail_with_ring(), {}));
+  ASSERT_EQ(1u, file.loops.size());
+  const auto [i, j] = file.loops[0];
+  EXPECT_EQ(0.75, file.nodes[i - 1].radius + file.nodes[j - 1].radius);
+}
+
+TEST(Write_swc_for_neurons, begins_at_the_roots)
+{
+  CSCD::Swc_options options;
+  options.roots = {3};
+  options.scale = 0.5;
+  const Swc_file file = parse(swc_text_with(tail_with_ring(), options));
+  EXPECT_EQ(3, file.nodes[0].x); // half of that of the node
+  EXPECT_EQ(0.125, file.nodes[0].radius);
+  EXPECT_EQ(-1, file.nodes[0].parent);
+  EXPECT_EQ(25, file.nodes.back().x);
+  EXPECT_EQ(-1, file.nodes.back().parent);
 }
 
 TYPED_TEST(Write_swc, empty_skeleton_is_written)

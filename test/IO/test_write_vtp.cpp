@@ -7,6 +7,7 @@
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_vtp.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
@@ -113,8 +114,10 @@ TYPED_TEST(Write_vtp, numbers_its_cells)
   EXPECT_EQ(lines.size(), tree.get<std::size_t>("<xmlattr>.NumberOfLines"));
   const auto ids = numbers<std::size_t>(array(tree.get_child("CellData"), "BranchId"));
   ASSERT_EQ(vertices.size() + lines.size(), ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    EXPECT_EQ(i, ids[i]);
+  const std::vector<CSCD::Skeleton_branch> branches = CSCD::measure_branches(sample_skeleton<TypeParam>()).branches;
+  for (std::size_t i = 0; i < ids.size(); ++i) { // the same numbers as in other outputs, although vertices come first
+    const auto& nodes = i < vertices.size() ? vertices[i] : lines[i - vertices.size()];
+    EXPECT_EQ(branches.at(ids[i]).nodes, std::vector<CSCD::Index>(nodes.begin(), nodes.end()));
   }
   if (CSCD::has_radius_v<TypeParam>) {
     const auto significances = numbers<double>(array(tree.get_child("CellData"), "Significance"));

@@ -7,23 +7,18 @@
 #define CSCD_IO_WRITE_HTML_PAGE_H
 
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/properties.h>
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
-
-#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace CSCD {
@@ -41,11 +36,8 @@ struct Html_page_cloud
 namespace internal {
 
 /// What the page shows, in the coordinates of the input.
-struct Html_page_content
+struct Html_page_content : Assigned_surface
 {
-  std::vector<Vector_3> points; ///< of the mesh
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> node_of_vertex; ///< `no_index` for vertices of no node
   Indexed_skeleton skeleton;
   bool has_radius = false;
   std::vector<std::vector<Vector_3>> separators;
@@ -58,7 +50,6 @@ Html_page_content html_page_content(const TriangleMesh& mesh, const Skeleton& sk
                                     const std::vector<std::vector<Point>>& separators,
                                     const Html_page_cloud<Point>& cloud)
 {
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   const auto to_vectors = [](const std::vector<Point>& points) {
     std::vector<Vector_3> result;
     for (const Point& p : points) {
@@ -67,30 +58,9 @@ Html_page_content html_page_content(const TriangleMesh& mesh, const Skeleton& sk
     return result;
   };
   Html_page_content result;
-  // A property of the mesh would be faster, but adding one writes to the mesh: others may be reading it.
-  std::unordered_map<Vertex, Index> number;
-  number.reserve(num_vertices(mesh));
-  const auto point_map = get(CGAL::vertex_point, mesh);
-  for (const Vertex v : boost::make_iterator_range(vertices(mesh))) {
-    number.emplace(v, Index(number.size()));
-    const auto& p = get(point_map, v);
-    result.points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  for (const auto f : boost::make_iterator_range(faces(mesh))) {
-    const auto h = halfedge(f, mesh);
-    result.triangles.push_back(
-        {number.at(target(h, mesh)), number.at(target(next(h, mesh), mesh)), number.at(source(h, mesh))});
-  }
+  static_cast<Assigned_surface&>(result) = assigned_surface(mesh, skeleton);
   result.skeleton = index_skeleton(skeleton);
   result.has_radius = has_radius_v<Skeleton>;
-  result.node_of_vertex.assign(number.size(), no_index);
-  Index node = 0;
-  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    for (const Vertex vertex : skeleton[v].vertices) {
-      result.node_of_vertex[number.at(vertex)] = node;
-    }
-    ++node;
-  }
   for (const std::vector<Point>& separator : separators) {
     result.separators.push_back(to_vectors(separator));
   }

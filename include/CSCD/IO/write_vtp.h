@@ -7,31 +7,34 @@
 #define CSCD_IO_WRITE_VTP_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <ostream>
 #include <vector>
 
 namespace CSCD {
 namespace internal {
 
-/// Writes the cells `first` to `last` of a PolyData, each a sequence of nodes.
-inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<Branch_content>::const_iterator first,
-                            std::vector<Branch_content>::const_iterator last)
+/// Writes the branches with the numbers from `first` to `last` as cells of a PolyData, each a sequence of nodes.
+inline void write_vtp_cells(std::ostream& out, const char* tag, const std::vector<Skeleton_branch>& branches,
+                            std::vector<std::size_t>::const_iterator first,
+                            std::vector<std::size_t>::const_iterator last)
 {
   out << '<' << tag << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  for (auto branch = first; branch != last; ++branch) {
-    for (const Index v : branch->nodes) {
+  for (auto number = first; number != last; ++number) {
+    for (const Index v : branches[*number].nodes) {
       out << v << ' ';
     }
     out << '\n';
   }
   out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
   std::size_t offset = 0;
-  for (auto branch = first; branch != last; ++branch) {
-    offset += branch->nodes.size();
+  for (auto number = first; number != last; ++number) {
+    offset += branches[*number].nodes.size();
     out << offset << '\n';
   }
   out << "</DataArray>\n</" << tag << ">\n";
@@ -39,14 +42,16 @@ inline void write_vtp_cells(std::ostream& out, const char* tag, std::vector<Bran
 
 inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 {
-  std::vector<Branch_content> branches = branch_contents(skeleton);
-  const auto lines = std::stable_partition(branches.begin(), branches.end(),
-                                           [](const Branch_content& branch) { return branch.nodes.size() == 1; });
+  const std::vector<Skeleton_branch> branches = measure_branches(skeleton).branches;
+  std::vector<std::size_t> numbers(branches.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  const auto lines = std::stable_partition(
+      numbers.begin(), numbers.end(), [&branches](std::size_t number) { return branches[number].nodes.size() == 1; });
   Exact_format format(out);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
-      << skeleton.number_of_nodes() << "\" NumberOfVerts=\"" << lines - branches.begin() << "\" NumberOfLines=\""
-      << branches.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+      << skeleton.number_of_nodes() << "\" NumberOfVerts=\"" << lines - numbers.begin() << "\" NumberOfLines=\""
+      << numbers.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
   if (skeleton.has_radius) {
     out << "<PointData Scalars=\"Radius\">\n<DataArray type=\"Float64\" Name=\"Radius\" format=\"ascii\">\n";
     for (const double radius : skeleton.radii) {
@@ -63,13 +68,13 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
     out << "</PointData>\n";
   }
   out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
-  for (std::size_t i = 0; i < branches.size(); ++i) {
-    out << i << '\n';
+  for (const std::size_t number : numbers) {
+    out << number << '\n';
   }
   if (skeleton.has_radius) {
     out << "</DataArray>\n<DataArray type=\"Float64\" Name=\"Significance\" format=\"ascii\">\n";
-    for (const Branch_content& branch : branches) {
-      out << finite_significance(branch.significance) << '\n';
+    for (const std::size_t number : numbers) {
+      out << finite_significance(branches[number].significance) << '\n';
     }
   }
   out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
@@ -79,8 +84,8 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
     out << '\n';
   }
   out << "</DataArray>\n</Points>\n";
-  write_vtp_cells(out, "Verts", branches.begin(), lines);
-  write_vtp_cells(out, "Lines", lines, branches.end());
+  write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
+  write_vtp_cells(out, "Lines", branches, lines, numbers.end());
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";
   format.finish();
 }
@@ -88,8 +93,8 @@ inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 } // namespace internal
 
 /// writes `skeleton` as an ASCII `.vtp` file, XML PolyData of VTK: a poly-line for each branch (a vertex cell for each
-/// isolated node), the cell array `BranchId` and, if the nodes have radii, the point array `Radius` and the cell array
-/// `Significance`, the greatest double for what is never cut. O(n log n).
+/// isolated node), the cell array `BranchId`, the numbers of `measure_branches()`, and, if the nodes have radii, the
+/// point array `Radius` and the cell array `Significance`, the greatest double for what is never cut. O(n log n).
 /// \throw File_error if `out` fails
 template <class Skeleton>
 void write_vtp(std::ostream& out, const Skeleton& skeleton)

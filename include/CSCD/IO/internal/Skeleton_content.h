@@ -6,9 +6,8 @@
 #ifndef CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 #define CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 
-#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -16,7 +15,6 @@
 
 #include <boost/io/ios_state.hpp>
 #include <boost/range/iterator_range_core.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -64,50 +62,6 @@ struct Skeleton_content : Indexed_skeleton
   bool has_radius = false;                     ///< whether the type of the nodes has a radius, even if there are none
   std::vector<std::size_t> number_of_vertices; ///< of the input, that belong to each node; empty if no node has any
 };
-
-/// A branch as files describe it.
-struct Branch_content
-{
-  std::vector<Index> nodes; ///< from end to end
-  double length = 0;
-  double mean_radius = 0;  ///< over the length
-  double significance = 0; ///< infinite if it is never cut
-};
-
-/// The significance of every edge; nothing if there are no radii.
-inline std::vector<double> edge_significances(const Indexed_skeleton& skeleton)
-{
-  if (!skeleton.has_radii()) {
-    return {};
-  }
-  return Branch_hierarchy(skeleton, Branch_measure::significance).levels();
-}
-
-/// The branches, in the order of `split_into_branches()`.
-inline std::vector<Branch_content> branch_contents(const Indexed_skeleton& skeleton)
-{
-  const std::vector<double> significances = edge_significances(skeleton);
-  boost::unordered_map<std::pair<Index, Index>, double> significance; // parallel edges are all infinitely significant
-  for (std::size_t e = 0; e < significances.size(); ++e) {
-    significance.emplace(std::minmax(skeleton.edges[e][0], skeleton.edges[e][1]), significances[e]);
-  }
-  std::vector<Branch_content> result;
-  for (std::vector<Index>& nodes : split_into_branches(node_neighbors(skeleton))) {
-    Branch_content& branch = result.emplace_back();
-    double integral = 0;
-    for (std::size_t i = 1; i < nodes.size(); ++i) {
-      const double length = skeleton.length({nodes[i - 1], nodes[i]});
-      branch.length += length;
-      integral += skeleton.has_radii() ? length * (skeleton.radii[nodes[i - 1]] + skeleton.radii[nodes[i]]) / 2 : 0;
-    }
-    const double radius = skeleton.has_radii() ? skeleton.radii[nodes.front()] : 0;
-    branch.mean_radius = branch.length > 0 ? integral / branch.length : radius;
-    const bool has_significance = nodes.size() > 1 && skeleton.has_radii();
-    branch.significance = has_significance ? significance.at(std::minmax(nodes[0], nodes[1])) : Branch_hierarchy::never;
-    branch.nodes = std::move(nodes);
-  }
-  return result;
-}
 
 /// `significance` as formats write it that cannot hold infinity: the greatest number.
 inline double finite_significance(double significance)

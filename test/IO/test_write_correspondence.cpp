@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of labels of vertices: of meshes, points and repaired files, as CSV and as PLY.
+
+#include "mesh_files.h"
+#include "support/convert_shape.h"
+#include "support/limb_shapes.h"
+#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/range/iterator_range_core.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using CSCD::Index;
+using CSCD::no_index;
+using CSCD::Vector_3;
+using CSCD::Vertex_label;
+using Point = CGAL::Simple_cartesian<double>::Point_3;
+using Segment = CGAL::Simple_cartesian<double>::Segment_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+
+struct Labelled_mesh
+{
+  Mesh mesh;
+  Skeleton skeleton;
+  CSCD::Skeleton_branches branches;
+  std::vector<Vertex_label> labels;
+};
+
+Labelled_mesh labelled_y_tube()
+{
+  Labelled_mesh result;
+  result.mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  CSCD::extract_curve_skeleton(result.mesh, result.skeleton);
+  result.branches = CSCD::measure_branches(result.skeleton, result.mesh);
+  result.labels = label_vertices(result.mesh, result.skeleton, result.branches);
+  return result;
+}
+
+TEST(Label_vertices, agrees_with_the_skeleton)
+{
+  const Labelled_mesh y = labelled_y_tube();
+  ASSERT_EQ(num_vertices(y.mesh), y.labels.size());
+  std::size_t number_of_labels = 0;
+  for (std::size_t node = 0; node < num_vertices(y.skeleton); ++node) {
+    for (const Mesh::Vertex_index vertex : y.skeleton[node].vertices) {
+      const Vertex_label& label = y.labels[std::size_t(vertex)];
+      EXPECT_EQ(node, label.node);
+      EXPECT_EQ(y.branches.branch_of_node[node], label.branch);
+      EXPECT_EQ(y.skeleton[node].radius, label.radius);
+      double distance = 1e9;
+      for (const auto edge : boost::make_iterator_range(out_edges(node, y.skeleton))) {
+        const Segment segment(y.skeleton[node].point, y.skeleton[target(edge, y.skeleton)].point);
+        distance = std::min(distance, std::sqrt(CGAL::squared_distance(y.mesh.point(vertex), segment)));
+      }
+      EXPECT_NEAR(distance, label.distance, 1e-9);
+      ++number_of_labels;
+    }
+  }
+  EXPECT_EQ(y.labels.size(), number_of_labels);
+}
+
+TEST(Label_vertices, of_points_measures_to_the_edges_of_their_node)
+{
+  CSCD::Skeleton_graph<Point, std::size_t> skeleton(3);
+  skeleton[0].point = Point(0, 0, 0);
+  skeleton[1].point = Point(4, 0, 0);
+  skeleton[2].point = Point(8, 0, 0);
+  skeleton[1].radius = 2;
+  skeleton[1].vertices = {0, 2};
+  add_edge(0, 1, skeleton);
+  add_edge(1, 2, skeleton);
+  const std::vector<Point> points{Point(3, 2, 0), Point(7, 7, 7), Point(5, 0, -3)};
+  const std::vector<Vertex_label> labels = label_vertices(points, skeleton, CSCD::measure_branches(skeleton));
+  EXPECT_EQ(1u, labels[0].node);
+  EXPECT_EQ(0u, labels[0].branch);
+  EXPECT_EQ(2, labels[0].radius);
+  EXPECT_EQ(2, labels[0].distance);
+  EXPECT_EQ(3, labels[2].distance);
+  EXPECT_EQ(no_index, labels[1].node);
+  EXPECT_TRUE(std::isnan(labels[1].distance));
+  std::ostringstream out;
+  write_correspondence(out, labels);
+  EXPECT_EQ("vertex,node,branch\n0,1,0\n1,,\n2,1,0\n", out.str());
+}
+
+std::vector<Vertex_label> numbered_labels(std::size_t size)
+{
+  std::vector<Vertex_label> result(size);
+  for (Index i = 0; i < size; ++i) {
+    result[i].node = i;
+  }
+  return result;
+}
+
+TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
+{
+  const Vector_3 a(0, 0, 0);
+  const Vector_3 b(1, 0, 0);
+  const Vector_3 c(2, 0, 0);
+  const Vector_3 minus_a(-0., 0, -0.);
+  std::vector<Vertex_label> labels = numbered_labels(3);
+  // b is doubled in the mesh and its first copy has no node; a is twice in the file, c was dropped.
+  labels[1].node = no_index;
+  const std::vector<Vertex_label> result = CSCD::internal::labels_of_file({a, b, c, minus_a}, {a, b, b}, labels);
+  ASSERT_EQ(4u, result.size());
+  EXPECT_EQ(0u, result[0].node);
+  EXPECT_EQ(2u, result[1].node);
+  EXPECT_EQ(no_index, result[2].node);
+  EXPECT_EQ(0u, result[3].node);
+}
+
+TEST(Labels_of_file, keep_different_vertices_at_one_place_apart_if_nothing_was_repaired)
+{
+  const std::vector<Vector_3> points{Vector_3(0, 0, 0), Vector_3(0, 0, 0)};
+  EXPECT_EQ(1u, CSCD::internal::labels_of_file(points, points, numbered_labels(2))[1].node);
+}
+
+TEST(Write_labelled_ply, is_read_as_the_same_mesh)
+{
+  const Labelled_mesh y = labelled_y_tube();
+  std::ostringstream out;
+  write_labelled_ply(out, y.mesh, y.labels);
+  std::istringstream in(out.str());
+  Mesh read;
+  EXPECT_TRUE(CSCD::read_triangle_mesh(in, CSCD::Mesh_format::ply, "y.ply", read).is_empty());
+  ASSERT_EQ(num_vertices(y.mesh), num_vertices(read));
+  ASSERT_EQ(num_faces(y.mesh), num_faces(read));
+  for (const auto vertex : vertices(read)) {
+    EXPECT_EQ(y.mesh.point(vertex), read.point(vertex));
+  }
+}
+
+TEST(Write_labelled_ply, has_the_labels_behind_the_coordinates)
+{
+  const std::vector<Point> points{Point(1, 2, 3), Point(4, 5, 6)};
+  std::vector<Vertex_label> labels(2);
+  labels[0] = {7, 8, 0.5, 0.25};
+  std::ostringstream out;
+  write_labelled_ply(out, points, labels);
+  const std::string text = out.str();
+  const std::string end = "property int node\nproperty int branch\nproperty double radius\nproperty double distance\n"
+                          "end_header\n";
+  const std::size_t begin = text.find(end) + end.size();
+  constexpr std::size_t size_of_vertex = 3 * 8 + 2 * 4 + 2 * 8;
+  ASSERT_EQ(begin + 2 * size_of_vertex, text.size());
+  const auto number = [&](std::size_t offset, auto value) { // on a machine of this byte order, as all that are tested
+    std::memcpy(&value, text.data() + begin + offset, sizeof(value));
+    return value;
+  };
+  EXPECT_EQ(2, number(8, 0.));
+  EXPECT_EQ(7, number(24, std::int32_t(0)));
+  EXPECT_EQ(8, number(28, std::int32_t(0)));
+  EXPECT_EQ(0.5, number(32, 0.));
+  EXPECT_EQ(0.25, number(40, 0.));
+  EXPECT_EQ(-1, number(size_of_vertex + 24, std::int32_t(0)));
+  EXPECT_TRUE(std::isnan(number(size_of_vertex + 32, 0.)));
+}
+
+TEST(Write_labelled_ply, keeps_polygons_and_normals_of_a_file)
+{
+  CSCD::internal::Polygon_soup soup;
+  constexpr Index size = 300; // more than a byte can count
+  for (Index i = 0; i < size; ++i) {
+    soup.points.emplace_back(std::cos(0.02 * i), std::sin(0.02 * i), 0);
+    soup.normals.emplace_back(0, 0, 1);
+    soup.corners.push_back(i);
+  }
+  soup.normals[0] = Vector_3(1, 0, 0);
+  soup.end_polygon();
+  std::ostringstream out;
+  CSCD::internal::write_labelled_ply(out, soup, numbered_labels(size));
+  std::istringstream in(out.str());
+  const CSCD::internal::Polygon_soup read = CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, "polygon.ply");
+  EXPECT_EQ(soup.corners, read.corners);
+  EXPECT_EQ(soup.points, read.points);
+  std::istringstream as_points(out.str());
+  std::vector<Point> points;
+  std::vector<CGAL::Simple_cartesian<double>::Vector_3> normals;
+  CSCD::read_points(as_points, CSCD::Point_format::ply, "polygon.ply", points, normals);
+  EXPECT_EQ(std::size_t(size), normals.size());
+}
+
+} // namespace
