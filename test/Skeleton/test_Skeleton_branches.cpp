@@ -98,9 +98,12 @@ using Ends = std::array<Branch_end, 2>;
 
 TEST(Skeleton_branches, tells_what_branches_end_in)
 {
-  const Skeleton_branches table = CSCD::measure_branches(limbs_and_square());
+  auto skeleton = limbs_and_square();
+  EXPECT_EQ((Ends{Branch_end::junction, Branch_end::tip}), between(CSCD::measure_branches(skeleton), 0, 2).ends);
+  skeleton[2].is_opening = true;
+  const Skeleton_branches table = CSCD::measure_branches(skeleton);
   ASSERT_EQ(5u, table.branches.size());
-  EXPECT_EQ((Ends{Branch_end::junction, Branch_end::tip}), between(table, 0, 2).ends);
+  EXPECT_EQ((Ends{Branch_end::junction, Branch_end::opening}), between(table, 0, 2).ends);
   EXPECT_EQ((Ends{Branch_end::isolated, Branch_end::isolated}), between(table, 6, 6).ends);
   EXPECT_EQ((Ends{Branch_end::closed, Branch_end::closed}), between(table, 7, 7).ends);
 }

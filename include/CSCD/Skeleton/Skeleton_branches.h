@@ -30,7 +30,8 @@ namespace CSCD {
 /// What a branch ends in.
 enum class Branch_end
 {
-  tip,      ///< a node with one edge
+  tip,      ///< a node with one edge, inside of the body
+  opening,  ///< a node with one edge, in the middle of a border
   junction, ///< a node with three or more edges
   isolated, ///< a node without edges, which is a branch of its own
   closed    ///< nothing: the branch is a cycle without junction
@@ -40,6 +41,7 @@ enum class Branch_end
 constexpr const char* name(Branch_end end)
 {
   return end == Branch_end::tip        ? "tip"
+         : end == Branch_end::opening  ? "opening"
          : end == Branch_end::junction ? "junction"
          : end == Branch_end::isolated ? "isolated"
                                        : "closed";

@@ -73,10 +73,12 @@ public:
 private:
   Branch_end kind(Index node) const
   {
+    const bool is_opening = !m_skeleton.is_opening.empty() && m_skeleton.is_opening[node] != 0;
     return m_degree[node] > 2    ? Branch_end::junction
            : m_degree[node] == 2 ? Branch_end::closed
-           : m_degree[node] == 1 ? Branch_end::tip
-                                 : Branch_end::isolated;
+           : m_degree[node] == 0 ? Branch_end::isolated
+           : is_opening          ? Branch_end::opening
+                                 : Branch_end::tip;
   }
 
   void measure_radii(Skeleton_branch& branch) const
