@@ -257,9 +257,9 @@ void write_results(const Input& input, const Skeletonization_result& result, con
   if (number_of_results_on_standard_output(options) == 0) {
     write_summary(std::cout, options, result);
   }
-  const auto files = other_outputs(options);
+  const auto others = other_outputs(options);
   const bool is_nothing_written =
-      options.outputs.empty() && std::all_of(files.begin(), files.end(), [](const auto& file) {
+      options.outputs.empty() && std::all_of(others.begin(), others.end(), [](const auto& file) {
         return file.second.empty() || file.first == "--report";
       });
   if (is_nothing_written) {
