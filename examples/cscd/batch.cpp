@@ -13,11 +13,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
-#include <climits>
 #include <cmath>
 #include <csignal>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <deque>
@@ -351,7 +349,7 @@ private:
     prctl(PR_SET_PDEATHSIG, SIGKILL); // no child outlives a batch that is killed
     if (m_options.memory > 0) {
       // What is written to counts, unlike RLIMIT_AS, which counts what the allocator only reserves.
-      const rlim_t bytes = m_options.memory * bytes_a_megabyte;
+      const rlim_t bytes = std::min<rlim_t>(m_options.memory, RLIM_INFINITY / bytes_a_megabyte) * bytes_a_megabyte;
       const rlimit limit{bytes, bytes};
       setrlimit(RLIMIT_DATA, &limit);
     }
@@ -369,9 +367,10 @@ private:
     siginfo_t info;
     int signal = 0;
     if (m_options.timeout > 0) {
-      double rest = m_options.timeout;
+      constexpr double longest_wait = 1e6; // seconds: any number that the system's type can hold
+      double rest = std::min(m_options.timeout, longest_wait);
       for (const auto& [process, job] : m_jobs) {
-        rest = std::min(rest, job.is_overdue ? rest : m_options.timeout - seconds_since(job.begin));
+        rest = job.is_overdue ? rest : std::min(rest, m_options.timeout - seconds_since(job.begin));
       }
       constexpr double nanoseconds = 1e9; // in a second
       const double whole = std::floor(std::max(0., rest));
@@ -452,6 +451,7 @@ private:
     ++m_numbers[row.status];
   }
 
+  /// Puts counts and sentences of the report of a skeletonization into `row`.
   static void read_report(const fs::path& filename, Batch_row& row)
   {
     const nlohmann::json report = nlohmann::json::parse(content_of(filename), nullptr, false);
@@ -459,6 +459,9 @@ private:
       row.counts.push_back(report.contains(count) ? report[count].dump() : "");
     }
     row.message.clear();
+    if (!report.is_object()) {
+      return;
+    }
     for (const char* sentences : {"repairs", "warnings"}) {
       for (const auto& sentence : report.value(sentences, nlohmann::json::array())) {
         row.message += (row.message.empty() ? "" : "; ") + sentence.get<std::string>();
