@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
@@ -168,19 +169,31 @@ bool has_option(const std::vector<std::string>& options, const std::vector<std::
   });
 }
 
+/// Refuses options of `cscd skeletonize` by which all inputs would write to one file.
+void check_output_options(const std::vector<std::string>& options)
+{
+  constexpr std::array<const char*, 8> outputs{"-o",      "--output",         "--html",     "--branches",
+                                               "--nodes", "--correspondence", "--labelled", "--cylinders"};
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const std::string name = options[i].substr(0, options[i].find('='));
+    const bool is_output = std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+    const std::string& value = name == options[i] && i + 1 < options.size() ? options[i + 1] : options[i];
+    if (is_output && value.find(placeholder) == std::string::npos) {
+      throw Usage_error(name + ": name one file for all inputs; write {} for the name of each, as in -o {}.swc");
+    }
+  }
+}
+
 /// Puts the name of the output files of `options`, and what every process needs, in its place.
 std::vector<std::string> check_command_options(std::vector<std::string> options)
 {
-  const bool names_outputs = has_option(options, {"-o", "--output", "--html"});
   const bool has_placeholder = std::any_of(options.begin(), options.end(), [](const std::string& option) {
     return option.find(placeholder) != std::string::npos;
   });
   if (has_option(options, {"--report"})) {
     throw Usage_error("--report: the manifest has the counts; leave it out");
   }
-  if (names_outputs && !has_placeholder) {
-    throw Usage_error("--output, --html: name one file for all inputs; write {} for the name of each, as in -o {}.swc");
-  }
+  check_output_options(options);
   if (!has_placeholder) {
     options.insert(options.end(), {"-o", std::string(placeholder) + ".graph"});
   }

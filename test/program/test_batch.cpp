@@ -228,6 +228,7 @@ TEST_F(Batch, refuses_what_it_cannot_do)
   expect_refusal("batch a.off --output-dir out --part 3/2", 1, {"--part", "3/2"});
   expect_refusal("batch a.off --output-dir out --part x/2", 1, {"--part", "x/2"});
   expect_refusal("batch a.off --output-dir out -- -o one.graph", 1, {"{}"});
+  expect_refusal("batch a.off --output-dir out -- -o {}.graph --branches=all.csv", 1, {"--branches", "{}"});
   expect_refusal("batch a.off --output-dir out -- --report r.json", 1, {"--report"});
   expect_refusal("batch a.off --output-dir out --timeout 0", 1, {"--timeout"});
   expect_refusal("batch --list nothing --output-dir out", 2, {"nothing: cannot be opened"});
