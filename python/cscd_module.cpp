@@ -6,16 +6,18 @@
 
 #include "commands.h"
 #include "compute_skeleton.h"
+#include "correspondence.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"
 #include "write_report.h"
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -55,11 +57,10 @@ static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_ind
 static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
               "NumPy sees points and edges as rows");
 
-/// What was skeletonized, and which of its vertices became which of the mesh.
+/// What was skeletonized.
 struct Source
 {
-  cscd::Input input;
-  std::vector<Signed_index> mesh_vertices; ///< of each vertex of the arrays; -1 if it is gone
+  cscd::Input input; ///< of a mesh, it has kept the points of the arrays
 
   /// What messages call the input.
   const char* name() const { return input.is_point_set ? "points" : "mesh"; }
@@ -100,34 +101,11 @@ CSCD::internal::Polygon_soup to_soup(const Coordinates& points, const Corners& c
   return result;
 }
 
-/// For each of `points`, the first vertex of `mesh` that is there, or -1. Repairs merge, double and remove points, but
-/// never move them. O(n log n).
-std::vector<Signed_index> find_by_position(const std::vector<CSCD::Vector_3>& points, const cscd::Mesh& mesh)
-{
-  using Place = std::array<double, 3>;
-  std::vector<std::pair<Place, Signed_index>> places;
-  places.reserve(mesh.number_of_vertices());
-  for (const auto vertex : mesh.vertices()) {
-    const cscd::Point& p = mesh.point(vertex);
-    places.emplace_back(Place{p.x(), p.y(), p.z()}, Signed_index(vertex.idx()));
-  }
-  std::sort(places.begin(), places.end());
-  std::vector<Signed_index> result;
-  result.reserve(points.size());
-  for (const CSCD::Vector_3& p : points) {
-    const Place place{p.x(), p.y(), p.z()};
-    const auto found = std::lower_bound(places.begin(), places.end(), std::pair(place, Signed_index(0)));
-    result.push_back(found != places.end() && found->first == place ? found->second : -1);
-  }
-  return result;
-}
-
 /// Makes the mesh of `source` from polygons, repaired as the program repairs them.
 void make_mesh(CSCD::internal::Polygon_soup&& soup, Source& source)
 {
-  const std::vector<CSCD::Vector_3> points = soup.points;
+  source.input.as_read.points = soup.points;
   source.input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), source.name(), source.input.mesh);
-  source.mesh_vertices = find_by_position(points, source.input.mesh);
 }
 
 void make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals, Source& source)
@@ -139,9 +117,6 @@ void make_point_set(const Coordinates& points, const std::optional<Coordinates>&
     soup.normals = to_points(*normals, "normals");
   }
   CSCD::internal::convert_to_points(soup, source.input.points, source.input.normals);
-  for (std::size_t i = 0; i < soup.points.size(); ++i) {
-    source.mesh_vertices.push_back(Signed_index(i));
-  }
 }
 
 /// A skeleton, with its arrays as NumPy shows them and what it was made of.
@@ -157,17 +132,8 @@ public:
     for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
       m_significances.push_back(skeleton[edge].significance);
     }
-    std::vector<Signed_index> node_of_mesh_vertex(std::max(m_source->input.mesh.number_of_vertices(), //
-                                                           cscd::Mesh::size_type(m_source->input.points.size())),
-                                                  -1);
-    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-      for (const auto vertex : skeleton[node].vertices) {
-        node_of_mesh_vertex[vertex.idx()] = Signed_index(node);
-      }
-    }
-    m_nodes_of_vertices.reserve(m_source->mesh_vertices.size());
-    for (const Signed_index vertex : m_source->mesh_vertices) {
-      m_nodes_of_vertices.push_back(vertex < 0 ? -1 : node_of_mesh_vertex[std::size_t(vertex)]);
+    for (const CSCD::Vertex_label& label : cscd::labels_of_file(m_source->input, m_result)) {
+      m_nodes_of_vertices.push_back(Signed_index(label.node));
     }
   }
 
@@ -183,6 +149,7 @@ public:
     cscd::Skeletonization_result result = m_result;
     const bool has_mesh = stays_inside && !m_source->input.is_point_set;
     cscd::simplify_skeleton(options, has_mesh ? &m_source->input.mesh : nullptr, result.skeleton);
+    result.branches = CSCD::measure_branches(result.skeleton);
     return {m_source, std::move(result), m_report};
   }
 
@@ -364,8 +331,10 @@ PYBIND11_MODULE(_core, module)
           "filename"_a, without_gil)
       .def("branches", [](const Shown_skeleton& skeleton) {
         py::list result;
-        for (const auto& branch : CSCD::internal::branch_contents(skeleton.content())) {
-          result.append(py::make_tuple(branch.nodes, branch.length, branch.mean_radius, branch.significance));
+        for (const CSCD::Skeleton_branch& branch : skeleton.result().branches.branches) {
+          result.append(py::make_tuple(branch.nodes, py::make_tuple(name(branch.ends[0]), name(branch.ends[1])),
+                                       branch.length, branch.chord, branch.min_radius, branch.mean_radius,
+                                       branch.max_radius, branch.significance));
         }
         return result;
       });

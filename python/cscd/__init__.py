@@ -42,10 +42,18 @@ class Branch(typing.NamedTuple):
 
     nodes: IndexArray
     """From end to end; one that returns to its first node has it at both ends."""
+    ends: tuple[str, str]
+    """What the first and the last node are: "tip", "opening" (a tip at a border), "junction", "isolated" or "closed"."""
     length: float
-    """In the unit of the input."""
+    """Along the edges, in the unit of the input."""
+    chord: float
+    """The distance of both ends."""
+    min_radius: float
+    """Over the nodes."""
     mean_radius: float
     """Over the length."""
+    max_radius: float
+    """Over the nodes."""
     significance: float
     """How far its limb reaches beyond the body it stands on, in radii; infinite if it is never pruned."""
 

@@ -160,7 +160,9 @@ def test_branches_and_networkx(crossing):
         assert graph.edges[a, b]["significance"] > 0
     assert np.array_equal(graph.nodes[3]["position"], crossing.nodes[3])
     for branch in branches:
-        assert 0 < branch.mean_radius < 1
+        assert 0 < branch.min_radius <= branch.mean_radius <= branch.max_radius < 1
+        assert set(branch.ends) <= {"tip", "junction"}
+        assert 0 < branch.chord <= branch.length * (1 + 1e-12)
         assert branch.length == pytest.approx(
             np.linalg.norm(np.diff(crossing.nodes[branch.nodes], axis=0), axis=1).sum()
         )
