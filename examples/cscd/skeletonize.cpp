@@ -181,6 +181,7 @@ std::string title(const Skeletonize_options& options, const Skeletonization_resu
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
   std::vector<Point> result;
+  result.reserve(repairs.size());
   for (const CSCD::Reconstruction_repair& repair : repairs) {
     result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
   }
