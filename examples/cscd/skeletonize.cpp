@@ -146,6 +146,7 @@ void write_to(CSCD::File_group& files, const std::string& filename, const Write&
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
   std::vector<Point> result;
+  result.reserve(repairs.size());
   for (const CSCD::Reconstruction_repair& repair : repairs) {
     result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
   }

@@ -333,6 +333,8 @@ TEST(Node_measures, of_a_prism_are_exact)
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
   std::vector<Drawn_node> nodes;
   std::vector<std::pair<int, int>> edges;
+  nodes.reserve(number_of_nodes + 1);
+  edges.reserve(number_of_nodes);
   for (std::size_t i = 0; i < number_of_nodes; ++i) {
     nodes.push_back({Point(0.17 + 0.96 * double(i), 0, 0), 1});
     edges.emplace_back(int(i), int(i) + 1);

@@ -52,6 +52,7 @@ Html_page_content html_page_content(const TriangleMesh& mesh, const Skeleton& sk
 {
   const auto to_vectors = [](const std::vector<Point>& points) {
     std::vector<Vector_3> result;
+    result.reserve(points.size());
     for (const Point& p : points) {
       result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
