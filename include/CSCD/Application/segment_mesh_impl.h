@@ -16,6 +16,7 @@
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/config.h>
 
+#include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h>
 #include <CGAL/boost/graph/alpha_expansion_graphcut.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -334,7 +335,7 @@ public:
     CGAL::alpha_expansion_graphcut(graph, get(&Face_link::cost, graph), get(&Band_face::costs, graph),
                                    get(&Band_face::part, graph),
                                    CGAL::parameters::vertex_index_map(get(boost::vertex_index, graph))
-                                       .implementation_tag(CGAL::Alpha_expansion_boost_compressed_sparse_row_tag()));
+                                       .implementation_tag(CGAL::Alpha_expansion_MaxFlow_tag()));
     for (std::size_t i = 0; i < band.faces.size(); ++i) {
       parts[band.faces[i]] = Index(graph[i].part);
     }
