@@ -58,11 +58,13 @@ Labels read_labels(const std::filesystem::path& file, Mesh& mesh)
   return labels;
 }
 
+/// CGAL's segmentation of shape diameters. \param smoothness the weight of short boundaries
 std::size_t segment_by_diameters(const Mesh& mesh, Mesh::Property_map<Mesh::Face_index, double> diameters,
-                                 Labels labels)
+                                 double smoothness, Labels labels)
 {
+  constexpr std::size_t number_of_clusters = 5; // CGAL's default
   CGAL::sdf_values_postprocessing(mesh, diameters);
-  return CGAL::segmentation_from_sdf_values(mesh, diameters, labels);
+  return CGAL::segmentation_from_sdf_values(mesh, diameters, labels, number_of_clusters, smoothness);
 }
 
 /// Segments a mesh by the method of this name. \return the number of parts
@@ -71,7 +73,7 @@ std::size_t segment(const std::string& method, Mesh& mesh, Labels labels)
   const auto diameters = mesh.add_property_map<Mesh::Face_index, double>().first;
   if (method == "rays") {
     CGAL::sdf_values(mesh, diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults but for the postprocessing
-    return segment_by_diameters(mesh, diameters, labels);
+    return segment_by_diameters(mesh, diameters, 0.26, labels);     // CGAL's default
   }
   Skeleton skeleton;
   CSCD::extract_curve_skeleton(mesh, skeleton);
@@ -82,7 +84,7 @@ std::size_t segment(const std::string& method, Mesh& mesh, Labels labels)
     throw std::invalid_argument(method + ": the methods are skeleton, diameter and rays");
   }
   CSCD::estimate_face_shape_diameters(mesh, skeleton, diameters);
-  return segment_by_diameters(mesh, diameters, labels);
+  return segment_by_diameters(mesh, diameters, 0.1, labels); // as `cscd segment --by diameter`
 }
 
 /// Sums over meshes of a class or of all.

@@ -31,9 +31,8 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
 /// The surface is first cut into slices, one for each node of the skeleton. Then neighboring parts are merged, pair by
 /// pair, beginning with those that most probably belong together. How probable this is follows from their boundary, its
 /// length and concavity, from what thicknesses and sizes are on both sides, and from how the skeleton goes on across
-/// it, by a logistic function that was fitted to segmentations by people; see `doc/applications.md`. Last, the
-/// boundaries are moved by a graph cut to where they are short and concave. Expectedly near linear in the number n of
-/// faces, and O(s^2 log s) in the number s of nodes.
+/// it, by a logistic function that was fitted to segmentations by people; see `doc/applications.md`. Expectedly near
+/// linear in the number of faces, and O(s^2 log s) in the number s of nodes.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
@@ -43,8 +42,7 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
 /// \param labels gets the numbers of the parts, from 0
 /// \param np an optional sequence of named parameters
 /// \param number_of_parts how many parts there should be; 0 lets the shape decide. There are at least as many as the
-///        mesh has components, and at most as many as slices. Fewer parts are unions of more parts, but for the last
-///        moves of the boundaries.
+///        mesh has components, and at most as many as slices. Fewer parts are unions of more parts.
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{vertex_point_map}

@@ -13,12 +13,7 @@
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/config.h>
-
-#include <CGAL/boost/graph/alpha_expansion_graphcut.h>
-
-#include <boost/graph/adjacency_list.hpp>
 
 #include <algorithm>
 #include <array>
@@ -165,7 +160,7 @@ private:
   void measure_slices(const std::vector<double>& diameters)
   {
     // What has no area or no thickness counts as having next to none, so that all logarithms are finite.
-    const double negligible = 1e-9;
+    constexpr double negligible = 1e-9;
     const double min_area = negligible * m_geometry.area / double(diameters.size());
     const double min_diameter = negligible * std::sqrt(m_geometry.area);
     for (Index f = 0; f < diameters.size(); ++f) {
@@ -306,145 +301,6 @@ CSCD_INLINE double merge_score(const Merge_features& features)
   return score;
 }
 
-/// Moves the boundaries between parts to where they are short and concave, by a graph cut.
-class Boundary_refinement
-{
-public:
-  Boundary_refinement(const Skeletonized_surface& surface, const std::vector<double>& diameters)
-      : m_surface(surface), m_geometry(surface), m_diameters(diameters)
-  {
-  }
-
-  /// Changes the parts of faces near boundaries. Expectedly near linear for each part.
-  void run(std::vector<Index>& parts) const
-  {
-    const Band band = find_band(parts);
-    if (band.faces.empty()) {
-      return;
-    }
-    Graph graph(band.faces.size());
-    const std::size_t number_of_parts = std::size_t(*std::max_element(parts.begin(), parts.end())) + 1;
-    for (std::size_t i = 0; i < band.faces.size(); ++i) {
-      const Index face = band.faces[i];
-      graph[i].part = parts[face];
-      graph[i].costs.assign(number_of_parts, fidelity * m_geometry.areas[face] * band.depths[i] / m_diameters[face]);
-      graph[i].costs[parts[face]] = 0;
-    }
-    m_geometry.for_each_inner_edge([&](Index h) { add_edge_cost(h, parts, band, graph); });
-    CGAL::alpha_expansion_graphcut(graph, get(&Face_link::cost, graph), get(&Band_face::costs, graph),
-                                   get(&Band_face::part, graph),
-                                   CGAL::parameters::vertex_index_map(get(boost::vertex_index, graph))
-                                       .implementation_tag(CGAL::Alpha_expansion_boost_compressed_sparse_row_tag()));
-    for (std::size_t i = 0; i < band.faces.size(); ++i) {
-      parts[band.faces[i]] = Index(graph[i].part);
-    }
-  }
-
-private:
-  // Tuned on the odd-numbered meshes of the Princeton benchmark, like the weights of the features.
-  static constexpr double band_width = 0.25; // of the shape diameter, on either side of a boundary
-  static constexpr double fidelity = 0.5;    // cost of a face that leaves its part at the rim of the band
-  static constexpr double angle_scale = 0.3; // radians: a boundary along such a concave edge costs 1/e of its length
-  static constexpr double min_cost = 0.05;   // relative to the length of an edge
-
-  struct Band_face
-  {
-    std::size_t part = 0;
-    std::vector<double> costs; // of each part
-  };
-  struct Face_link
-  {
-    double cost = 0;
-  };
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Band_face, Face_link>;
-
-  struct Band
-  {
-    std::vector<Index> faces;
-    std::vector<double> depths; // distances from the boundary, relative to the width of the band
-    std::vector<Index> number;  // of each face of the surface
-  };
-
-  /// The faces near boundaries. Parts that would lie in the band as wholes, and could vanish, are left out.
-  Band find_band(const std::vector<Index>& parts) const
-  {
-    const std::vector<double> depths = depths_in_band(parts);
-    std::vector<char> has_core(parts.size(), 0);
-    for (std::size_t face = 0; face < parts.size(); ++face) {
-      if (depths[face] >= 1) {
-        has_core[parts[face]] = 1;
-      }
-    }
-    Band band;
-    band.number.assign(parts.size(), no_index);
-    for (Index face = 0; face < parts.size(); ++face) {
-      if (depths[face] < 1 && has_core[parts[face]] != 0) {
-        band.number[face] = Index(band.faces.size());
-        band.faces.push_back(face);
-        band.depths.push_back(depths[face]);
-      }
-    }
-    return band;
-  }
-
-  /// The distances of faces from the nearest boundary, relative to the width of the band; 1 outside of it.
-  std::vector<double> depths_in_band(const std::vector<Index>& parts) const
-  {
-    Dijkstra_search search(parts.size());
-    m_geometry.for_each_inner_edge([&](Index h) {
-      const Index face = Halfedge_pairing::face(h);
-      const Index other = Halfedge_pairing::face(m_surface.pairing.twin(h));
-      if (parts[face] != parts[other]) {
-        search.reach(face, 0);
-        search.reach(other, 0);
-      }
-    });
-    std::vector<double> depths(parts.size(), 1);
-    search.spread([&](Index face, float distance) {
-      const double width = band_width * m_diameters[face];
-      if (double(distance) >= width) {
-        return;
-      }
-      depths[face] = double(distance) / width;
-      for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-        const Index twin = m_surface.pairing.twin(h);
-        if (twin != no_index) {
-          const Index next = Halfedge_pairing::face(twin);
-          search.reach(next, distance + float((m_geometry.centers[next] - m_geometry.centers[face]).norm()));
-        }
-      }
-    });
-    return depths;
-  }
-
-  void add_edge_cost(Index halfedge, const std::vector<Index>& parts, const Band& band, Graph& graph) const
-  {
-    const Index face = Halfedge_pairing::face(halfedge);
-    const Index other = Halfedge_pairing::face(m_surface.pairing.twin(halfedge));
-    const Index i = band.number[face];
-    const Index j = band.number[other];
-    if (i == no_index && j == no_index) {
-      return;
-    }
-    const double ease = std::exp(-std::max(0., m_geometry.turning(halfedge)) / angle_scale);
-    const double cost = m_geometry.vector(halfedge).norm() * std::max(min_cost, ease);
-    if (i != no_index && j != no_index) {
-      add_edge(i, j, Face_link{cost}, graph);
-      return;
-    }
-    // One of the faces is outside of the band and stays where it is.
-    const Index inside = i != no_index ? i : j;
-    const Index fixed_part = parts[i != no_index ? other : face];
-    for (std::size_t part = 0; part < graph[inside].costs.size(); ++part) {
-      graph[inside].costs[part] += part == fixed_part ? 0 : cost;
-    }
-  }
-
-  const Skeletonized_surface& m_surface;
-  Face_geometry m_geometry;
-  const std::vector<double>& m_diameters;
-};
-
 /// Numbers parts from 0 in the order of their first faces.
 CSCD_INLINE void number_parts(std::vector<Index>& parts)
 {
@@ -471,8 +327,6 @@ CSCD_INLINE std::vector<Index> segment_surface(const Skeletonized_surface& surfa
   for (const Index slice : graph.slice) {
     parts.push_back(part_of_slices[slice]);
   }
-  number_parts(parts);
-  Boundary_refinement(surface, diameters).run(parts);
   number_parts(parts);
   return parts;
 }
