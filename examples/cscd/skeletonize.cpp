@@ -66,6 +66,7 @@ Input read(std::istream& in, const std::string& format, const std::string& name,
   input.is_point_set = soup.number_of_polygons() == 0;
   if (input.is_point_set) {
     CSCD::internal::convert_to_points(soup, input.points, input.normals);
+    input.has_other_columns = soup.has_other_columns;
   } else {
     input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh);
   }
@@ -277,6 +278,9 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
     }
+    if (input.has_other_columns) {
+      say(name, "three numbers behind the coordinates are no normals, but colors or the like: passed over");
+    }
   }
   return input;
 }
@@ -332,6 +336,7 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   Skeletonization_result result;
   try {
     result = compute_skeleton(input, options, bar);
+    result.has_normals = !input.normals.empty();
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
   }

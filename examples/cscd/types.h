@@ -39,6 +39,7 @@ struct Input
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
   std::vector<Vector> normals;          ///< of the points, or empty
+  bool has_other_columns = false;       ///< whether three numbers beside each point are no normals
   CSCD::internal::Polygon_soup as_read; ///< what the file has, if it was to be kept
 };
 

@@ -288,8 +288,9 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
   out << printable(options.input) << ": "
-      << (result.is_of_points ? counted(report.number_of_input_vertices, "point")
-                              : counted(report.number_of_input_vertices, "vertex", "vertices"))
+      << (result.is_of_points
+              ? counted(report.number_of_input_vertices, "point") + (result.has_normals ? " with normals" : "")
+              : counted(report.number_of_input_vertices, "vertex", "vertices"))
       << ", " << counted(report.number_of_surface_components, "component");
   if (report.genus) {
     out << ", genus " << *report.genus;

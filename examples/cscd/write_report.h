@@ -37,6 +37,7 @@ struct Run_report
   CSCD::Skeletonization_report report;
   std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
+  bool has_normals = false;              ///< whether the points came with normals
   std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty if there are none
   CSCD::Skeleton_branches branches;
   std::vector<Opening> openings;

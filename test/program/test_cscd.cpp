@@ -257,6 +257,26 @@ std::string pole()
   return xyz;
 }
 
+TEST_F(Cscd, says_what_the_numbers_behind_coordinates_are)
+{
+  std::ostringstream normals;
+  std::ostringstream colors;
+  for (const auto& [x, y, z] : torus().points) {
+    const double ring = std::hypot(x, y);
+    const double share = (ring - 3) / ring; // of the radial direction in the normal, as the tube has radius 1
+    normals << x << ' ' << y << ' ' << z << ' ' << share * x << ' ' << share * y << ' ' << z << '\n';
+    colors << x << ' ' << y << ' ' << z << ' ' << std::abs(int(10 * x)) << " 128 0\n";
+  }
+  m_folder.write("normals.xyz", normals.str());
+  m_folder.write("colors.xyz", colors.str());
+  const Outcome with_normals = run("skeletonize normals.xyz -o a.graph");
+  EXPECT_NE(std::string::npos, with_normals.out.find("1440 points with normals, ")) << with_normals.out;
+  EXPECT_EQ(std::string::npos, with_normals.err.find("colors"));
+  const Outcome with_colors = run("skeletonize colors.xyz -o b.graph");
+  EXPECT_NE(std::string::npos, with_colors.out.find("1440 points, ")) << with_colors.out;
+  EXPECT_NE(std::string::npos, with_colors.err.find("colors.xyz: three numbers behind the coordinates are no normals"));
+}
+
 TEST_F(Cscd, skeletonizes_trees)
 {
   m_folder.write("pole.xyz", pole());

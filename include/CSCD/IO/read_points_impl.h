@@ -89,7 +89,9 @@ inline Polygon_soup parse_xyz(std::string_view text, const std::string& filename
   if (!has_normals) {
     soup.normals.clear();
   }
+  soup.has_other_columns = !soup.normals.empty();
   keep_normals_only(soup.normals);
+  soup.has_other_columns = soup.has_other_columns && soup.normals.empty();
   check_number_of_points(soup.points.size(), filename);
   return soup;
 }

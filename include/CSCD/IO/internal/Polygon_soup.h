@@ -19,6 +19,8 @@ struct Polygon_soup
   std::vector<Vector_3> points;
   /// The normals at the points, if the file has them, else empty.
   std::vector<Vector_3> normals;
+  /// Whether the file has three further numbers for each point, which are no normals: colors or the like.
+  bool has_other_columns = false;
   /// The corners of all polygons, one polygon after the other, as indices into `points`.
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.
