@@ -54,8 +54,9 @@ private:
 /// closes a loop along edges with the first tree, and a dual loop across edges with the second; these meet in that edge
 /// alone. So the class of a curve, as a sum of the loops, follows from how often it crosses the dual loops.
 ///
-/// What a curve bounds follows from how it is linked with the dual loops, pushed outwards: not at all if it bounds a
-/// surface inside the body. Pushed inwards, it is one more where both cross.
+/// What a curve bounds follows from how it is linked with the dual loops of its component, pushed outwards: not at all
+/// if it bounds a surface inside the body. Pushed inwards, it is one more where both cross. Components count one by
+/// one: of linked rings each has a tunnel, although the other ring passes through it.
 class Loop_classes
 {
 public:
@@ -186,6 +187,7 @@ private:
     for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       if (m_surface.edge(h) == h && !is_in_tree(h) && !is_in_dual_tree(h)) {
         m_left_over.push_back(h);
+        m_component.push_back(root_of(m_surface.origin(h)));
       }
     }
   }
@@ -197,6 +199,14 @@ private:
       first.pop_back();
       second.pop_back();
     }
+  }
+
+  Index root_of(Index vertex) const
+  {
+    while (m_parent[vertex] != no_index) {
+      vertex = m_surface.target(m_parent[vertex]);
+    }
+    return vertex;
   }
 
   std::vector<Index> path_to_root(Index vertex) const
@@ -284,8 +294,10 @@ private:
     std::vector<Box> dual_boxes = make_boxes(dual_loops);
     CGAL::box_intersection_d(boxes.begin(), boxes.end(), dual_boxes.begin(), dual_boxes.end(),
                              [&](const Box& a, const Box& b) {
-                               if (passes_above(*a.info(), *b.info())) {
-                                 m_linking[a.info()->loop].flip(b.info()->loop);
+                               const Index i = a.info()->loop;
+                               const Index j = b.info()->loop;
+                               if (m_component[i] == m_component[j] && passes_above(*a.info(), *b.info())) {
+                                 m_linking[i].flip(j);
                                }
                              });
   }
@@ -342,6 +354,7 @@ private:
   std::vector<Index> m_parent;                  // halfedge from each vertex to its parent in the tree
   std::vector<Index> m_dual_parent;             // halfedge through which each face is left for its parent
   std::vector<Index> m_left_over;               // a halfedge of each edge in neither tree
+  std::vector<Index> m_component;               // of each of these, a vertex that stands for it
   std::vector<std::vector<Index>> m_dual_loops; // that cross the edge of each smaller halfedge
   std::vector<Bits> m_linking;                  // of each loop with the dual loops
 };

@@ -35,6 +35,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -237,6 +238,9 @@ public:
       }
     }
     add_constrictions(min_depth, result);
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.kind, a.length) < std::tie(b.kind, b.length);
+    });
     return result;
   }
 
@@ -255,6 +259,7 @@ private:
     Polygon_measures measures;
     Bits loop_class;
     bool is_geodesic = false;
+    bool is_over_hole = false; // along an edge that only bridges a border
   };
 
   /// \name Candidates
@@ -298,17 +303,16 @@ private:
     return result;
   }
 
-  bool is_of_surface(Index h) const
+  bool is_over_hole(Index h) const
   {
-    return h != no_index && !(m_surface.is_hole_filling(Triangulated_surface::face(h)) &&
-                              m_surface.is_hole_filling(Triangulated_surface::face(m_surface.twin(h))));
+    return m_surface.is_hole_filling(Triangulated_surface::face(h)) &&
+           m_surface.is_hole_filling(Triangulated_surface::face(m_surface.twin(h)));
   }
 
   /// Shortens the loop along `halfedges` and adds it. \return whether it runs along different edges of the surface
   bool add_candidate(std::vector<Index> halfedges)
   {
-    if (halfedges.size() < 3 ||
-        !std::all_of(halfedges.begin(), halfedges.end(), [&](Index h) { return is_of_surface(h); })) {
+    if (halfedges.size() < 3 || std::find(halfedges.begin(), halfedges.end(), no_index) != halfedges.end()) {
       return false;
     }
     std::vector<Index> edges;
@@ -322,11 +326,13 @@ private:
     }
     Candidate candidate;
     candidate.loop_class = m_classes(halfedges);
+    candidate.is_over_hole = std::any_of(halfedges.begin(), halfedges.end(), [&](Index h) { return is_over_hole(h); });
     const Shortening_outcome outcome = m_shorten(halfedges, true, candidate.path);
     candidate.halfedges = std::move(halfedges);
     candidate.is_geodesic = outcome == Shortening_outcome::straight;
-    // What has shrunk away is around nothing. Other curves are kept if they are around a handle.
-    if (outcome != Shortening_outcome::collapsed && (candidate.is_geodesic || candidate.loop_class.any())) {
+    // What has shrunk away is around nothing. Around a handle, curves are kept that are not quite what they should be.
+    if (outcome != Shortening_outcome::collapsed &&
+        (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole))) {
       candidate.measures = measure_polygon(points(candidate));
       m_candidates.push_back(std::move(candidate));
     }
@@ -359,8 +365,9 @@ private:
 
   void sort_candidates()
   {
-    std::stable_sort(m_candidates.begin(), m_candidates.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.measures.length < b.measures.length; });
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
+    });
   }
 
   std::vector<Vector_3> points(const Candidate& candidate) const
