@@ -190,6 +190,25 @@ TEST(Find_surface_loops, linked_and_knotted_rings_have_tunnels)
   EXPECT_EQ(0, linking_number(pushed_outwards(tunnel, knot, -0.2), to_polygon(tunnel)) % 2);
 }
 
+TEST(Find_surface_loops, coils_have_tunnels_that_bound_outside)
+{
+  // The shortest loops along some of these tubes also go around them.
+  for (const double width : {1.45, 1.5, 1.55, 1.6}) {
+    const auto coil = [width](double t) {
+      const double from_axis = 3 + width * std::cos(7 * t);
+      return CSCD::test::Triple{from_axis * std::cos(t), from_axis * std::sin(t), 1.8 * width * std::sin(7 * t)};
+    };
+    constexpr std::size_t size = 240;
+    const CSCD::test::Shape shape =
+        CSCD::test::swept_shape("coil", CSCD::test::sampled_closed_curve(coil, size), std::vector<double>(size, 0.14),
+                                8, CSCD::test::Tube_end::joined);
+    const std::vector<Mesh_loop> loops = loops_of(shape);
+    ASSERT_EQ(2U, loops.size()) << width;
+    EXPECT_EQ(Loop_kind::tunnel, loops[1].kind);
+    EXPECT_EQ(0, linking_number(pushed_outwards(loops[1], shape, -0.1), to_polygon(loops[1])) % 2) << width;
+  }
+}
+
 TEST(Find_surface_loops, neck_is_a_constriction)
 {
   for (const double neck_radius : {0.3, 0.6}) {
