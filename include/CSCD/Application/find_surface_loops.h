@@ -67,7 +67,7 @@ std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid&
 /// homology of the surface over Z2, g where the genus is g and the candidates contain them. The shortest candidates
 /// need not be the shortest of all loops.
 ///
-/// A constriction separates the surface. Of several at one place, the shortest is taken.
+/// A constriction separates the surface. Of several at one place, and of those that cross, the shortest is taken.
 ///
 /// Near linear in the number of vertices, times 2 g for a surface of genus g.
 /// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles

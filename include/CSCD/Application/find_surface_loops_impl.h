@@ -502,19 +502,24 @@ private:
   /// \name Constrictions
   /// @{
 
+  /// Adds loops that separate and cross neither each other nor themselves, the shortest first.
   void add_constrictions(double min_depth, std::vector<Surface_loop<Vector_3>>& result)
   {
-    std::vector<const Candidate*> kept;
+    std::vector<const Candidate*> seen;
     Parallel_curves parallel_curves(m_surface);
+    Separator_arrangement arrangement(m_surface);
+    std::vector<Edge_crossing> crossings;
     for (const Candidate& candidate : m_candidates) {
-      if (candidate.loop_class.none() && std::none_of(kept.begin(), kept.end(), [&](const Candidate* other) {
+      if (candidate.loop_class.any() || std::any_of(seen.begin(), seen.end(), [&](const Candidate* other) {
             return is_same_place(*other, candidate);
           })) {
-        kept.push_back(&candidate);
-        const double depth = parallel_curves.depth(candidate.path);
-        if (depth >= min_depth) {
-          result.push_back(to_loop(Loop_kind::constriction, candidate, depth));
-        }
+        continue;
+      }
+      seen.push_back(&candidate);
+      const double depth = parallel_curves.depth(candidate.path);
+      if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
+          arrangement.insert(Index(result.size()), crossings)) {
+        result.push_back(to_loop(Loop_kind::constriction, candidate, depth));
       }
     }
   }
