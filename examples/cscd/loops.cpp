@@ -101,10 +101,7 @@ Skeleton to_graph(const Loops& loops)
 
 void write_loops(const Loops_options& options)
 {
-  check_is_not_input(options.output, options.input, "--output");
-  if (!is_json(options.output)) {
-    CSCD::check_skeleton_filename(options.output);
-  }
+  check_skeleton_outputs({options.output}, options.input);
   const Loops loops = find_loops(options);
   if (options.output == standard_stream) {
     write_loops_as_json(std::cout, loops);
