@@ -5,6 +5,7 @@
 
 #include "cscd/applications.h"
 #include "cscd/commands.h"
+#include "cscd/loops.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
@@ -59,6 +60,11 @@ constexpr const char* segment_examples =
   cscd segment bunny.off -o bunny.seg --parts 5
 )";
 
+constexpr const char* loops_examples =
+    R"(  cscd loops bunny.off -o loops.json                 closed geodesics around handles, tunnels and constrictions
+  cscd loops bunny.off -o necks.vtp --constrictions
+)";
+
 constexpr const char* batch_examples =
     R"(  cscd batch meshes/*.off --output-dir skeletons --timeout 60     each in a process of its own
   cscd batch --list names.txt --output-dir out --resume -- -o {}.json --html {}.html --detail 0.3
@@ -83,7 +89,7 @@ public:
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
           std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
           std::pair("diameter", diameter_examples), std::pair("segment", segment_examples),
-          std::pair("batch", batch_examples)}) {
+          std::pair("loops", loops_examples), std::pair("batch", batch_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -355,6 +361,22 @@ void add_segment(CLI::App& app, cscd::Segment_options& options)
       ->capture_default_str();
 }
 
+void add_loops(CLI::App& app, cscd::Loops_options& options)
+{
+  CLI::App* command = add_application(
+      app, "loops", "find closed geodesics around handles, tunnels and constrictions of the body of a mesh",
+      "file for the loops: .json, or - for it, or as of skeletons, by the ending", options);
+  command->add_flag("--handles", options.handles, "write handle loops; without such options, all kinds are written");
+  command->add_flag("--tunnels", options.tunnels, "write tunnel loops");
+  command->add_flag("--constrictions", options.constrictions, "write constrictions");
+  command
+      ->add_option("--min-depth", options.min_depth,
+                   "by how much loops beside a constriction are longer at least, relative to its length")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("D")
+      ->capture_default_str();
+}
+
 void add_batch(CLI::App& app, cscd::Batch_options& options)
 {
   CLI::App* command = app.add_subcommand("batch", "skeletonize many inputs, each in a process of its own");
@@ -424,6 +446,8 @@ int run(int argc, char** argv)
                   "file for one value a line, in the order of the vertices, or -", diameter_options);
   cscd::Segment_options segment_options;
   add_segment(app, segment_options);
+  cscd::Loops_options loops_options;
+  add_loops(app, loops_options);
   cscd::Batch_options batch_options;
   add_batch(app, batch_options);
   take_command_options(argc, argv, batch_options);
@@ -444,6 +468,8 @@ int run(int argc, char** argv)
     cscd::segment(segment_options);
   } else if (app.got_subcommand("diameter")) {
     cscd::write_diameters(diameter_options);
+  } else if (app.got_subcommand("loops")) {
+    cscd::write_loops(loops_options);
   } else if (app.got_subcommand("batch")) {
     if (!cscd::batch(batch_options)) {
       return bad_input;

@@ -4,4 +4,5 @@
 // What is done with skeletons, compiled once.
 
 #include <CSCD/Application/estimate_shape_diameters_impl.h>
+#include <CSCD/Application/find_surface_loops_impl.h>
 #include <CSCD/Application/segment_mesh_impl.h>

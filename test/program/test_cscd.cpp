@@ -105,12 +105,41 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
   expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
+TEST_F(Cscd, loops_are_written_by_kind_and_format)
+{
+  m_folder.write("torus.off", off(torus()));
+  const auto kinds = [&](const std::string& options) {
+    const Outcome outcome = run("loops torus.off -o loops.json " + options);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    std::vector<std::string> result;
+    for (const auto& loop : nlohmann::json::parse(content("loops.json"))) {
+      EXPECT_GT(loop.at("length").get<double>(), 0);
+      EXPECT_GE(loop.at("points").size(), 3U);
+      EXPECT_EQ(3U, loop.at("points").at(0).size());
+      result.push_back(loop.at("kind"));
+    }
+    return result;
+  };
+  EXPECT_EQ((std::vector<std::string>{"handle", "tunnel"}), kinds(""));
+  EXPECT_EQ((std::vector<std::string>{"handle"}), kinds("--handles"));
+  EXPECT_EQ((std::vector<std::string>{"tunnel"}), kinds("--tunnels --constrictions"));
+  EXPECT_TRUE(kinds("--constrictions").empty());
+  EXPECT_EQ(2U, nlohmann::json::parse(run("loops torus.off -o -").out).size());
+  EXPECT_NE(std::string::npos, run("loops torus.off -o loops.obj").out.find("2 loops"));
+  EXPECT_NE(std::string::npos, content("loops.obj").find("\nl 1 2 3 "));
+  expect_refusal("loops torus.off -o a.txt", 1, {".obj"});
+  expect_refusal("loops torus.off -o a.json --min-depth deep", 1, {"--min-depth"});
+  expect_refusal("loops torus.off", 1, {"--output"});
+}
+
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "batch"}) {
+  for (const std::string command :
+       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "batch"}) {
+    for (const std::string other :
+         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }

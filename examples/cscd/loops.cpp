@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `cscd loops`: from arguments to files.
+
+#include "loops.h"
+
+#include "commands.h"
+#include "types.h"
+#include <CSCD/Application/find_surface_loops.h>
+#include <CSCD/IO/write_file.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/counted.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace cscd {
+
+namespace {
+
+using Loops = std::vector<CSCD::Surface_loop<Point>>;
+
+bool is_json(const std::string& filename)
+{
+  return filename == standard_stream || std::filesystem::path(filename).extension() == ".json";
+}
+
+bool is_wanted(const Loops_options& options, CSCD::Loop_kind kind)
+{
+  const std::array<bool, 3> chosen{options.handles, options.tunnels, options.constrictions};
+  return chosen == std::array<bool, 3>{} || chosen[static_cast<std::size_t>(kind)];
+}
+
+Loops find_loops(const Loops_options& options)
+{
+  const Input input = read_input(options.input, options.format, options.is_quiet);
+  const std::string name = options.input == standard_stream ? "standard input" : options.input;
+  if (input.is_point_set) {
+    throw CSCD::Input_error(name + ": has no faces: this needs a mesh");
+  }
+  try {
+    Loops loops = CSCD::find_surface_loops(input.mesh, CSCD::parameters::default_values(), options.min_depth);
+    loops.erase(
+        std::remove_if(loops.begin(), loops.end(), [&](const auto& loop) { return !is_wanted(options, loop.kind); }),
+        loops.end());
+    return loops;
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(name + ": " + error.what());
+  }
+}
+
+/// A list of objects with kind, length, points and, of constrictions, depth.
+void write_loops_as_json(std::ostream& out, const Loops& loops)
+{
+  constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const CSCD::Surface_loop<Point>& loop : loops) {
+    nlohmann::ordered_json object{{"kind", names[static_cast<std::size_t>(loop.kind)]}, {"length", loop.length}};
+    if (loop.kind == CSCD::Loop_kind::constriction) {
+      object["depth"] = loop.depth;
+    }
+    for (const Point& point : loop.points) {
+      object["points"].push_back({point.x(), point.y(), point.z()});
+    }
+    list.push_back(std::move(object));
+  }
+  out << list.dump() << '\n';
+}
+
+/// The loops as cycles of a graph, which every format of skeletons can hold; the radius of a node is that of a circle
+/// as long as its loop.
+Skeleton to_graph(const Loops& loops)
+{
+  Skeleton graph;
+  for (const CSCD::Surface_loop<Point>& loop : loops) {
+    const auto first = num_vertices(graph);
+    for (const Point& point : loop.points) {
+      const auto node = add_vertex(graph);
+      graph[node].point = point;
+      graph[node].radius = loop.length / (2 * boost::math::double_constants::pi);
+    }
+    for (std::size_t i = 0; i < loop.points.size(); ++i) {
+      add_edge(first + i, first + (i + 1) % loop.points.size(), graph);
+    }
+  }
+  return graph;
+}
+
+} // namespace
+
+void write_loops(const Loops_options& options)
+{
+  check_skeleton_outputs({options.output}, options.input);
+  const Loops loops = find_loops(options);
+  if (options.output == standard_stream) {
+    write_loops_as_json(std::cout, loops);
+    return;
+  }
+  if (is_json(options.output)) {
+    CSCD::write_file(options.output, [&](std::ostream& out) { write_loops_as_json(out, loops); });
+  } else {
+    CSCD::write_skeleton(options.output, to_graph(loops));
+  }
+  if (!options.is_quiet) {
+    std::cout << options.output << ": " << CSCD::internal::counted(loops.size(), "loop", "loops") << '\n';
+  }
+}
+
+} // namespace cscd

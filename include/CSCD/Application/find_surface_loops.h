@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closed geodesics around the handles, the tunnels and the constrictions of a body.
+
+#ifndef CSCD_APPLICATION_FIND_SURFACE_LOOPS_H
+#define CSCD_APPLICATION_FIND_SURFACE_LOOPS_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/Vector_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <type_traits>
+#include <vector>
+
+namespace CSCD {
+
+/// What a closed geodesic tells of a body.
+enum class Loop_kind
+{
+  handle,      ///< it bounds a surface inside the body, and cutting along it opens a handle
+  tunnel,      ///< it bounds a surface outside the body, across the hole that a handle makes
+  constriction ///< it separates the surface where the body is thinner than on both sides
+};
+
+/// A closed geodesic on a surface.
+template <class Point>
+struct Surface_loop
+{
+  /// What it surrounds.
+  Loop_kind kind = Loop_kind::handle;
+  /// Its length, in the unit of the mesh.
+  double length = 0;
+  /// Of a constriction, by how much loops parallel to it are longer, relative to its own length: on either side the
+  /// longest at most a diameter away, `length / pi`, and of the two sides the lesser. 0 for other loops.
+  double depth = 0;
+  /// Its points on edges and vertices, in order; the last and the first are neighbors.
+  std::vector<Point> points;
+};
+
+/// Constrictions less deep than this are left out by default: loops parallel to them are longer by so much, relative to
+/// them. Less comes of the triangles on tubes that have no constriction.
+inline constexpr double default_min_constriction_depth = 0.05;
+
+namespace internal {
+
+/// The loops in the coordinates of `solid`; see `CSCD::find_surface_loops()`.
+std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid, unsigned random_seed,
+                                                       double min_depth);
+
+} // namespace internal
+
+/// finds short closed geodesics around the handles, tunnels and constrictions of a body (supplement of the method's
+/// paper, appendix I.3).
+///
+/// Candidates are local separators and the shortest loops of greedy bases of homology from several roots (Erickson and
+/// Whittlesey, "Greedy optimal homotopy and homology generators", 2005). They are shortened freely, by edge flips.
+///
+/// A loop is a handle loop if its linking number with every other curve of the surface, pushed outwards, is even, and a
+/// tunnel loop if it is with curves pushed inwards. Of either kind the shortest are taken that are independent in the
+/// homology of the surface over Z2, g where the genus is g and the candidates contain them. The shortest candidates
+/// need not be the shortest of all loops.
+///
+/// A constriction separates the surface. Of several at one place, and of those that cross, the shortest is taken.
+///
+/// Near linear in the number of vertices, times 2 g for a surface of genus g.
+/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \param mesh an oriented manifold; what is around its borders counts as closed
+/// \param np an optional sequence of named parameters
+/// \param min_depth constrictions that are less deep are left out
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{vertex_point_map}
+///     \cgalParamDescription{the points of the vertices of `mesh`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
+///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{random_seed}
+///     \cgalParamDescription{seed of the order in which sources of separators are tried}
+///     \cgalParamType{`unsigned int`}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return handle loops, tunnel loops, constrictions, each kind by increasing length
+/// \throw Input_error if the mesh is no oriented manifold of triangles, or has no extent or no area
+template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
+auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values(),
+                        double min_depth = default_min_constriction_depth)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
+                                   CGAL::internal_np::random_seed_t>();
+  check_triangle_mesh<TriangleMesh>();
+  const auto point_map = internal::vertex_point_map(mesh, np);
+  using Point_map = std::decay_t<decltype(point_map)>;
+  using Point = typename boost::property_traits<Point_map>::value_type;
+  const Triangle_mesh_traits<TriangleMesh, Point_map> traits(mesh, point_map);
+  const Normalization& normalization = traits.surface().normalization();
+  std::vector<Surface_loop<Point>> result;
+  for (const Surface_loop<Vector_3>& loop : internal::find_surface_loops(
+           traits.surface(), unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)),
+           min_depth)) {
+    result.push_back({loop.kind, loop.length * normalization.unit, loop.depth, {}});
+    result.back().points.reserve(loop.points.size());
+    for (const Vector_3& point : loop.points) {
+      result.back().points.push_back(to_input_point<Point>(normalization, point));
+    }
+  }
+  return result;
+}
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Application/find_surface_loops_impl.h>
+#endif
+
+#endif // CSCD_APPLICATION_FIND_SURFACE_LOOPS_H

@@ -1,0 +1,574 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of find_surface_loops.h.
+
+#ifndef CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H
+#define CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H
+
+#include <CSCD/Application/Loop_classes.h>
+#include <CSCD/Application/find_surface_loops.h>
+#include <CSCD/Selection/Covering_search.h>
+#include <CSCD/Selection/Handle_loops.h>
+#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Selection/Separator_cost.h>
+#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/config.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The local separators of `solid`, from sources all over the surface.
+inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
+{
+  const Detail detail;
+  const auto make_finder = [&]() -> Separator_finder {
+    const auto finder = std::make_shared<Local_separator_finder>(solid.levels(), detail.min_loop_area_ratio());
+    return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
+  };
+  Search_settings settings;
+  settings.random_seed = random_seed;
+  Skeletonization_report report;
+  return Covering_search(solid.levels(), settings, make_finder,
+                         detail.min_branch_area_ratio())(Length_and_planarity_cost(), report, [](double) {});
+}
+
+inline double distance_to_side(const Vector_3& point, const Vector_3& a, const Vector_3& b)
+{
+  const double squared_length = (b - a).squaredNorm();
+  const double t = squared_length > 0 ? std::clamp((point - a).dot(b - a) / squared_length, 0., 1.) : 0.;
+  return (a + t * (b - a) - point).norm();
+}
+
+/// The lengths of the curves parallel to a closed curve that separates a surface.
+class Parallel_curves
+{
+public:
+  explicit Parallel_curves(const Triangulated_surface& surface)
+      : m_surface(surface), m_front(surface.number_of_vertices()), m_side(surface.number_of_vertices())
+  {
+  }
+
+  /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`.
+  /// O(k log k) for the k vertices at most a diameter away.
+  double depth(const Surface_path& curve)
+  {
+    const double reach = curve.length / boost::math::double_constants::pi;
+    measure_distances(curve, reach);
+    std::array<double, 2> longest{0, 0};
+    for (const bool is_left : {false, true}) {
+      for (int step = 1; step <= number_of_levels; ++step) {
+        const double level = reach * step / number_of_levels;
+        longest[is_left ? 1 : 0] = std::max(longest[is_left ? 1 : 0], level_length(is_left ? level : -level));
+      }
+    }
+    return std::min(longest[0], longest[1]) / curve.length - 1;
+  }
+
+private:
+  /// So many parallel curves on either side are measured.
+  static constexpr int number_of_levels = 12;
+
+  /// Distances from `curve` of all vertices up to `reach`, and of those beyond next to them.
+  void measure_distances(const Surface_path& curve, double reach)
+  {
+    m_front.clear();
+    m_faces.clear();
+    m_reached.clear();
+    push_off_vertices(m_surface, curve, m_crossings);
+    for (std::size_t i = 0; i < m_crossings.size(); ++i) {
+      const Vector_3 point = crossing_point(m_surface, m_crossings[i]);
+      const Vector_3 before = crossing_point(m_surface, m_crossings[(i + m_crossings.size() - 1) % m_crossings.size()]);
+      const Vector_3 after = crossing_point(m_surface, m_crossings[(i + 1) % m_crossings.size()]);
+      for (const bool is_left : {false, true}) {
+        const Index h = m_crossings[i].halfedge;
+        const Index vertex = is_left ? m_surface.target(h) : m_surface.origin(h);
+        const Vector_3& at = m_surface.point(vertex);
+        reach_vertex(vertex, std::min(distance_to_side(at, before, point), distance_to_side(at, point, after)),
+                     is_left);
+      }
+    }
+    m_front.spread([&](Index vertex, float distance) {
+      m_reached.push_back(vertex);
+      if (distance <= reach) {
+        for (const Index h : m_surface.outgoing(vertex)) {
+          pass_face(vertex, h, distance);
+        }
+      }
+    });
+    for (const Index vertex : m_reached) {
+      for (const Index h : m_surface.outgoing(vertex)) {
+        if (!m_surface.is_hole_filling(Triangulated_surface::face(h))) {
+          m_faces.push_back(Triangulated_surface::face(h));
+        }
+      }
+    }
+    std::sort(m_faces.begin(), m_faces.end());
+    m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
+  }
+
+  void reach_vertex(Index vertex, double distance, bool is_left)
+  {
+    if ((!m_front.is_reached(vertex) || m_side[vertex] == is_left) && m_front.reach(vertex, float(distance))) {
+      m_side[vertex] = is_left;
+    }
+  }
+
+  /// The front goes on from `vertex` over the face of `h`, along its sides and, straight, over the side that it has
+  /// passed already.
+  void pass_face(Index vertex, Index h, float distance)
+  {
+    const std::array<Index, 2> others{m_surface.target(h), m_surface.opposite_vertex(h)};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Index to = others[i];
+      const Index beside = others[1 - i];
+      double reached = distance + (m_surface.point(to) - m_surface.point(vertex)).norm();
+      if (m_front.is_reached(beside) && m_side[beside] == m_side[vertex]) {
+        reached = std::min(reached, straight_distance(vertex, beside, to));
+      }
+      reach_vertex(to, std::max(reached, double(distance)), m_side[vertex] != 0);
+    }
+  }
+
+  /// The distance of `to` where distances grow evenly over the triangle of `a`, `b` and `to`, and the shortest path to
+  /// it passes between `a` and `b`; otherwise the greatest number.
+  double straight_distance(Index a, Index b, Index to) const
+  {
+    const Vector_3 side = m_surface.point(b) - m_surface.point(a);
+    const Vector_3 way = m_surface.point(to) - m_surface.point(a);
+    const double length = side.norm();
+    const double along = way.dot(side) / length;
+    const double across = std::sqrt(std::max(way.squaredNorm() - along * along, 0.));
+    const double cosine = (double(m_front.distance(b)) - double(m_front.distance(a))) / length;
+    if (!(std::abs(cosine) < 1)) {
+      return std::numeric_limits<double>::max();
+    }
+    const double sine = std::sqrt(1 - cosine * cosine);
+    const double foot = along - across * cosine / sine;
+    return foot >= 0 && foot <= length ? m_front.distance(a) + cosine * along + sine * across
+                                       : std::numeric_limits<double>::max();
+  }
+
+  double signed_distance(Index vertex) const
+  {
+    return m_side[vertex] != 0 ? double(m_front.distance(vertex)) : -double(m_front.distance(vertex));
+  }
+
+  double level_length(double level) const
+  {
+    double result = 0;
+    for (const Index face : m_faces) {
+      std::array<Vector_3, 2> ends;
+      std::size_t number_of_ends = 0;
+      for (const Index h : Triangulated_surface::face_halfedges(face)) {
+        const Index a = m_surface.origin(h);
+        const Index b = m_surface.target(h);
+        if (!m_front.is_reached(a) || !m_front.is_reached(b)) {
+          continue;
+        }
+        const double at_a = signed_distance(a) - level;
+        const double at_b = signed_distance(b) - level;
+        if ((at_a < 0) != (at_b < 0) && number_of_ends < 2) {
+          ends[number_of_ends++] =
+              m_surface.point(a) + at_a / (at_a - at_b) * (m_surface.point(b) - m_surface.point(a));
+        }
+      }
+      result += number_of_ends == 2 ? (ends[1] - ends[0]).norm() : 0.;
+    }
+    return result;
+  }
+
+  const Triangulated_surface& m_surface;
+  Dijkstra_search m_front;
+  std::vector<char> m_side; // of vertices that are reached: whether on the left of the curve
+  std::vector<Edge_crossing> m_crossings;
+  std::vector<Index> m_reached;
+  std::vector<Index> m_faces;
+};
+
+/// Finds loops of all kinds on one surface.
+class Surface_loop_search
+{
+public:
+  explicit Surface_loop_search(const Triangulated_solid& solid)
+      : m_solid(solid), m_surface(solid.triangulation()), m_classes(m_surface),
+        m_shorten(m_surface, m_surface.first_hole_filling_face()), m_is_consistent(m_classes.is_consistent())
+  {
+  }
+
+  std::vector<Surface_loop<Vector_3>> operator()(unsigned random_seed, double min_depth)
+  {
+    for (const Separator& separator : find_local_separators(m_solid, random_seed)) {
+      add_separator(separator);
+    }
+    if (m_classes.size() > 0) {
+      add_basis_loops();
+    }
+    sort_candidates();
+    if (add_untwisted_loops()) {
+      sort_candidates();
+    }
+    std::vector<Surface_loop<Vector_3>> result;
+    for (const Loop_kind kind : {Loop_kind::handle, Loop_kind::tunnel}) {
+      for (const Candidate* candidate : independent_loops(kind)) {
+        result.push_back(to_loop(kind, *candidate, 0));
+      }
+    }
+    add_constrictions(min_depth, result);
+    std::stable_sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.kind, a.length) < std::tie(b.kind, b.length);
+    });
+    return result;
+  }
+
+private:
+  using Bits = Loop_classes::Bits;
+
+  /// Bound for the vertices that are visited for loops from several roots: about a second.
+  static constexpr std::size_t max_visits = 5000000;
+  /// Samples of the disc that a loop spans: the middle between each point of the loop and the center.
+  static constexpr double min_inside_part = 0.5;
+
+  struct Candidate
+  {
+    std::vector<Index> halfedges; // before it was shortened
+    Surface_path path;
+    Polygon_measures measures;
+    Bits loop_class;
+    bool is_geodesic = false;
+    bool is_over_hole = false; // along an edge that only bridges a border
+  };
+
+  /// \name Candidates
+  /// @{
+
+  /// Adds the loop along the vertices on one side of a separator.
+  void add_separator(const Separator& separator)
+  {
+    for (const bool is_left : {false, true}) {
+      Vertex_loop loop;
+      for (const Edge_crossing& crossing : separator.crossings) {
+        const Index h = crossing.halfedge;
+        add_vertex(is_left ? m_surface.target(h) : m_surface.origin(h), loop);
+      }
+      while (loop.size() > 2 && loop.front() == loop.back()) {
+        loop.pop_back();
+      }
+      if (add_candidate(halfedges_along(loop))) {
+        return;
+      }
+    }
+  }
+
+  /// Appends `vertex` unless the loop is there; going straight back shortens the loop.
+  static void add_vertex(Index vertex, Vertex_loop& loop)
+  {
+    if (loop.size() > 1 && loop[loop.size() - 2] == vertex) {
+      loop.pop_back();
+    } else if (loop.empty() || loop.back() != vertex) {
+      loop.push_back(vertex);
+    }
+  }
+
+  std::vector<Index> halfedges_along(const Vertex_loop& loop) const
+  {
+    std::vector<Index> result;
+    result.reserve(loop.size());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      result.push_back(m_surface.find_halfedge(loop[i], loop[i + 1 < loop.size() ? i + 1 : 0]));
+    }
+    return result;
+  }
+
+  bool is_over_hole(Index h) const
+  {
+    return m_surface.is_hole_filling(Triangulated_surface::face(h)) &&
+           m_surface.is_hole_filling(Triangulated_surface::face(m_surface.twin(h)));
+  }
+
+  /// Shortens the loop along `halfedges` and adds it. \return whether it runs along different edges of the surface
+  bool add_candidate(std::vector<Index> halfedges)
+  {
+    if (halfedges.size() < 3 || std::find(halfedges.begin(), halfedges.end(), no_index) != halfedges.end()) {
+      return false;
+    }
+    std::vector<Index> edges;
+    edges.reserve(halfedges.size());
+    for (const Index h : halfedges) {
+      edges.push_back(m_surface.edge(h));
+    }
+    std::sort(edges.begin(), edges.end());
+    if (std::adjacent_find(edges.begin(), edges.end()) != edges.end()) {
+      return false;
+    }
+    Candidate candidate;
+    candidate.loop_class = m_classes(halfedges);
+    candidate.is_over_hole = std::any_of(halfedges.begin(), halfedges.end(), [&](Index h) { return is_over_hole(h); });
+    const Shortening_outcome outcome = m_shorten(halfedges, true, candidate.path);
+    candidate.halfedges = std::move(halfedges);
+    candidate.is_geodesic = outcome == Shortening_outcome::straight;
+    // What has shrunk away is around nothing. Around a handle, curves are kept that are not quite what they should be.
+    if (outcome != Shortening_outcome::collapsed &&
+        (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole))) {
+      candidate.measures = measure_polygon(points(candidate));
+      m_candidates.push_back(std::move(candidate));
+    }
+    return true;
+  }
+
+  /// Adds loops that are a basis of the homology of each component, from one root, and from roots on these.
+  void add_basis_loops()
+  {
+    const Separator_arrangement nothing(m_surface);
+    Handle_loops handle_loops(m_solid.levels().finest(), nothing);
+    std::size_t roots_left = max_visits / m_surface.number_of_vertices();
+    Index last_component = no_index;
+    for (Index root = 0; root < m_surface.number_of_vertices(); ++root) {
+      if (m_solid.component(root) == last_component) {
+        continue;
+      }
+      last_component = m_solid.component(root);
+      for (const Vertex_loop& rough_loop : handle_loops(root)) {
+        add_candidate(halfedges_along(rough_loop));
+        if (roots_left > 0) {
+          --roots_left;
+          for (const Vertex_loop& loop : handle_loops(rough_loop.front())) {
+            add_candidate(halfedges_along(loop));
+          }
+        }
+      }
+    }
+  }
+
+  void sort_candidates()
+  {
+    std::stable_sort(m_candidates.begin(), m_candidates.end(), [](const Candidate& a, const Candidate& b) {
+      return std::tie(a.is_over_hole, a.measures.length) < std::tie(b.is_over_hole, b.measures.length);
+    });
+  }
+
+  std::vector<Vector_3> points(const Candidate& candidate) const
+  {
+    std::vector<Vector_3> result;
+    crossing_points(m_surface, candidate.path.points, result);
+    return result;
+  }
+  /// @}
+
+  /// \name Handles and tunnels
+  /// @{
+
+  bool is_of_kind(const Candidate& candidate, Loop_kind kind) const
+  {
+    if (candidate.loop_class.none()) {
+      return false;
+    }
+    if (!m_is_consistent) {
+      return spans_body(candidate) == (kind == Loop_kind::handle);
+    }
+    const Bits tunnel_part = m_classes.tunnel_part(candidate.loop_class);
+    return kind == Loop_kind::handle ? tunnel_part.none() : tunnel_part == candidate.loop_class;
+  }
+
+  /// Whether a disc that the loop spans is inside the body for the most part: a substitute where the surface intersects
+  /// itself, and no loop need bound anything.
+  bool spans_body(const Candidate& candidate) const
+  {
+    const std::vector<Vector_3> corners = points(candidate);
+    const auto number_inside = std::count_if(corners.begin(), corners.end(), [&](const Vector_3& point) {
+      return m_solid.is_inside((point + candidate.measures.center) / 2);
+    });
+    return double(number_inside) >= min_inside_part * double(corners.size());
+  }
+
+  /// The shortest candidates of a kind that are independent.
+  std::vector<const Candidate*> independent_loops(Loop_kind kind) const
+  {
+    std::vector<const Candidate*> result;
+    Independent_bits chosen;
+    for (const Candidate& candidate : m_candidates) {
+      if (2 * result.size() < m_classes.size() && is_of_kind(candidate, kind) && chosen.insert(candidate.loop_class)) {
+        result.push_back(&candidate);
+      }
+    }
+    return result;
+  }
+
+  /// Where tunnel loops are missing: makes them of loops that go along a handle and also around it, by going around it
+  /// once more. \return whether there are new candidates
+  bool add_untwisted_loops()
+  {
+    const std::size_t old_number = m_candidates.size();
+    const std::vector<const Candidate*> handles = independent_loops(Loop_kind::handle);
+    Independent_bits tunnels;
+    for (const Candidate* tunnel : independent_loops(Loop_kind::tunnel)) {
+      tunnels.insert(tunnel->loop_class);
+    }
+    if (!m_is_consistent || 2 * tunnels.size() == m_classes.size()) {
+      return false;
+    }
+    std::vector<std::vector<Index>> untwisted;
+    for (const Candidate& candidate : m_candidates) {
+      const Bits tunnel_part = m_classes.tunnel_part(candidate.loop_class);
+      if (2 * tunnels.size() < m_classes.size() && tunnel_part != candidate.loop_class) {
+        std::optional<std::vector<Index>> loop = add_handles(candidate, tunnel_part, handles);
+        if (loop && tunnels.insert(tunnel_part)) {
+          untwisted.push_back(std::move(*loop));
+        }
+      }
+    }
+    for (std::vector<Index>& loop : untwisted) {
+      add_candidate(std::move(loop));
+    }
+    return m_candidates.size() > old_number;
+  }
+
+  /// The loop of `candidate` with `handles` inserted so that its class is `wanted`, if they can be.
+  std::optional<std::vector<Index>> add_handles(const Candidate& candidate, const Bits& wanted,
+                                                const std::vector<const Candidate*>& handles) const
+  {
+    std::vector<Index> loop = candidate.halfedges;
+    Bits rest = candidate.loop_class ^ wanted;
+    for (const Candidate* handle : handles) {
+      // Only sums of few handles come up: those that bring what is missing nearer.
+      if ((rest ^ handle->loop_class).count() < rest.count()) {
+        if (!insert_loop(handle->halfedges, loop)) {
+          return std::nullopt;
+        }
+        rest ^= handle->loop_class;
+      }
+    }
+    return rest.none() ? std::optional(loop) : std::nullopt;
+  }
+
+  /// Inserts `inserted` into `loop` at a vertex that both have; what they have in common then goes straight back.
+  bool insert_loop(std::vector<Index> inserted, std::vector<Index>& loop) const
+  {
+    const auto begins_at = [&](Index vertex) {
+      return [this, vertex](Index h) { return m_surface.origin(h) == vertex; };
+    };
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      auto place = std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.origin(loop[i])));
+      const Index last = loop[(i + loop.size() - 1) % loop.size()];
+      // Behind a common run, where there is one.
+      if (place == inserted.end() ||
+          std::find_if(inserted.begin(), inserted.end(), begins_at(m_surface.target(loop[i]))) != inserted.end()) {
+        continue;
+      }
+      std::rotate(inserted.begin(), place, inserted.end());
+      if (inserted.back() == last) {
+        std::reverse(inserted.begin(), inserted.end());
+        for (Index& h : inserted) {
+          h = m_surface.twin(h);
+        }
+      }
+      std::rotate(loop.begin(), loop.begin() + std::ptrdiff_t(i), loop.end());
+      for (const Index h : inserted) {
+        if (loop.back() == m_surface.twin(h)) {
+          loop.pop_back();
+        } else {
+          loop.push_back(h);
+        }
+      }
+      return true;
+    }
+    return false;
+  }
+  /// @}
+
+  /// \name Constrictions
+  /// @{
+
+  /// Adds loops that separate and cross neither each other nor themselves, the shortest first.
+  void add_constrictions(double min_depth, std::vector<Surface_loop<Vector_3>>& result)
+  {
+    std::vector<const Candidate*> seen;
+    Parallel_curves parallel_curves(m_surface);
+    Separator_arrangement arrangement(m_surface);
+    std::vector<Edge_crossing> crossings;
+    for (const Candidate& candidate : m_candidates) {
+      if (candidate.loop_class.any() || std::any_of(seen.begin(), seen.end(), [&](const Candidate* other) {
+            return is_same_place(*other, candidate);
+          })) {
+        continue;
+      }
+      seen.push_back(&candidate);
+      const double depth = parallel_curves.depth(candidate.path);
+      if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
+          arrangement.insert(Index(result.size()), crossings)) {
+        result.push_back(to_loop(Loop_kind::constriction, candidate, depth));
+      }
+    }
+  }
+
+  /// Whether no point of either loop is further from the other one than the radius of the shorter one.
+  bool is_same_place(const Candidate& shorter, const Candidate& longer) const
+  {
+    const double radius = shorter.measures.length / (2 * boost::math::double_constants::pi);
+    if ((shorter.measures.center - longer.measures.center).norm() > radius) {
+      return false;
+    }
+    const std::vector<Vector_3> first = points(shorter);
+    const std::vector<Vector_3> second = points(longer);
+    return is_near(first, second, radius) && is_near(second, first, radius);
+  }
+
+  /// Whether all points of a polygon are no further than `distance` from `other`.
+  static bool is_near(const std::vector<Vector_3>& polygon, const std::vector<Vector_3>& other, double distance)
+  {
+    return std::all_of(polygon.begin(), polygon.end(), [&](const Vector_3& point) {
+      for (std::size_t i = 0; i < other.size(); ++i) {
+        if (distance_to_side(point, other[i], other[i + 1 < other.size() ? i + 1 : 0]) <= distance) {
+          return true;
+        }
+      }
+      return false;
+    });
+  }
+  /// @}
+
+  Surface_loop<Vector_3> to_loop(Loop_kind kind, const Candidate& candidate, double depth) const
+  {
+    return {kind, candidate.measures.length, depth, points(candidate)};
+  }
+
+  const Triangulated_solid& m_solid;
+  const Triangulated_surface& m_surface;
+  Loop_classes m_classes;
+  Edge_flip_shortening<Triangulated_surface> m_shorten;
+  bool m_is_consistent;
+  std::vector<Candidate> m_candidates;
+};
+
+CSCD_INLINE std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid,
+                                                                   unsigned random_seed, double min_depth)
+{
+  return Surface_loop_search(solid)(random_seed, min_depth);
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H
