@@ -9,6 +9,7 @@
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 
@@ -20,30 +21,14 @@
 
 namespace CSCD::internal {
 
-/// The distance of `point` from the segment between two points.
-CSCD_INLINE double distance_to_segment(const Vector_3& point, const Vector_3& source, const Vector_3& target)
-{
-  const Vector_3 along = target - source;
-  const double squared_length = along.squaredNorm();
-  const double t = squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
-  return (source + t * along - point).norm();
-}
-
 CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface,
                                                        std::size_t number_of_smoothing_steps)
 {
   const std::size_t n = surface.node.size();
-  const std::vector<Vector_3>& nodes = surface.skeleton.points;
   const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
   std::vector<double> diameters(n);
   for (std::size_t v = 0; v < n; ++v) {
-    const Vector_3& point = surface.triangles.points[v];
-    const Index node = surface.node[v];
-    double distance = (point - nodes[node]).norm();
-    for (const Index neighbor : neighbors[node]) {
-      distance = std::min(distance, distance_to_segment(point, nodes[node], nodes[neighbor]));
-    }
-    diameters[v] = 2 * distance;
+    diameters[v] = 2 * distance_to_edges(surface.skeleton, neighbors, surface.node[v], surface.triangles.points[v]);
   }
   std::vector<double> sum(n);
   std::vector<double> weight(n); // an edge counts once for each of its faces

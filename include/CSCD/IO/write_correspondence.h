@@ -10,6 +10,7 @@
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
@@ -23,7 +24,6 @@
 #include <boost/range/iterator_range_core.hpp>
 #include <boost/unordered_map.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -46,14 +46,6 @@ struct Vertex_label
 
 namespace internal {
 
-inline double distance_to_segment(const Vector_3& point, const Vector_3& source, const Vector_3& target)
-{
-  const Vector_3 along = target - source;
-  const double squared_length = along.squaredNorm();
-  const double t = squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
-  return (source + t * along - point).norm();
-}
-
 /// \param node_of_vertex `no_index` for vertices of no node
 inline std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points,
                                                 const std::vector<Index>& node_of_vertex,
@@ -70,11 +62,7 @@ inline std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& poi
     label.node = node;
     label.branch = branches.branch_of_node[node];
     label.radius = skeleton.has_radii() ? skeleton.radii[node] : label.radius;
-    label.distance = (points[v] - skeleton.points[node]).norm();
-    for (const Index neighbor : neighbors[node]) {
-      label.distance =
-          std::min(label.distance, distance_to_segment(points[v], skeleton.points[node], skeleton.points[neighbor]));
-    }
+    label.distance = distance_to_edges(skeleton, neighbors, node, points[v]);
   }
   return result;
 }
