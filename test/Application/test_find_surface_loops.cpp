@@ -56,6 +56,7 @@ CSCD::Vector_3 to_vector(const Loop_mesh::Point& point)
 Polygon to_polygon(const Mesh_loop& loop)
 {
   Polygon result;
+  result.reserve(loop.points.size());
   for (const auto& point : loop.points) {
     result.push_back(to_vector(point));
   }
@@ -76,6 +77,7 @@ Polygon pushed_outwards(const Mesh_loop& loop, const CSCD::test::Shape& shape, d
     }
   }
   Polygon result;
+  result.reserve(loop.points.size());
   for (const CSCD::Vector_3& point : to_polygon(loop)) {
     std::size_t nearest = 0;
     for (std::size_t v = 0; v < shape.points.size(); ++v) {
@@ -137,8 +139,9 @@ void expect_dual_bases(const CSCD::test::Shape& shape, std::size_t genus)
 CSCD::test::Shape body_with_neck(double neck_radius, std::size_t around)
 {
   const std::size_t n = CSCD::test::rings_for(8, 1, around);
-  std::vector<double> radii;
   const auto points = CSCD::test::sampled_segment({-4, 0, 0}, {4, 0, 0}, n);
+  std::vector<double> radii;
+  radii.reserve(n);
   for (const auto& point : points) {
     radii.push_back(1 - (1 - neck_radius) * std::exp(-2 * point[0] * point[0]));
   }

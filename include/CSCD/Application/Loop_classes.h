@@ -235,6 +235,7 @@ private:
     std::vector<Index> second = path_to_root(m_surface.target(edge));
     cut_common_end(first, second);
     Polygon result;
+    result.reserve(first.size() + second.size() + 1);
     for (const Index h : second) { // from the target to where the paths meet
       result.push_back(m_surface.point(m_surface.origin(h)));
     }
@@ -253,6 +254,7 @@ private:
     std::vector<Index> second = dual_path_to_root(Triangulated_surface::face(m_surface.twin(edge)));
     cut_common_end(first, second);
     std::vector<Index> result{edge};
+    result.reserve(first.size() + second.size() + 1);
     result.insert(result.end(), second.begin(), second.end());
     std::reverse(first.begin(), first.end());
     for (const Index h : first) {
@@ -264,8 +266,10 @@ private:
   /// The points of the dual loop of `edge`: centers of faces and of edges, that of `edge` pushed outwards.
   Polygon dual_loop_points(Index edge) const
   {
+    const std::vector<Index> halfedges = dual_loop(edge);
     Polygon result;
-    for (const Index h : dual_loop(edge)) {
+    result.reserve(2 * halfedges.size());
+    for (const Index h : halfedges) {
       const Vector_3& a = m_surface.point(m_surface.origin(h));
       const Vector_3& b = m_surface.point(m_surface.target(h));
       result.push_back((a + b + m_surface.point(m_surface.opposite_vertex(h))) / 3);

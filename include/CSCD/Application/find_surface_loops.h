@@ -104,10 +104,11 @@ auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = pa
   using Point = typename boost::property_traits<Point_map>::value_type;
   const Triangle_mesh_traits<TriangleMesh, Point_map> traits(mesh, point_map);
   const Normalization& normalization = traits.surface().normalization();
+  const std::vector<Surface_loop<Vector_3>> loops = internal::find_surface_loops(
+      traits.surface(), unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)), min_depth);
   std::vector<Surface_loop<Point>> result;
-  for (const Surface_loop<Vector_3>& loop : internal::find_surface_loops(
-           traits.surface(), unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)),
-           min_depth)) {
+  result.reserve(loops.size());
+  for (const Surface_loop<Vector_3>& loop : loops) {
     result.push_back({loop.kind, loop.length * normalization.unit, loop.depth, {}});
     result.back().points.reserve(loop.points.size());
     for (const Vector_3& point : loop.points) {

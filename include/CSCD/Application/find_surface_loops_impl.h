@@ -249,6 +249,8 @@ private:
 
   /// Bound for the vertices that are visited for loops from several roots: about a second.
   static constexpr std::size_t max_visits = 5000000;
+  /// From a root that is chosen for one loop, so many of the shortest loops are taken: the others are far from it.
+  static constexpr std::size_t max_loops_per_root = 12;
   /// Samples of the disc that a loop spans: the middle between each point of the loop and the center.
   static constexpr double min_inside_part = 0.5;
 
@@ -328,11 +330,15 @@ private:
     candidate.loop_class = m_classes(halfedges);
     candidate.is_over_hole = std::any_of(halfedges.begin(), halfedges.end(), [&](Index h) { return is_over_hole(h); });
     const Shortening_outcome outcome = m_shorten(halfedges, true, candidate.path);
-    candidate.halfedges = std::move(halfedges);
     candidate.is_geodesic = outcome == Shortening_outcome::straight;
-    // What has shrunk away is around nothing. Around a handle, curves are kept that are not quite what they should be.
-    if (outcome != Shortening_outcome::collapsed &&
-        (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole))) {
+    if (outcome == Shortening_outcome::collapsed && candidate.loop_class.any()) {
+      // Around a handle that is tiny compared with it, the loop is kept as it was.
+      for (const Index h : halfedges) {
+        candidate.path.points.push_back({h, 0.});
+      }
+    }
+    candidate.halfedges = std::move(halfedges);
+    if (candidate.loop_class.any() || (candidate.is_geodesic && !candidate.is_over_hole)) {
       candidate.measures = measure_polygon(points(candidate));
       m_candidates.push_back(std::move(candidate));
     }
@@ -355,8 +361,9 @@ private:
         add_candidate(halfedges_along(rough_loop));
         if (roots_left > 0) {
           --roots_left;
-          for (const Vertex_loop& loop : handle_loops(rough_loop.front())) {
-            add_candidate(halfedges_along(loop));
+          const std::vector<Vertex_loop> loops = handle_loops(rough_loop.front()); // the shortest first
+          for (std::size_t i = 0; i < std::min(loops.size(), max_loops_per_root); ++i) {
+            add_candidate(halfedges_along(loops[i]));
           }
         }
       }
