@@ -82,7 +82,10 @@ struct Skeleton_branch
 
   /// The length over the chord: 1 if the branch is straight, infinite if it returns to its first node, not a number for
   /// an isolated node.
-  double tortuosity() const { return length / chord; }
+  double tortuosity() const
+  {
+    return chord > 0 ? length / chord : length > 0 ? std::numeric_limits<double>::infinity() : unknown;
+  }
 };
 
 /// The branches of a skeleton; the index in `branches` is the number by which all outputs name them.
