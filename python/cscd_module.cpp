@@ -178,6 +178,7 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
     make_mesh(std::move(*soup), *source);
   }
   options.input = source->name();
+  options.report = cscd::standard_stream; // with all that a report has
   cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
   std::ostringstream report;
   cscd::write_report(report, options, source->input.repairs.sentences(), result);

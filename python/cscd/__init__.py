@@ -110,7 +110,7 @@ class Skeleton:
 
     def branches(self) -> list[Branch]:
         """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
-        return [Branch(np.array(nodes, dtype=np.int32), *rest) for nodes, *rest in self._core.branches()]
+        return [Branch(np.array(row[0], dtype=np.int32), *row[1:]) for row in self._core.branches()]
 
     def to_networkx(self) -> networkx.Graph:
         """A graph of which the nodes have `position` and `radius`, and the edges `length` and `significance`; a
@@ -260,7 +260,7 @@ def skeletonize(
     seed: int = 0,
     threads: int = 0,
     shape: str = "auto",
-    root: npt.ArrayLike | None = None,
+    root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
     separators: int = 0,
@@ -278,7 +278,9 @@ def skeletonize(
     seed: of the random choice of sources
     threads: their number, 0 for all that the machine has; the skeleton does not depend on it
     shape: what points sample: "surface" of a body, "tree" for trees and other thin shapes; "auto" decides by the points
-    root: where the trunk of a tree begins, three coordinates; by default at its lowest points
+    root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
+        `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
+        points
     target: published method: whether loops close at the cut point nearest in space, "euclidean", or along the surface,
         "geodesic"
     shortening: published method: how loops are shortened, by "flips" or "variational"
@@ -310,7 +312,8 @@ def skeletonize(
         if len(directions) != len(points):
             raise ValueError(f"normals: has {len(directions)} rows, and V {len(points)}")
     if root is not None:
-        options.root = [float(coordinate) for coordinate in np.asarray(root, dtype=np.float64).reshape(3)]
+        is_rule = isinstance(root, str)
+        options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
     options.detail = detail
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)

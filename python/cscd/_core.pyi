@@ -14,7 +14,7 @@ class SkeletonizeOptions:
     target: str
     shortening: str
     shape: str
-    root: list[float]
+    root: str
     detail: float | None
     seed: int
     threads: int
