@@ -166,6 +166,9 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
                            const std::optional<Coordinates>& normals, cscd::Skeletonize_options& options)
 {
   cscd::check_method(options);
+  if (const std::string fault = options.root.empty() ? "" : cscd::check_root(options.root); !fault.empty()) {
+    throw cscd::Usage_error("root: " + fault);
+  }
   const auto source = std::make_shared<Source>();
   std::optional<CSCD::internal::Polygon_soup> soup;
   if (corners) {
