@@ -36,16 +36,12 @@ struct Skeletonized_input
 Skeletonized_input skeletonized_input(const Application_options& options)
 {
   check_is_not_input(options.output, options.input, "--output");
-  Input input = read_input(options.input, options.format, options.is_quiet);
-  const std::string name = options.input == standard_stream ? "standard input" : options.input;
-  if (input.is_point_set) {
-    throw CSCD::Input_error(name + ": has no faces: this needs a mesh");
-  }
+  Input input = read_mesh(options.input, options.format, options.is_quiet);
   try {
     Skeletonization_result result = compute_skeleton(input, Skeletonize_options(), nullptr);
     return {std::move(input.mesh), std::move(result.skeleton)};
   } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name + ": " + error.what());
+    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
   }
 }
 

@@ -44,11 +44,7 @@ bool is_wanted(const Loops_options& options, CSCD::Loop_kind kind)
 
 Loops find_loops(const Loops_options& options)
 {
-  const Input input = read_input(options.input, options.format, options.is_quiet);
-  const std::string name = options.input == standard_stream ? "standard input" : options.input;
-  if (input.is_point_set) {
-    throw CSCD::Input_error(name + ": has no faces: this needs a mesh");
-  }
+  const Input input = read_mesh(options.input, options.format, options.is_quiet);
   try {
     Loops loops = CSCD::find_surface_loops(input.mesh, CSCD::parameters::default_values(), options.min_depth);
     loops.erase(
@@ -56,7 +52,7 @@ Loops find_loops(const Loops_options& options)
         loops.end());
     return loops;
   } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name + ": " + error.what());
+    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
   }
 }
 

@@ -45,12 +45,6 @@ namespace cscd {
 
 namespace {
 
-/// What an input is called in messages.
-std::string name_of(const std::string& input)
-{
-  return input == standard_stream ? "standard input" : input;
-}
-
 void say(const std::string& input, const std::string& sentence)
 {
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
@@ -281,6 +275,20 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
     if (input.has_other_columns) {
       say(name, "three numbers behind the coordinates are no normals, but colors or the like: passed over");
     }
+  }
+  return input;
+}
+
+std::string name_of(const std::string& input)
+{
+  return input == standard_stream ? "standard input" : input;
+}
+
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet)
+{
+  Input input = read_input(name, format, is_quiet);
+  if (input.is_point_set) {
+    throw CSCD::Input_error(name_of(name) + ": has no faces: this needs a mesh");
   }
   return input;
 }

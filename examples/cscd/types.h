@@ -57,6 +57,12 @@ struct Skeletonization_result : Run_report
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
 
+/// What an input is called in messages.
+std::string name_of(const std::string& input);
+
+/// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet);
+
 /// Refuses files from which no skeleton can be read, by their endings.
 /// \throw Usage_error
 void check_skeleton_argument(const std::string& filename);

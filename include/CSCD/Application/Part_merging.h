@@ -15,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <queue>
 #include <tuple>
@@ -97,8 +96,6 @@ double merge_score(const Merge_features& features);
 class Part_merging
 {
 public:
-  using Score = std::function<double(Index first, Index second, const Merge_features& features)>;
-
   explicit Part_merging(const Slice_graph& graph) : m_graph(graph), m_boundaries(graph.boundaries)
   {
     m_parts.resize(graph.slices.size());
@@ -119,16 +116,12 @@ public:
 
   /// Merges until no two parts have a positive score, or, if `number_of_parts` is not 0, until there are so many.
   /// O(s^2 log s) for s slices where parts have few neighbors.
-  /// \param score of two parts with these features
-  /// \param merged is called with the numbers of the part that grows and of the one that goes into it
-  void run(
-      std::size_t number_of_parts, const Score& score,
-      const std::function<void(Index, Index)>& merged = [](Index, Index) {})
+  void run(std::size_t number_of_parts)
   {
     for (Index p = 0; p < m_parts.size(); ++p) {
       for (const auto& [neighbor, boundary] : m_parts[p].boundaries) {
         if (p < neighbor) {
-          propose(p, neighbor, boundary, score);
+          propose(p, neighbor, boundary);
         }
       }
     }
@@ -142,9 +135,8 @@ public:
         break;
       }
       merge(best.first, best.second);
-      merged(best.first, best.second);
       for (const auto& [neighbor, boundary] : m_parts[best.first].boundaries) {
-        propose(std::min(best.first, neighbor), std::max(best.first, neighbor), boundary, score);
+        propose(std::min(best.first, neighbor), std::max(best.first, neighbor), boundary);
       }
     }
   }
@@ -207,9 +199,9 @@ private:
     return first.version == candidate.first_version && second.version == candidate.second_version;
   }
 
-  void propose(Index first, Index second, Index boundary, const Score& score)
+  void propose(Index first, Index second, Index boundary)
   {
-    const double value = score(first, second, features(m_parts[first], m_parts[second], m_boundaries[boundary]));
+    const double value = merge_score(features(m_parts[first], m_parts[second], m_boundaries[boundary]));
     m_candidates.push({value, first, second, m_parts[first].version, m_parts[second].version});
   }
 

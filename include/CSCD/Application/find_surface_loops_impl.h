@@ -18,6 +18,7 @@
 #include <CSCD/Separator/Local_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -54,13 +55,6 @@ inline std::vector<Separator> find_local_separators(const Triangulated_solid& so
   Skeletonization_report report;
   return Covering_search(solid.levels(), settings, make_finder,
                          detail.min_branch_area_ratio())(Length_and_planarity_cost(), report, [](double) {});
-}
-
-inline double distance_to_side(const Vector_3& point, const Vector_3& a, const Vector_3& b)
-{
-  const double squared_length = (b - a).squaredNorm();
-  const double t = squared_length > 0 ? std::clamp((point - a).dot(b - a) / squared_length, 0., 1.) : 0.;
-  return (a + t * (b - a) - point).norm();
 }
 
 /// The lengths of the curves parallel to a closed curve that separates a surface.
@@ -107,7 +101,7 @@ private:
         const Index h = m_crossings[i].halfedge;
         const Index vertex = is_left ? m_surface.target(h) : m_surface.origin(h);
         const Vector_3& at = m_surface.point(vertex);
-        reach_vertex(vertex, std::min(distance_to_side(at, before, point), distance_to_side(at, point, after)),
+        reach_vertex(vertex, std::min(distance_to_segment(at, before, point), distance_to_segment(at, point, after)),
                      is_left);
       }
     }
@@ -548,7 +542,7 @@ private:
   {
     return std::all_of(polygon.begin(), polygon.end(), [&](const Vector_3& point) {
       for (std::size_t i = 0; i < other.size(); ++i) {
-        if (distance_to_side(point, other[i], other[i + 1 < other.size() ? i + 1 : 0]) <= distance) {
+        if (distance_to_segment(point, other[i], other[i + 1 < other.size() ? i + 1 : 0]) <= distance) {
           return true;
         }
       }

@@ -320,7 +320,7 @@ CSCD_INLINE std::vector<Index> segment_surface(const Skeletonized_surface& surfa
       face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps));
   const Slice_graph graph = cut_into_slices(surface, diameters);
   Part_merging merging(graph);
-  merging.run(number_of_parts, [](Index, Index, const Merge_features& features) { return merge_score(features); });
+  merging.run(number_of_parts);
   const std::vector<Index> part_of_slices = merging.part_of_slices();
   std::vector<Index> parts;
   parts.reserve(graph.slice.size());
