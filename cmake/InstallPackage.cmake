@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the headers, the compiled part where it is built, and what find_package(CSCD) reads.
+# Installs the headers, the compiled part and the program where they are built, and what find_package(CSCD) reads.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 set(cscd_package_dir "${CMAKE_INSTALL_DATADIR}/cmake/CSCD")
 
-# The program cscd, if built, is installed with the default component.
 install(
   DIRECTORY "${PROJECT_SOURCE_DIR}/include/CSCD"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
@@ -45,3 +44,7 @@ write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
 install(FILES "${PROJECT_BINARY_DIR}/CSCDConfig.cmake" "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake"
         DESTINATION "${cscd_package_dir}" COMPONENT library)
+
+# Debian asks for the license at this place, one file a package.
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libcscd-dev" RENAME copyright
+        COMPONENT library)

@@ -40,11 +40,11 @@ take() {
 }
 
 take viewer_armadillo meshes/armadillo.off "turn=180"
-take viewer_camel_branches meshes/camel.off "separators=1&colour=1"
+take viewer_camel_branches meshes/camel.off "separators=1&color=1"
 take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"
 take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
 take viewer_hippo_repairs points_3/hippo1.ply "repairs=1"
 if [ -n "${CSCD_BENCHMARK_TREES:-}" ]; then
   cp "$CSCD_BENCHMARK_TREES/tree1.xyz" "$work/data"
-  take viewer_tree tree1.xyz "points=1&colour=1&up=z"
+  take viewer_tree tree1.xyz "points=1&color=1&up=z"
 fi

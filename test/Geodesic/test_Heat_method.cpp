@@ -85,7 +85,7 @@ double max_error_in_edges(const Heat_method& method, const std::vector<double>& 
       largest = std::max(largest, std::fabs(distances[vertex] - exact(vertex)));
     }
   }
-  return largest / method.operators().elements.unit(0);
+  return largest / method.elements().unit(0);
 }
 
 double distance_on_sphere(const Vector_3& a, const Vector_3& b)

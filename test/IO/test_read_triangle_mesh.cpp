@@ -286,7 +286,7 @@ TEST(Read_triangle_mesh, stitches_a_soup)
   EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
 }
 
-TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbours)
+TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbors)
 {
   Mesh_file_content mesh = cube();
   std::reverse(mesh.polygons[4].begin(), mesh.polygons[4].end());

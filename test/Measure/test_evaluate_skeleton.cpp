@@ -129,7 +129,7 @@ TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
   EXPECT_NEAR(0, m.position.deviation_at_nodes, 0.01);
   EXPECT_LT(m.mean_distance_from_round_cones * m.diagonal, 0.01);
   EXPECT_LT(m.round_cones.mean * m.diagonal, 0.01);
-  // A bent line swells: towards the centre of the torus more of it is near.
+  // A bent line swells: towards the center of the torus more of it is near.
   EXPECT_GT(m.convolution.mean, m.round_cones.mean);
   EXPECT_LT(m.convolution.mean * m.diagonal, 0.1);
 }

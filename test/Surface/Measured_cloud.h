@@ -36,7 +36,7 @@ public:
   }
   explicit Measured_cloud(CSCD::Point_complex&& complex)
       : m_complex(std::move(complex)), m_frames(m_complex), m_cover(m_complex),
-        m_heat(CSCD::internal::make_intrinsic_delaunay(m_cover)), m_derivatives(m_frames, m_heat.operators().elements)
+        m_heat(CSCD::internal::make_intrinsic_delaunay(m_cover)), m_derivatives(m_frames, m_heat.elements())
   {
   }
   Measured_cloud(const Measured_cloud&) = delete;

@@ -3,7 +3,8 @@
 #
 # Usage: check_manual.py SOURCE_DIR DOCUMENTATION_DIR
 # Fails unless the reference lists whatever Doxygen found to be public, by headers that exist, and all examples; what
-# pages name is there, and links of the manual lead to files; CITATION.cff names the version of the library.
+# pages name is there, and links of the manual lead to files; CITATION.cff and the recipes name the version of the
+# library.
 
 import pathlib
 import re
@@ -54,9 +55,14 @@ def main():
         if f"\\example {example.name}\n" not in reference:
             complaints.append(f"doc/manual/reference.dox: {example.name} is not listed")
 
-    version = re.search(r'CSCD_VERSION "(.*)"', (source / "include/CSCD/version.h").read_text(encoding="utf-8"))
-    if f"\nversion: {version.group(1)}\n" not in (source / "CITATION.cff").read_text(encoding="utf-8"):
-        complaints.append(f"CITATION.cff: the version is {version.group(1)}")
+    version = re.search(r'CSCD_VERSION "(.*)"', (source / "include/CSCD/version.h").read_text(encoding="utf-8")).group(1)
+    for name, line in (
+        ("CITATION.cff", f"version: {version}"),
+        ("cmake/vcpkg/vcpkg.json", f'  "version": "{version}",'),
+        ("cmake/conan/conanfile.py", f'    version = "{version}"'),
+    ):
+        if line not in (source / name).read_text(encoding="utf-8").splitlines():
+            complaints.append(f"{name}: the version is {version}")
 
     if complaints:
         sys.exit("\n".join(complaints))

@@ -131,8 +131,11 @@ TEST_F(Page_in_chromium, draws_and_all_switches_work)
   const std::string result = self_test();
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_FALSE(contains(result, "failed")) << result;
-  for (const char* name : {"surface", "skeleton", "nodes", "balls", "separators", "colour"}) {
+  for (const char* name : {"surface", "skeleton", "nodes", "balls", "separators", "color"}) {
     EXPECT_TRUE(contains(result, std::string("ok switch ") + name + ":")) << name << '\n' << result;
+  }
+  for (const char* line : {"coloring significance:", "clip z:", "row: node 0, degree", "png of", "svg:", "address:"}) {
+    EXPECT_TRUE(contains(result, std::string("ok ") + line)) << line << '\n' << result;
   }
 }
 

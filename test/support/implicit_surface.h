@@ -20,7 +20,7 @@ namespace CSCD::test {
 
 namespace internal {
 
-/// A grid of cubes, each cut into the six tetrahedra around its main diagonal: neighbouring cubes agree on their faces.
+/// A grid of cubes, each cut into the six tetrahedra around its main diagonal: neighboring cubes agree on their faces.
 template <class Function>
 class Marching_tetrahedra
 {
@@ -154,7 +154,7 @@ Triple gradient(const Function& function, const Triple& p, double step)
   return result;
 }
 
-/// Evens out the triangles: every vertex goes halfway to the mean of its neighbours, then back to the surface.
+/// Evens out the triangles: every vertex goes halfway to the mean of its neighbors, then back to the surface.
 template <class Function>
 void smooth_on_surface(Shape& shape, const Function& function, double cell_size)
 {

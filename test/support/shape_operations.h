@@ -238,9 +238,9 @@ inline Shape with_small_holes(Shape shape, std::size_t number_of_holes, std::siz
   std::mt19937_64 random(seed);
   std::vector<bool> is_near_hole(shape.points.size(), false);
   std::vector<bool> is_removed(shape.triangles.size(), false);
-  for (const std::size_t centre : random_permutation(shape.points.size(), random)) {
+  for (const std::size_t center : random_permutation(shape.points.size(), random)) {
     std::vector<std::size_t> ring;
-    for (const std::size_t t : triangles_of[centre]) {
+    for (const std::size_t t : triangles_of[center]) {
       ring.insert(ring.end(), shape.triangles[t].begin(), shape.triangles[t].end());
     }
     const bool touches =
@@ -251,7 +251,7 @@ inline Shape with_small_holes(Shape shape, std::size_t number_of_holes, std::siz
     for (const std::size_t v : ring) {
       is_near_hole[v] = true;
     }
-    for (const std::size_t t : triangles_of[centre]) {
+    for (const std::size_t t : triangles_of[center]) {
       is_removed[t] = true;
     }
     ++shape.number_of_border_cycles;

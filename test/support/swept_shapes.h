@@ -23,7 +23,7 @@ inline constexpr double pi = 3.14159265358979323846;
 enum class Tube_end
 {
   open,  ///< a border
-  flat,  ///< a fan of triangles around a centre
+  flat,  ///< a fan of triangles around a center
   round, ///< a hemisphere
   joined ///< last ring joined to the first: a closed curve
 };
@@ -83,12 +83,12 @@ inline Framed_curve framed(const std::vector<Triple>& points, bool is_closed)
   return curve;
 }
 
-inline void add_ring(Shape& shape, const Triple& centre, const Triple& u, const Triple& v, double radius,
+inline void add_ring(Shape& shape, const Triple& center, const Triple& u, const Triple& v, double radius,
                      std::size_t around)
 {
   for (std::size_t k = 0; k < around; ++k) {
     const double angle = 2 * pi * static_cast<double>(k) / static_cast<double>(around);
-    shape.points.push_back(centre + (radius * std::cos(angle)) * u + (radius * std::sin(angle)) * v);
+    shape.points.push_back(center + (radius * std::cos(angle)) * u + (radius * std::sin(angle)) * v);
   }
 }
 

@@ -77,7 +77,7 @@ void write_html_page(std::ostream& out, const Html_page_content& content, const 
 /// writes a page for browsers that shows `skeleton` inside the translucent surface of `mesh`, with switches for what
 /// is seen: one HTML file that needs no other file and no network.
 /// Positions are stored in single precision relative to the middle of the shape. The page's address can carry what it
-/// shows first: `page.html#separators=1&colour=1&opacity=60&significance=1&up=z&panel=0`. Sliders hide branches
+/// shows first: `page.html#separators=1&color=1&opacity=60&significance=1&up=z&panel=0`. Sliders hide branches
 /// by the rule by which `simplify_skeleton()` prunes. Linear, but for sorting edges.
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \tparam Skeleton a `Skeleton_graph`, or CGAL's `Mean_curvature_flow_skeletonization<TriangleMesh>::Skeleton`; if its

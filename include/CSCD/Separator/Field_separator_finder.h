@@ -161,7 +161,7 @@ public:
   Field_search_space(const Point_complex& complex, const Field_search_settings& settings)
       : m_complex(complex), m_target_rule(settings.target_rule), m_frames(complex),
         m_heat_method(make_intrinsic_delaunay(Tufted_cover(complex))),
-        m_derivatives(m_frames, m_heat_method.operators().elements), m_neighborhoods(complex)
+        m_derivatives(m_frames, m_heat_method.elements()), m_neighborhoods(complex)
   {
     CGAL_precondition(settings.shortening_rule != Shortening_rule::edge_flips);
   }

@@ -100,13 +100,17 @@ for (const level of ['error', 'warn']) {
 inline constexpr char html_page_style[] = R"html(</title>
 <style>
 :root {
-  --ink: #16202e; --quiet: #5b6879; --line: rgba(22, 32, 46, .10); --accent: #2563eb;
+  --ink: #16202e; --quiet: #5b6879; --line: rgba(22, 32, 46, .10); --accent: #2563eb; --field: #fff;
   font: 14px/1.4 system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif;
   color: var(--ink);
 }
 * { box-sizing: border-box; }
 html, body { margin: 0; height: 100%; overflow: hidden; }
 body { background: radial-gradient(ellipse at 50% 40%, #ffffff 0%, #f5f7fa 55%, #e4e9f0 100%); }
+body[data-background=white] { background: #fff; }
+body[data-background=dark] { background: #10151d; color: var(--ink); color-scheme: dark;
+  --ink: #e6ebf2; --quiet: #9aa7b8; --line: rgba(255, 255, 255, .16); --accent: #3b82f6; --field: #222b39; }
+body[data-background=dark] #panel { background: rgba(26, 33, 45, .85); }
 #view { position: fixed; inset: 0; touch-action: none; cursor: grab; }
 #view:active { cursor: grabbing; }
 #view canvas { display: block; outline: none; }
@@ -144,10 +148,18 @@ kbd { margin-left: auto; flex: none; width: 20px; text-align: center; border: 1p
 .row { display: flex; align-items: center; gap: 9px; padding: 4px 0; }
 .row input[type=range] { flex: 1; min-width: 0; accent-color: var(--accent); margin: 0; }
 .row output { width: 36px; text-align: right; color: var(--quiet); font-variant-numeric: tabular-nums; }
-.row button { flex: 1; padding: 3px 0; border: 1px solid var(--line); border-radius: 7px; background: #fff;
+.row button { flex: 1; padding: 3px 0; border: 1px solid var(--line); border-radius: 7px; background: var(--field);
               font: inherit; font-size: 12px; color: var(--ink); cursor: pointer; }
 .row button:hover { border-color: var(--accent); }
 .row button.chosen { background: var(--accent); border-color: var(--accent); color: #fff; }
+.row select, .row input[type=number] { flex: 1; min-width: 0; padding: 2px 4px; border: 1px solid var(--line);
+  border-radius: 7px; background: var(--field); font: inherit; font-size: 12px; color: var(--ink); }
+#legend { display: none; justify-content: space-between; padding: 1px 6px; border-radius: 5px; font-size: 11px;
+          font-variant-numeric: tabular-nums; }
+#row { display: none; font-size: 12px; font-variant-numeric: tabular-nums; white-space: pre-line; }
+#scale { position: fixed; right: 20px; bottom: 16px; border: 2px solid var(--quiet); border-top: 0; height: 7px;
+         color: var(--quiet); font-size: 11px; line-height: 0; text-align: center; pointer-events: none; }
+#scale span { position: relative; top: -8px; }
 .hint { border-top: 1px solid var(--line); padding-top: 8px; font-size: 11px; color: var(--quiet); }
 #tip { position: fixed; pointer-events: none; display: none; padding: 5px 9px; border-radius: 8px; font-size: 12px;
        background: rgba(22, 32, 46, .9); color: #fff; white-space: pre; font-variant-numeric: tabular-nums; }
@@ -164,6 +176,7 @@ inline constexpr char html_page_body[] = R"html(<body>
 <div id="view"></div>
 <div id="message"></div>
 <div id="tip"></div>
+<div id="scale"><span></span></div>
 <div id="panel">
   <h1></h1>
   <div id="figures"></div>
@@ -178,8 +191,8 @@ inline constexpr char html_page_body[] = R"html(<body>
       <span></span>Balls (radius)<kbd>B</kbd></label>
     <label class="switch"><input type="checkbox" data-switch="separators">
       <span></span>Separators<kbd>P</kbd></label>
-    <label class="switch"><input type="checkbox" data-switch="colour">
-      <span></span>Colour surface by branch<kbd>C</kbd></label>
+    <label class="switch"><input type="checkbox" data-switch="color">
+      <span></span>Color the surface<kbd>C</kbd></label>
     <label class="switch"><input type="checkbox" data-switch="points">
       <span></span>Points<kbd>T</kbd></label>
     <label class="switch"><input type="checkbox" data-switch="repairs">
@@ -194,12 +207,25 @@ inline constexpr char html_page_body[] = R"html(<body>
       <input id="length" data-detail type="range" min="0" max="20" step="0.1" value="0"><output></output></div>
     <div class="row">Up <button data-up="x">X</button><button data-up="y">Y</button><button data-up="z">Z</button>
       <button id="reset">Reset</button></div>
+    <div class="row"><label for="coloring">Color by</label><select id="coloring">
+      <option>branch</option><option>region</option><option>radius</option><option>significance</option></select></div>
+    <div id="legend"><span></span><span></span></div>
+    <div class="row"><label for="clip">Clip</label><select id="clip_axis" aria-label="Clip along">
+      <option>x</option><option>y</option><option>z</option></select>
+      <input id="clip" type="range" min="0" max="100" value="100"><output></output></div>
+    <div class="row"><label for="background">Background</label><select id="background">
+      <option>light</option><option>white</option><option>dark</option></select></div>
+    <div class="row"><label for="width">Save</label><input id="width" type="number" min="16" value="1600"
+      title="width of the PNG in pixels"><button id="png">PNG</button><button id="svg">SVG</button></div>
+    <div class="row"><button id="link" title="Put the view into the address">Link to this view</button></div>
   </div>
-  <div class="hint">Drag to turn, wheel to zoom, right drag to pan.<br>R resets the view, H hides this panel.</div>
+  <div id="row" class="group"></div>
+  <div class="hint">Drag to turn, wheel to zoom, right drag to pan.<br>Click a node or branch to read its measures.<br>
+    R resets the view, H hides this panel.</div>
 </div>
 )html";
 
-/// Reading of the data and what follows from it without drawing: colours and normals.
+/// Reading of the data and what follows from it without drawing: colors and normals.
 inline constexpr char html_page_model_script[] = R"js(
 'use strict';
 
@@ -218,11 +244,12 @@ function read_model(text) {
   return model;
 }
 
-let special_colours, shared_colour; // the latter for what several branches share
+let special_colors, shared_color; // the latter for what several branches share
 
-function choose_colours() {
-  special_colours = {tip: new THREE.Color('#f59e0b'), junction: new THREE.Color('#111827')};
-  shared_colour = new THREE.Color('#c3cad4');
+function choose_colors() {
+  special_colors = {tip: new THREE.Color('#f59e0b'), junction: new THREE.Color('#111827'),
+                    chosen: new THREE.Color('#2563eb')};
+  shared_color = new THREE.Color('#c3cad4');
 }
 
 // A limb is measured from its tip: lengths and integrals of the radius up to each node.
@@ -267,7 +294,8 @@ class Limb {
 
 // Hides limbs that measure less than the threshold, the least first, as simplify_skeleton() prunes: where two branches
 // are left at a junction they are one from then on; the last one of a tree, and cycles, stay.
-function prune(model, is_shown, name, threshold) {
+// `levels`, if given, gets for each edge the value by which it goes.
+function prune(model, is_shown, name, threshold, levels) {
   if (!(threshold > 0)) return;
   const incident = Array.from({length: model.counts.nodes}, () => []), limb_of_edge = [], limbs = [];
   is_shown.forEach((shown, edge) => {
@@ -291,7 +319,10 @@ function prune(model, is_shown, name, threshold) {
     let least = null;
     for (const limb of limbs) if (!least || limb.value < least.value) least = limb;
     if (!least || !(least.value < threshold)) return;
-    for (const edge of least.edges) is_shown[edge] = 0;
+    for (const edge of least.edges) {
+      is_shown[edge] = 0;
+      if (levels) levels[edge] = least.value;
+    }
     const level = least.value, junction = least.end;
     least.value = Infinity;
     if (--degree[junction] !== 2) continue;
@@ -341,8 +372,78 @@ function branch_count(model, is_edge_shown, is_node_shown, degree) {
   return [...ends.values()].reduce((sum, number) => sum + (number === 0 ? 1 : number / 2), isolated);
 }
 
-// Branches that meet get different colours; among those allowed the one used least so far is taken.
-function colours_of_branches(model) {
+// Of every edge: the threshold of the slider from which on it is hidden; infinite where it never is.
+function significance_of_edges(model) {
+  const levels = new Float64Array(model.counts.edges).fill(Infinity);
+  prune(model, new Uint8Array(model.counts.edges).fill(1), 'significance', Infinity, levels);
+  return levels;
+}
+
+function length_of_edge(model, edge) {
+  const p = model.node_positions, a = 3 * model.edges[2 * edge], b = 3 * model.edges[2 * edge + 1];
+  return Math.hypot(p[b] - p[a], p[b + 1] - p[a + 1], p[b + 2] - p[a + 2]);
+}
+
+// Number of edges, length, mean radius over the length, and significance, in the scale of the scene.
+function measure_branch(model, branch) {
+  const row = {edges: 0, length: 0, radius: 0, significance: 0};
+  const significance = model.node_radii ? significance_of_edges(model) : [];
+  model.branch_of_edge.forEach((other, edge) => {
+    if (other !== branch) return;
+    const length = length_of_edge(model, edge);
+    ++row.edges;
+    row.length += length;
+    if (!model.node_radii) return;
+    const [a, b] = [0, 1].map(end => model.node_radii[model.edges[2 * edge + end]]);
+    row.radius += length * (a + b) / 2;
+    row.significance = Math.max(row.significance, significance[edge]);
+  });
+  row.radius = row.length > 0 ? row.radius / row.length : 0;
+  return row;
+}
+
+// From dark to light, so that order shows in print too.
+function ramp(part) {
+  const stops = ['#440154', '#3b528b', '#21918c', '#5ec962', '#fde725'].map(text => new THREE.Color(text));
+  const place = Math.min(Math.max(part, 0), 1) * (stops.length - 1), first = Math.min(Math.floor(place), stops.length - 2);
+  return stops[first].clone().lerp(stops[first + 1], place - first);
+}
+
+// Colors by the quantity of this name: of edges, of nodes (undefined where several branches meet), and the range for
+// the legend.
+function make_coloring(model, name) {
+  if (name === 'region') {
+    const nodes = Array.from({length: model.counts.nodes},
+                             (_, node) => new THREE.Color().setHSL(node * .381966 % 1, .62, .46));
+    return {nodes, edges: Array.from(model.branch_of_edge, () => shared_color)};
+  }
+  if (name === 'branch' || !model.node_radii) {
+    const colors = colors_of_branches(model);
+    return {nodes: Array.from(model.branch_of_node, branch => colors[branch]),
+            edges: Array.from(model.branch_of_edge, branch => colors[branch])};
+  }
+  let of_nodes = Float64Array.from(model.node_radii), of_edges;
+  if (name === 'significance') {
+    of_edges = significance_of_edges(model);
+    of_nodes = of_nodes.fill(0);
+    of_edges.forEach((value, edge) => {
+      for (const end of [0, 1]) {
+        const node = model.edges[2 * edge + end];
+        of_nodes[node] = Math.max(of_nodes[node], value);
+      }
+    });
+  } else {
+    of_edges = Float64Array.from(model.branch_of_edge,
+                                 (_, edge) => (of_nodes[model.edges[2 * edge]] + of_nodes[model.edges[2 * edge + 1]]) / 2);
+  }
+  const finite = [...of_nodes].filter(Number.isFinite).sort((a, b) => a - b);
+  const least = finite[0] || 0, most = finite[finite.length - 1] || 0;
+  const color = value => ramp(most > least ? (value - least) / (most - least) : 0);
+  return {nodes: Array.from(of_nodes, color), edges: Array.from(of_edges, color), least, most};
+}
+
+// Branches that meet get different colors; among those allowed the one used least so far is taken.
+function colors_of_branches(model) {
   const palette = ['#2563eb', '#e11d48', '#059669', '#d97706', '#7c3aed', '#0891b2', '#db2777', '#4d9411',
                    '#ea580c', '#4338ca', '#0d9488', '#a21caf', '#b45309', '#0284c7', '#be123c', '#15803d'];
   const branches_at = new Map();
@@ -353,12 +454,12 @@ function colours_of_branches(model) {
       branches_at.get(node).add(branch);
     }
   });
-  const neighbours = Array.from({length: model.counts.branches}, () => new Set());
+  const neighbors = Array.from({length: model.counts.branches}, () => new Set());
   for (const branches of branches_at.values())
-    for (const a of branches) for (const b of branches) if (a !== b) neighbours[a].add(b);
+    for (const a of branches) for (const b of branches) if (a !== b) neighbors[a].add(b);
   const chosen = [], uses = palette.map(() => 0);
-  for (let branch = 0; branch < neighbours.length; ++branch) {
-    const taken = new Set([...neighbours[branch]].map(other => chosen[other]));
+  for (let branch = 0; branch < neighbors.length; ++branch) {
+    const taken = new Set([...neighbors[branch]].map(other => chosen[other]));
     let best = -1;
     for (let c = 0; c < palette.length; ++c)
       if (!taken.has(c) && (best < 0 || uses[c] < uses[best])) best = c;
@@ -435,11 +536,11 @@ function smooth_unless_sharp(positions, triangles) {
 /// Materials and the objects of the scene.
 inline constexpr char html_page_scene_script[] = R"js(
 const shading = `
-  varying vec3 v_normal, v_to_eye, v_colour;
-  vec3 lit(vec3 colour, vec3 n) {
+  varying vec3 v_normal, v_to_eye, v_color;
+  vec3 lit(vec3 color, vec3 n) {
     float key = .5 + .5 * dot(n, normalize(vec3(-.45, .75, .55)));
     float sky = .5 + .5 * n.y;
-    return colour * (.60 + .40 * key * key + .14 * sky);
+    return color * (.60 + .40 * key * key + .14 * sky);
   }
   vec3 normal_to_eye() {
     vec3 n = normalize(v_normal);
@@ -448,12 +549,14 @@ const shading = `
 
 const translucent_fragment = shading + `
   uniform float opacity;
+  varying float v_beyond;
   void main() {
+    if (v_beyond > 0.) discard;
     vec3 n = normal_to_eye(), e = normalize(v_to_eye);
     float rim = pow(1. - clamp(dot(n, e), 0., 1.), 2.2);
     float glint = pow(clamp(dot(n, normalize(e + normalize(vec3(-.45, .75, .55)))), 0., 1.), 60.);
-    vec3 colour = mix(lit(v_colour, n), v_colour * .52, .65 * rim * (1. - .6 * opacity)) + .10 * glint;
-    gl_FragColor = vec4(colour, mix(opacity, 1., .62 * rim * smoothstep(0., .15, opacity)));
+    vec3 color = mix(lit(v_color, n), v_color * .52, .65 * rim * (1. - .6 * opacity)) + .10 * glint;
+    gl_FragColor = vec4(color, mix(opacity, 1., .62 * rim * smoothstep(0., .15, opacity)));
   }`;
 
 const solid_fragment = shading + `
@@ -461,37 +564,42 @@ const solid_fragment = shading + `
   void main() {
     vec3 n = normal_to_eye();
     float glint = pow(clamp(dot(n, normalize(vec3(-.3, .5, 1.))), 0., 1.), 40.);
-    gl_FragColor = vec4(mix(lit(v_colour, n) + .15 * glint, vec3(.93, .945, .965), paleness), 1.);
+    gl_FragColor = vec4(mix(lit(v_color, n) + .15 * glint, vec3(.93, .945, .965), paleness), 1.);
   }`;
 
 const surface_vertex = `
-  attribute vec3 branch_colour;
-  uniform float coloured;
-  varying vec3 v_normal, v_to_eye, v_colour;
+  attribute vec3 branch_color;
+  uniform float colored;
+  uniform vec4 clip;
+  varying vec3 v_normal, v_to_eye, v_color;
+  varying float v_beyond;
   void main() {
+    v_beyond = dot(position, clip.xyz) - clip.w;
     vec4 p = modelViewMatrix * vec4(position, 1.);
     v_normal = normalMatrix * normal;
     v_to_eye = -p.xyz;
-    v_colour = mix(vec3(.56, .64, .74), branch_colour, coloured);
+    v_color = mix(vec3(.56, .64, .74), branch_color, colored);
     gl_Position = projectionMatrix * p;
   }`;
 
 const sphere_vertex = `
-  attribute vec3 centre, colour;
+  attribute vec3 center, color;
   attribute float radius;
-  varying vec3 v_normal, v_to_eye, v_colour;
+  varying vec3 v_normal, v_to_eye, v_color;
+  varying float v_beyond;
   void main() {
-    vec4 p = modelViewMatrix * vec4(centre + radius * position, 1.);
+    v_beyond = 0.;
+    vec4 p = modelViewMatrix * vec4(center + radius * position, 1.);
     v_normal = normalMatrix * position;
     v_to_eye = -p.xyz;
-    v_colour = colour;
+    v_color = color;
     gl_Position = projectionMatrix * p;
   }`;
 
 const tube_vertex = `
-  attribute vec3 start, end, colour;
+  attribute vec3 start, end, color;
   uniform float radius;
-  varying vec3 v_normal, v_to_eye, v_colour;
+  varying vec3 v_normal, v_to_eye, v_color;
   vec3 unit(vec3 v) { return v / max(length(v), 1e-12); }
   void main() {
     vec3 axis = end - start;
@@ -501,7 +609,7 @@ const tube_vertex = `
     vec4 p = modelViewMatrix * vec4(mix(start, end, position.y + .5) + radius * outward, 1.);
     v_normal = normalMatrix * outward;
     v_to_eye = -p.xyz;
-    v_colour = colour;
+    v_color = color;
     gl_Position = projectionMatrix * p;
   }`;
 
@@ -527,10 +635,10 @@ function solid(geometry, vertexShader, uniforms) {
 // so shines through. Sorting of triangles is not needed, and bodies behind one another do not add up to a fog.
 function translucent(geometry, vertexShader, uniforms, order) {
   const group = new THREE.Group();
-  for (const pass of ['depth', 'colour']) {
+  for (const pass of ['depth', 'color']) {
     const material = new THREE.ShaderMaterial({
       vertexShader, fragmentShader: translucent_fragment, uniforms, side: THREE.DoubleSide, transparent: true,
-      depthWrite: pass === 'depth', colorWrite: pass === 'colour'});
+      depthWrite: pass === 'depth', colorWrite: pass === 'color'});
     const mesh = new THREE.Mesh(geometry, material);
     mesh.renderOrder = pass === 'depth' ? order : order + 1;
     mesh.frustumCulled = false;
@@ -539,21 +647,25 @@ function translucent(geometry, vertexShader, uniforms, order) {
   return group;
 }
 
-function make_surface(model, branch_colours, uniforms) {
+function make_surface(model, coloring, uniforms) {
   const {index, source, normals} = smooth_unless_sharp(model.positions, model.triangles);
-  const positions = new Float32Array(3 * source.length), colours = new Float32Array(3 * source.length);
-  source.forEach((v, i) => {
-    positions.set(model.positions.subarray(3 * v, 3 * v + 3), 3 * i);
-    const node = model.node_of_vertex[v];
-    const branch = node === NONE ? NONE : model.branch_of_node[node];
-    (branch === NONE ? shared_colour : branch_colours[branch]).toArray(colours, 3 * i);
-  });
+  const positions = new Float32Array(3 * source.length);
+  source.forEach((v, i) => positions.set(model.positions.subarray(3 * v, 3 * v + 3), 3 * i));
   const geometry = new THREE.BufferGeometry();
   geometry.setIndex(new THREE.BufferAttribute(index, 1));
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new THREE.BufferAttribute(normals, 3));
-  geometry.setAttribute('branch_colour', new THREE.BufferAttribute(colours, 3));
-  return translucent(geometry, surface_vertex, uniforms, 20);
+  geometry.setAttribute('branch_color', new THREE.BufferAttribute(new Float32Array(3 * source.length), 3));
+  const surface = translucent(geometry, surface_vertex, uniforms, 20);
+  surface.userData = {geometry, source};
+  color_surface(surface, model, coloring);
+  return surface;
+}
+
+function color_surface(surface, model, coloring) {
+  const {geometry, source} = surface.userData, colors = geometry.attributes.branch_color;
+  source.forEach((v, i) => (coloring.nodes[model.node_of_vertex[v]] || shared_color).toArray(colors.array, 3 * i));
+  colors.needsUpdate = true;
 }
 
 // Thin enough for the thin limbs, thick enough to be seen; the scene is two units wide.
@@ -565,64 +677,64 @@ function tube_radius(model) {
   return Math.min(thickest, Math.max(thinnest, .12 * median));
 }
 
-function make_tubes(starts, ends, colours, sides) {
+function make_tubes(starts, ends, colors, sides) {
   const base = new THREE.CylinderBufferGeometry(1, 1, 1, sides, 1, true);
-  return instanced(base, {start: [starts, 3], end: [ends, 3], colour: [colours, 3]});
+  return instanced(base, {start: [starts, 3], end: [ends, 3], color: [colors, 3]});
 }
 
-function make_spheres(centres, radii, colours, detail) {
+function make_spheres(centers, radii, colors, detail) {
   const base = new THREE.SphereBufferGeometry(1, 2 * detail, detail);
-  return instanced(base, {centre: [centres, 3], radius: [radii, 1], colour: [colours, 3]});
+  return instanced(base, {center: [centers, 3], radius: [radii, 1], color: [colors, 3]});
 }
 
-function make_skeleton(model, detail, branch_colours, radius) {
-  const starts = [], ends = [], colours = [], joint_centres = [], joint_colours = [];
+function make_skeleton(model, detail, coloring, radius) {
+  const starts = [], ends = [], colors = [], joint_centers = [], joint_colors = [];
   for (let e = 0; e < model.counts.edges; ++e) {
     if (!detail.is_edge_shown[e]) continue;
     const a = 3 * model.edges[2 * e], b = 3 * model.edges[2 * e + 1];
-    const colour = branch_colours[model.branch_of_edge[e]].toArray();
+    const color = coloring.edges[e].toArray();
     for (const [target, node] of [[starts, a], [ends, b]]) {
       const point = model.node_positions.subarray(node, node + 3);
       target.push(...point);
-      joint_centres.push(...point);
-      joint_colours.push(...colour);
+      joint_centers.push(...point);
+      joint_colors.push(...color);
     }
-    colours.push(...colour);
+    colors.push(...color);
   }
   const group = new THREE.Group();
-  group.add(solid(make_tubes(starts, ends, colours, 12), tube_vertex, {radius: {value: radius}}));
-  const joint_radii = Array(joint_centres.length / 3).fill(radius);
-  group.add(solid(make_spheres(joint_centres, joint_radii, joint_colours, 8), sphere_vertex));
+  group.add(solid(make_tubes(starts, ends, colors, 12), tube_vertex, {radius: {value: radius}}));
+  const joint_radii = Array(joint_centers.length / 3).fill(radius);
+  group.add(solid(make_spheres(joint_centers, joint_radii, joint_colors, 8), sphere_vertex));
   return group;
 }
 
-function colour_of_node(node, model, degree, branch_colours) {
-  if (degree[node] > 2) return special_colours.junction;
-  return degree[node] === 1 ? special_colours.tip : branch_colours[model.branch_of_node[node]] || shared_colour;
+function color_of_node(node, degree, coloring) {
+  if (degree[node] > 2) return special_colors.junction;
+  return degree[node] === 1 ? special_colors.tip : coloring.nodes[node] || shared_color;
 }
 
-function make_nodes(model, {is_node_shown, degree}, branch_colours, radius) {
-  const centres = [], radii = [], colours = [];
+function make_nodes(model, {is_node_shown, degree}, coloring, radius) {
+  const centers = [], radii = [], colors = [];
   for (let n = 0; n < model.counts.nodes; ++n) {
     if (!is_node_shown[n]) continue;
-    centres.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
+    centers.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
     radii.push(radius * (degree[n] === 2 ? 1.4 : degree[n] === 1 ? 1.9 : 2.2));
-    const colour = colour_of_node(n, model, degree, branch_colours).clone();
-    if (degree[n] === 2) colour.multiplyScalar(.8);
-    colours.push(...colour.toArray());
+    const color = color_of_node(n, degree, coloring).clone();
+    if (degree[n] === 2) color.multiplyScalar(.8);
+    colors.push(...color.toArray());
   }
-  return solid(make_spheres(centres, radii, colours, 10), sphere_vertex);
+  return solid(make_spheres(centers, radii, colors, 10), sphere_vertex);
 }
 
-function make_balls(model, {is_node_shown}, branch_colours) {
-  const centres = [], radii = [], colours = [];
-  model.branch_of_node.forEach((branch, n) => {
-    if (!is_node_shown[n]) return;
-    centres.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
+function make_balls(model, {is_node_shown}, coloring) {
+  const centers = [], radii = [], colors = [];
+  is_node_shown.forEach((is_shown, n) => {
+    if (!is_shown) return;
+    centers.push(...model.node_positions.subarray(3 * n, 3 * n + 3));
     radii.push(model.node_radii[n]);
-    colours.push(...(branch === NONE ? shared_colour : branch_colours[branch]).toArray());
+    colors.push(...(coloring.nodes[n] || shared_color).toArray());
   });
-  return translucent(make_spheres(centres, radii, colours, 16), sphere_vertex, {opacity: {value: .38}}, 10);
+  return translucent(make_spheres(centers, radii, colors, 16), sphere_vertex, {opacity: {value: .38}}, 10);
 }
 
 function nearest_node(model, x, y, z) {
@@ -635,17 +747,16 @@ function nearest_node(model, x, y, z) {
   return best;
 }
 
-// A separator takes the colour of the branch that it cuts: that of the node nearest to its middle.
-function colour_of_separator(model, first, last, branch_colours) {
+// A separator takes the color of the node nearest to its middle.
+function color_of_separator(model, first, last, coloring) {
   const middle = [0, 0, 0];
   for (let i = first; i < last; ++i)
     for (let k = 0; k < 3; ++k) middle[k] += model.separator_points[3 * i + k] / (last - first);
   const node = nearest_node(model, ...middle);
-  const branch = node === NONE ? NONE : model.branch_of_node[node];
-  return branch === NONE ? special_colours.junction : branch_colours[branch];
+  return coloring.nodes[node] || special_colors.junction;
 }
 
-// Once pale, and again in full colour after the depth of the surface is known: what lies on the far side stays pale.
+// Once pale, and again in full color after the depth of the surface is known: what lies on the far side stays pale.
 function twice_drawn(tubes, radius) {
   const far = solid(tubes, tube_vertex, {radius: {value: radius}, paleness: {value: .72}});
   const near = solid(tubes, tube_vertex, {radius: {value: radius}});
@@ -656,28 +767,38 @@ function twice_drawn(tubes, radius) {
   return group;
 }
 
-function make_separators(model, branch_colours, radius) {
-  const starts = [], ends = [], colours = [];
+function make_separators(model, coloring, radius) {
+  const starts = [], ends = [], colors = [];
   const point = i => model.separator_points.subarray(3 * i, 3 * i + 3);
   for (let s = 0; s + 1 < model.separator_offsets.length; ++s) {
     const first = model.separator_offsets[s], last = model.separator_offsets[s + 1];
     if (first === last) continue;
-    const colour = colour_of_separator(model, first, last, branch_colours).toArray();
+    const color = color_of_separator(model, first, last, coloring).toArray();
     for (let i = first; i < last; ++i) {
       starts.push(...point(i));
       ends.push(...point(i + 1 < last ? i + 1 : first));
-      colours.push(...colour);
+      colors.push(...color);
     }
   }
-  return twice_drawn(make_tubes(starts, ends, colours, 6), radius);
+  return twice_drawn(make_tubes(starts, ends, colors, 6), radius);
+}
+
+// Thick tubes around these edges.
+function make_highlight(model, edges, radius) {
+  const ends = [0, 1].map(end => [].concat(...edges.map(edge => {
+    const node = 3 * model.edges[2 * edge + end];
+    return [...model.node_positions.subarray(node, node + 3)];
+  })));
+  const colors = [].concat(...edges.map(() => special_colors.chosen.toArray()));
+  return solid(make_tubes(...ends, colors, 12), tube_vertex, {radius: {value: 2 * radius}});
 }
 
 // Dots of a size in pixels.
-function make_dots(positions, colour, size, is_in_front) {
+function make_dots(positions, color, size, is_in_front) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
   const dots = new THREE.Points(geometry, new THREE.PointsMaterial(
-    {color: colour, size, sizeAttenuation: false, depthTest: !is_in_front, transparent: true}));
+    {color: color, size, sizeAttenuation: false, depthTest: !is_in_front, transparent: true}));
   dots.frustumCulled = false;
   dots.renderOrder = is_in_front ? 40 : 5;
   return dots;
@@ -728,6 +849,7 @@ class View {
     this.camera = new THREE.PerspectiveCamera(26, 1, .01, 100);
     this.points = model.positions.length > 0 ? model.positions : model.node_positions;
     this.box = box_of(this.points);
+    this.unit = model.frame[3];
     this.turn = 0;
     this.margin_left = 0;
     this.stale = true;
@@ -782,7 +904,7 @@ class View {
     this.stale = true;
   }
 
-  // The shape is centred in what the panel leaves free, and fitted into it again unless the user has moved it.
+  // The shape is centered in what the panel leaves free, and fitted into it again unless the user has moved it.
   resize() {
     this.width = Math.max(1, this.element.clientWidth);
     this.height = Math.max(1, this.element.clientHeight);
@@ -800,6 +922,40 @@ class View {
     this.camera.updateProjectionMatrix();
     this.renderer.render(this.scene, this.camera);
     this.stale = false;
+    this.draw_scale();
+  }
+
+  // A bar of 1, 2 or 5 times a power of ten, in the unit of the input, at the depth of the middle of the view.
+  draw_scale() {
+    const bar = document.getElementById('scale'), widest = 140; // pixels
+    const depth = this.camera.position.distanceTo(this.controls.target);
+    const pixel = 2 * depth * Math.tan(this.camera.fov / 2 * Math.PI / 180) / this.height * this.unit;
+    const power = 10 ** Math.floor(Math.log10(widest * pixel));
+    const length = [5, 2, 1].map(factor => factor * power).find(length => length <= widest * pixel);
+    bar.style.width = length / pixel + 'px';
+    bar.firstChild.textContent = Number(length.toPrecision(1));
+  }
+
+  // What is seen, in a canvas of this width in pixels; smaller where the browser cannot draw as many.
+  picture(width, background) {
+    this.renderer.setPixelRatio(width / this.width);
+    this.draw();
+    const drawn = this.renderer.domElement, canvas = document.createElement('canvas');
+    canvas.width = drawn.width;
+    canvas.height = drawn.height;
+    const context = canvas.getContext('2d');
+    context.fillStyle = background;
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    context.drawImage(drawn, 0, 0);
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.draw();
+    return canvas;
+  }
+
+  // Where a node is in the window, in pixels, and its depth: nearer is less, in sight is below 1.
+  project(model, node) {
+    const p = new THREE.Vector3().fromArray(model.node_positions, 3 * node).project(this.camera);
+    return {x: (p.x + 1) / 2 * this.width, y: (1 - p.y) / 2 * this.height, depth: p.z};
   }
 
   run() {
@@ -809,22 +965,21 @@ class View {
   }
 }
 
-// What depends on the detail.
-function make_skeleton_objects(model, detail) {
-  const branch_colours = colours_of_branches(model), radius = tube_radius(model);
+// What depends on the detail and on the coloring.
+function make_skeleton_objects(model, detail, coloring) {
+  const radius = tube_radius(model);
   const objects = {
-    skeleton: make_skeleton(model, detail, branch_colours, radius),
-    nodes: make_nodes(model, detail, branch_colours, radius)
+    skeleton: make_skeleton(model, detail, coloring, radius),
+    nodes: make_nodes(model, detail, coloring, radius)
   };
-  if (model.node_radii) objects.balls = make_balls(model, detail, branch_colours);
+  if (model.node_radii) objects.balls = make_balls(model, detail, coloring);
+  if (model.separator_offsets.length > 1) objects.separators = make_separators(model, coloring, .55 * radius);
   return objects;
 }
 
-function make_objects(model, detail, uniforms) {
-  const branch_colours = colours_of_branches(model), radius = tube_radius(model);
-  const objects = make_skeleton_objects(model, detail);
-  objects.surface = make_surface(model, branch_colours, uniforms);
-  if (model.separator_offsets.length > 1) objects.separators = make_separators(model, branch_colours, .55 * radius);
+function make_objects(model, detail, coloring, uniforms) {
+  const objects = make_skeleton_objects(model, detail, coloring);
+  objects.surface = make_surface(model, coloring, uniforms);
   if (model.counts.points > 0) {
     objects.points = make_dots(model.positions.slice(0, 3 * model.counts.points), 0x30405a, 2, false);
     if (model.cut_handles.length + model.joined_gaps.length > 0) objects.repairs = make_repairs(model);
@@ -836,8 +991,8 @@ function make_objects(model, detail, uniforms) {
 /// The panel, the keyboard, the tip at the pointer, and the self test.
 inline constexpr char html_page_panel_script[] = R"js(
 class Panel {
-  constructor(view, model, detail, objects, uniforms) {
-    Object.assign(this, {view, model, detail, objects, uniforms, state: {}});
+  constructor(view, model, detail, coloring, objects, uniforms) {
+    Object.assign(this, {view, model, detail, coloring, objects, uniforms, state: {}});
     this.element = document.getElementById('panel');
     const heading = this.element.querySelector('h1'), narrow = 560; // pixels, as in the style
     heading.textContent = document.title;
@@ -857,6 +1012,7 @@ class Panel {
     for (const button of this.element.querySelectorAll('[data-up]'))
       button.addEventListener('click', () => this.choose_up(button.dataset.up));
     document.getElementById('reset').addEventListener('click', () => view.reset());
+    this.connect_tools();
     window.addEventListener('keydown', event => this.key(event));
     window.addEventListener('resize', () => this.make_room());
     this.make_room();
@@ -870,7 +1026,7 @@ class Panel {
     for (const name of names) {
       const cell = figures.appendChild(document.createElement('div'));
       cell.appendChild(document.createElement('b')).textContent = this.detail.counts[name].toLocaleString('en');
-      const special = {tips: special_colours.tip, junctions: special_colours.junction}[name];
+      const special = {tips: special_colors.tip, junctions: special_colors.junction}[name];
       if (special) cell.appendChild(document.createElement('i')).style.background = special.getStyle();
       cell.appendChild(document.createTextNode(name));
     }
@@ -878,7 +1034,7 @@ class Panel {
 
   connect_switch(box) {
     const name = box.dataset.switch;
-    if (name !== 'colour' && !this.objects[name]) {
+    if (name !== 'color' && !this.objects[name]) {
       box.disabled = true;
       box.closest('.switch').classList.add('absent');
       return;
@@ -891,7 +1047,7 @@ class Panel {
     const box = this.element.querySelector('[data-switch="' + name + '"]');
     if (!box || box.disabled) return;
     box.checked = this.state[name] = on;
-    if (name === 'colour') this.uniforms.coloured.value = on ? 1 : 0;
+    if (name === 'color') this.uniforms.colored.value = on ? 1 : 0;
     else this.objects[name].visible = on;
     this.view.stale = true;
   }
@@ -912,16 +1068,190 @@ class Panel {
     input.nextElementSibling.textContent = input.value;
     const of = id => Number(document.getElementById(id).value);
     this.detail = detail_of(this.model, {significance: of('significance'), length: of('length')});
-    for (const [key, object] of Object.entries(make_skeleton_objects(this.model, this.detail))) {
-      const old = this.objects[key];
-      object.visible = old.visible;
-      this.view.scene.remove(old);
-      old.traverse(part => { if (part.geometry) { part.geometry.dispose(); part.material.dispose(); } });
+    this.choose(null);
+    this.remake_skeleton();
+    this.show_figures();
+  }
+
+  remake_skeleton() {
+    for (const [key, object] of Object.entries(make_skeleton_objects(this.model, this.detail, this.coloring))) {
+      object.visible = this.objects[key].visible;
+      this.remove(this.objects[key]);
       this.view.scene.add(object);
       this.objects[key] = object;
     }
-    this.show_figures();
     this.view.stale = true;
+  }
+
+  remove(object) {
+    this.view.scene.remove(object);
+    object.traverse(part => { if (part.geometry) { part.geometry.dispose(); part.material.dispose(); } });
+  }
+
+  connect_tools() {
+    const element = name => document.getElementById(name);
+    for (const name of ['coloring', 'background', 'clip_axis'])
+      element(name).addEventListener('change', () => this.set_choice(name, element(name).value));
+    element('clip').addEventListener('input', () => this.set_clip(element('clip').value));
+    this.set_clip(element('clip').value);
+    element('png').addEventListener('click', () => this.save_png());
+    element('svg').addEventListener('click', () => this.save(new Blob([this.svg()], {type: 'image/svg+xml'}), 'svg'));
+    element('link').addEventListener('click', () => location.replace('#' + this.address()));
+    const canvas = this.view.element;
+    let pressed = null; // where; a drag is no click
+    canvas.addEventListener('pointerdown', event => { pressed = [event.clientX, event.clientY]; });
+    canvas.addEventListener('pointerup', event => {
+      const shake = 5; // pixels
+      if (pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < shake)
+        this.choose(this.node_at(event.clientX, event.clientY, event.pointerType === 'touch' ? 24 : 9));
+      pressed = null;
+    });
+  }
+
+  // A choice of one of the lists, as by hand.
+  set_choice(name, value) {
+    const list = document.getElementById(name);
+    if (![...list.options].some(option => option.value === value)) return;
+    list.value = value;
+    if (name === 'background') {
+      document.body.dataset.background = value;
+      special_colors.junction.set(value === 'dark' ? '#f1f5f9' : '#111827');
+      this.remake_skeleton();
+      this.show_figures();
+    }
+    if (name === 'clip_axis') this.set_clip(document.getElementById('clip').value);
+    if (name === 'coloring') this.set_coloring(value);
+  }
+
+  set_coloring(name) {
+    this.coloring = make_coloring(this.model, name);
+    color_surface(this.objects.surface, this.model, this.coloring);
+    this.remake_skeleton();
+    const legend = document.getElementById('legend'), has_range = this.coloring.most !== undefined;
+    legend.style.display = has_range ? 'flex' : 'none';
+    if (!has_range) return;
+    const scale = name === 'radius' ? this.model.frame[3] : 1;
+    [this.coloring.least, this.coloring.most].forEach((value, i) => {
+      legend.children[i].textContent = figure(scale * value);
+      legend.children[i].style.color = ['#fff', '#111'][i];
+    });
+    legend.style.background = 'linear-gradient(90deg,' + [0, .25, .5, .75, 1].map(part => ramp(part).getStyle()) + ')';
+  }
+
+  // Hides the surface beyond this percentage of the box along the axis.
+  set_clip(percent) {
+    const slider = document.getElementById('clip'), axis = document.getElementById('clip_axis').value;
+    slider.value = percent;
+    slider.nextElementSibling.textContent = slider.value < 100 ? slider.value + ' %' : 'off';
+    const {min, max} = this.view.box, part = slider.value / 100;
+    const beyond = slider.value < 100 ? min[axis] + part * (max[axis] - min[axis]) : 1e9;
+    this.uniforms.clip.value.set(+(axis === 'x'), +(axis === 'y'), +(axis === 'z'), beyond);
+    this.view.stale = true;
+  }
+
+  // The shown node or edge's end nearest to a place of the window, within reach, in pixels; else null. An edge is
+  // reached anywhere along it.
+  node_at(x, y, reach) {
+    if (!this.state.nodes && !this.state.skeleton) return null;
+    let best = null, nearest = reach;
+    const places = this.places();
+    const meet = (node, distance) => { if (distance < nearest) { nearest = distance; best = node; } };
+    places.forEach((place, node) => { if (place) meet(node, Math.hypot(place.x - x, place.y - y)); });
+    if (best !== null) return best;
+    this.detail.is_edge_shown.forEach((is_shown, edge) => {
+      const [a, b] = [0, 1].map(end => places[this.model.edges[2 * edge + end]]);
+      if (!is_shown || !a || !b) return;
+      const u = [b.x - a.x, b.y - a.y], square = u[0] ** 2 + u[1] ** 2;
+      const part = square > 0 ? Math.min(1, Math.max(0, ((x - a.x) * u[0] + (y - a.y) * u[1]) / square)) : 0;
+      meet(this.model.edges[2 * edge + (part < .5 ? 0 : 1)], Math.hypot(a.x + part * u[0] - x, a.y + part * u[1] - y));
+    });
+    return best;
+  }
+
+  // Of every shown node in sight.
+  places() {
+    return Array.from(this.detail.is_node_shown, (is_shown, node) => {
+      const place = is_shown ? this.view.project(this.model, node) : null;
+      return place && place.depth < 1 ? place : null;
+    });
+  }
+
+  // Shows the row of a node and of its branch, or of the branches that meet there; nothing for null.
+  choose(node) {
+    const row = document.getElementById('row');
+    if (this.highlight) this.remove(this.highlight);
+    this.highlight = null;
+    row.style.display = node === null ? 'none' : 'block';
+    this.view.stale = true;
+    if (node === null) return;
+    const {model} = this, at = [];
+    model.branch_of_edge.forEach((branch, edge) => {
+      const is_end = model.edges[2 * edge] === node || model.edges[2 * edge + 1] === node;
+      if (is_end && this.detail.is_edge_shown[edge] && !at.includes(branch)) at.push(branch);
+    });
+    row.textContent = [describe_node(model, this.detail, node), ...at.map(branch => describe_branch(model, branch))].join('\n');
+    const edges = [...model.branch_of_edge.keys()].filter(
+      edge => at.includes(model.branch_of_edge[edge]) && this.detail.is_edge_shown[edge]);
+    this.highlight = make_highlight(model, edges, tube_radius(model));
+    this.view.scene.add(this.highlight);
+  }
+
+  save(blob, ending) {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = (document.title.replace(/[^\w.-]+/g, '_') || 'skeleton') + '.' + ending;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  save_png() {
+    const width = Math.max(16, Number(document.getElementById('width').value) || 1600);
+    const color = {light: '#f5f7fa', white: '#ffffff', dark: '#10151d'}[document.getElementById('background').value];
+    this.view.picture(width, color).toBlob(blob => this.save(blob, 'png'), 'image/png');
+  }
+
+  // What is shown of the skeleton, far parts first, in the pixels of the window.
+  svg() {
+    const {model, detail, view} = this, places = this.places();
+    const width = 2 * tube_radius(model) * view.height / (2 * Math.tan(view.camera.fov / 2 * Math.PI / 180)) /
+      view.camera.position.distanceTo(view.controls.target);
+    const round = value => Number(value.toFixed(2)), parts = [];
+    detail.is_edge_shown.forEach((is_shown, edge) => {
+      const [a, b] = [0, 1].map(end => places[model.edges[2 * edge + end]]);
+      if (is_shown && a && b)
+        parts.push([(a.depth + b.depth) / 2, `<line x1="${round(a.x)}" y1="${round(a.y)}" x2="${round(b.x)}" ` +
+          `y2="${round(b.y)}" stroke="${this.coloring.edges[edge].getStyle()}"/>`]);
+    });
+    places.forEach((place, node) => {
+      if (place && detail.degree[node] !== 2)
+        parts.push([place.depth, `<circle cx="${round(place.x)}" cy="${round(place.y)}" r="${round(width)}" ` +
+          `fill="${color_of_node(node, detail.degree, this.coloring).getStyle()}"/>`]);
+    });
+    parts.sort((a, b) => b[0] - a[0]);
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${view.width}" height="${view.height}" ` +
+      `stroke-width="${round(width)}" stroke-linecap="round">\n${parts.map(part => part[1]).join('\n')}\n</svg>\n`;
+  }
+
+  // What apply_address() reads, of everything that can be chosen.
+  address() {
+    const {view, model} = this, parameters = new URLSearchParams(), of = name => document.getElementById(name).value;
+    for (const [name, on] of Object.entries(this.state)) parameters.set(name, on ? 1 : 0);
+    for (const name of ['opacity', 'significance', 'length', 'coloring', 'background', 'clip_axis', 'clip'])
+      parameters.set(name, of(name));
+    parameters.set('up', view.up);
+    for (const [name, point] of [['eye', view.camera.position], ['target', view.controls.target]])
+      parameters.set(name, point.toArray().map((value, k) => model.frame[k] + model.frame[3] * value).join());
+    return parameters.toString();
+  }
+
+  // From `eye` to `target`, both given as x,y,z in the coordinates of the input.
+  set_view(name, text) {
+    const {view, model} = this, values = text.split(',').map(Number);
+    if (values.length !== 3 || !values.every(Number.isFinite)) return;
+    const point = name === 'eye' ? view.camera.position : view.controls.target;
+    point.fromArray(values.map((value, k) => (value - model.frame[k]) / model.frame[3]));
+    view.is_fitted = false;
+    view.settle();
   }
 
   choose_up(axis) {
@@ -948,7 +1278,7 @@ class Panel {
 
   key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const names = {s: 'surface', k: 'skeleton', n: 'nodes', b: 'balls', p: 'separators', c: 'colour', t: 'points', e: 'repairs'};
+    const names = {s: 'surface', k: 'skeleton', n: 'nodes', b: 'balls', p: 'separators', c: 'color', t: 'points', e: 'repairs'};
     const key = event.key.toLowerCase();
     if (names[key]) this.set_visible(names[key], !this.state[names[key]]);
     else if (key === 'r') this.view.reset();
@@ -956,39 +1286,47 @@ class Panel {
   }
 
   // The part of the address behind # can set switches (separators=1), opacity=60, significance=1, length=2 (over
-  // radius), up=z, turn=180 (degrees around up, from where the view would start), panel=0.
-  apply_address() {
-    for (const [name, value] of new URLSearchParams(location.hash.slice(1))) {
+  // radius), coloring=radius, background=dark, clip_axis=z, clip=60, up=z, turn=180 (degrees around up, from where the
+  // view would start), eye=x,y,z, target=x,y,z, panel=0.
+  apply_address(address) {
+    for (const [name, value] of new URLSearchParams(address)) {
       if (name === 'opacity') this.set_opacity(value);
       else if (name === 'significance' || name === 'length') this.set_detail(name, value);
       else if (name === 'up' && /^[xyz]$/.test(value)) this.choose_up(value);
       else if (name === 'turn') { this.view.turn = Number(value) || 0; this.view.reset(); }
+      else if (name === 'eye' || name === 'target') this.set_view(name, value);
+      else if (name === 'clip') this.set_clip(value);
+      else if (document.getElementById(name) instanceof HTMLSelectElement) this.set_choice(name, value);
       else if (name === 'panel') this.show_panel(value !== '0');
       else this.set_visible(name, value !== '0');
     }
   }
 }
 
+function figure(value) { return Number(value.toPrecision(5)).toString(); }
+
+function describe_node(model, detail, node) {
+  const frame = model.frame;
+  const place = [0, 1, 2].map(k => figure(frame[k] + frame[3] * model.node_positions[3 * node + k]));
+  const radius = model.node_radii ? '\nradius ' + figure(frame[3] * model.node_radii[node]) : '';
+  return 'node ' + node + ', degree ' + detail.degree[node] + '\nat ' + place.join('  ') + radius;
+}
+
+function describe_branch(model, branch) {
+  const row = measure_branch(model, branch), scale = model.frame[3];
+  const radius = model.node_radii ? ', radius ' + figure(scale * row.radius) : '';
+  const significance = Number.isFinite(row.significance) && model.node_radii ? ', significance ' + figure(row.significance) : '';
+  return 'branch ' + branch + ': ' + row.edges + ' edges, length ' + figure(scale * row.length) + radius + significance;
+}
+
 // Tells about the node under the pointer.
 function connect_tip(view, model, panel) {
-  const tip = document.getElementById('tip'), reach = 9, p = new THREE.Vector3();
-  const frame = model.frame;
-  const figure = value => Number(value.toPrecision(5)).toString();
+  const tip = document.getElementById('tip'), reach = 9;
   view.element.addEventListener('mousemove', event => {
-    let best = -1, nearest = reach;
-    if (event.buttons === 0 && (panel.state.nodes || panel.state.skeleton))
-      for (let n = 0; n < model.counts.nodes; ++n) {
-        if (!panel.detail.is_node_shown[n]) continue;
-        p.fromArray(model.node_positions, 3 * n).project(view.camera);
-        const x = (p.x + 1) / 2 * view.width, y = (1 - p.y) / 2 * view.height;
-        const distance = Math.hypot(x - event.clientX, y - event.clientY);
-        if (p.z < 1 && distance < nearest) { nearest = distance; best = n; }
-      }
-    tip.style.display = best < 0 ? 'none' : 'block';
-    if (best < 0) return;
-    const place = [0, 1, 2].map(k => figure(frame[k] + frame[3] * model.node_positions[3 * best + k]));
-    const radius = model.node_radii ? '\nradius ' + figure(frame[3] * model.node_radii[best]) : '';
-    tip.textContent = 'node ' + best + ', degree ' + panel.detail.degree[best] + '\nat ' + place.join('  ') + radius;
+    const node = event.buttons === 0 ? panel.node_at(event.clientX, event.clientY, reach) : null;
+    tip.style.display = node === null ? 'none' : 'block';
+    if (node === null) return;
+    tip.textContent = describe_node(model, panel.detail, node);
     tip.style.left = event.clientX + 14 + 'px';
     tip.style.top = event.clientY + 14 + 'px';
   });
@@ -1096,6 +1434,68 @@ class Self_test {
     this.check_change('key s', () => key('s'), () => key('S'));
   }
 
+  check_lists() {
+    const element = name => document.getElementById(name);
+    const pick = (name, value) => { element(name).value = value; element(name).dispatchEvent(new Event('change')); };
+    const has_radius = !element('significance').disabled;
+    this.panel.set_visible('color', true);
+    for (const name of has_radius ? ['region', 'radius', 'significance'] : ['region'])
+      this.check_change('coloring ' + name, () => pick('coloring', name), () => pick('coloring', 'branch'));
+    this.panel.set_visible('color', false);
+    const slide = value => { element('clip').value = value; element('clip').dispatchEvent(new Event('input')); };
+    for (const axis of ['x', 'y', 'z'])
+      this.check_change('clip ' + axis, () => { pick('clip_axis', axis); slide(50); }, () => slide(100));
+    pick('background', 'dark');
+    this.check(getComputedStyle(document.body).backgroundColor === 'rgb(16, 21, 29)', 'background dark');
+    pick('background', 'light');
+  }
+
+  // A click on a node shows its row, one beside the skeleton shows none.
+  check_click() {
+    const click = (x, y) => {
+      for (const type of ['pointerdown', 'pointerup'])
+        this.view.element.dispatchEvent(new PointerEvent(type, {clientX: x, clientY: y}));
+    };
+    const row = document.getElementById('row'), place = this.view.project(this.panel.model, 0);
+    this.check_change('click', () => click(place.x, place.y), () => {
+      this.check(/^node \d+, degree/.test(row.textContent), 'row: ' + row.textContent.replace(/\n/g, '; '));
+      click(this.view.width - 1, 1);
+    });
+    this.check(row.style.display === 'none', 'row closed');
+  }
+
+  check_files() {
+    const picture = this.view.picture(300, '#ffffff'), context = picture.getContext('2d');
+    const pixels = context.getImageData(0, 0, picture.width, picture.height).data;
+    this.check(picture.width === 300 && pixels.some((value, i) => i % 4 < 3 && value < 128), 'png of 300 pixels');
+    const svg = new DOMParser().parseFromString(this.panel.svg(), 'image/svg+xml');
+    const lines = svg.getElementsByTagName('line').length, shown = this.panel.detail.counts.edges;
+    this.check(lines === shown, 'svg: ' + lines + ' lines of ' + shown + ' edges');
+    const saved = [], create = URL.createObjectURL;
+    URL.createObjectURL = blob => { saved.push(blob.type); return create.call(URL, blob); };
+    document.getElementById('svg').click();
+    URL.createObjectURL = create;
+    this.check(saved.join() === 'image/svg+xml', 'saved ' + saved);
+  }
+
+  // The address of a moved view makes the same picture again.
+  check_address() {
+    this.view.camera.position.applyAxisAngle(this.view.camera.up, .7);
+    this.view.settle();
+    this.panel.set_visible('nodes', false);
+    this.panel.set_choice('coloring', 'region');
+    const address = this.panel.address(), before = this.picture();
+    this.panel.set_visible('nodes', true);
+    this.panel.set_choice('coloring', 'branch');
+    this.view.reset();
+    this.panel.apply_address(address);
+    const different = this.difference(before, this.picture()) / (before.length / 4);
+    this.check(different < .002, 'address: ' + (100 * different).toFixed(2) + ' % of the picture differ');
+    this.panel.set_visible('nodes', true);
+    this.panel.set_choice('coloring', 'branch');
+    this.view.reset();
+  }
+
   check_resize() {
     const element = this.view.element, width = element.clientWidth;
     element.style.width = width / 2 + 'px';
@@ -1111,6 +1511,10 @@ class Self_test {
     this.check_switches();
     this.check_detail();
     this.check_movements();
+    this.check_lists();
+    this.check_click();
+    this.check_files();
+    this.check_address();
     this.check_resize();
     const code = this.view.renderer.getContext().getError();
     this.check(code === 0, 'WebGL error code ' + code);
@@ -1129,13 +1533,15 @@ function write_self_test(lines) {
 function start() {
   if (typeof THREE === 'undefined' || !THREE.OrbitControls)
     throw new Error('This page was written without three.js and its OrbitControls.');
-  choose_colours();
+  choose_colors();
   const model = read_model(document.getElementById('cscd-data').textContent);
-  const uniforms = {opacity: {value: .25}, coloured: {value: 0}};
+  const uniforms = {opacity: {value: .25}, colored: {value: 0}, clip: {value: new THREE.Vector4(1, 0, 0, 1e9)}};
   const view = new View(document.getElementById('view'), model);
-  const detail = detail_of(model, {significance: 0, length: 0}), objects = make_objects(model, detail, uniforms);
+  const detail = detail_of(model, {significance: 0, length: 0}), coloring = make_coloring(model, 'branch');
+  const objects = make_objects(model, detail, coloring, uniforms);
   for (const object of Object.values(objects)) view.scene.add(object);
-  const panel = new Panel(view, model, detail, objects, uniforms);
+  const panel = new Panel(view, model, detail, coloring, objects, uniforms);
+  if (model.triangles.length === 0) panel.set_visible('points', true);
   connect_tip(view, model, panel);
   Object.assign(window.cscd, {counts: model.counts, setVisible: (name, on) => panel.set_visible(name, on)});
   if (location.hash === '#selftest') {
@@ -1143,7 +1549,7 @@ function start() {
     test.run();
     write_self_test(test.lines);
   } else {
-    panel.apply_address();
+    panel.apply_address(location.hash.slice(1));
   }
   view.draw();
   view.run();
