@@ -18,10 +18,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <vector>
 
 namespace {

@@ -81,8 +81,10 @@ inline std::vector<Weighted_value> logarithmic_diameters(const Skeletonized_surf
 inline std::vector<double> longest_branches(const Indexed_skeleton& skeleton, double unit)
 {
   constexpr std::size_t number = 12; // more than the limbs of most kinds of bodies
+  const Skeleton_branches branches = measure_branches(skeleton);
   std::vector<double> lengths;
-  for (const Skeleton_branch& branch : measure_branches(skeleton).branches) {
+  lengths.reserve(branches.branches.size());
+  for (const Skeleton_branch& branch : branches.branches) {
     lengths.push_back(branch.length / unit);
   }
   std::sort(lengths.begin(), lengths.end(), std::greater<>());

@@ -63,9 +63,11 @@ public:
       : m_skeleton(skeleton), m_neighbors(node_neighbors(skeleton))
   {
     find_ends();
+    m_from_end.reserve(m_ends.size());
     for (const Index end : m_ends) {
       m_from_end.push_back(distances_from({end}));
     }
+    m_limbs.reserve(m_ends.size());
     for (std::size_t i = 0; i < m_ends.size(); ++i) {
       m_limbs.push_back(find_limb(i));
     }
@@ -241,6 +243,7 @@ public:
   Limb_assignment(const Skeleton_limbs& few, const Skeleton_limbs& many)
       : m_few(few), m_many(many), m_is_taken(many.size(), 0), m_chosen(few.size())
   {
+    m_radius_costs.reserve(few.size() * many.size());
     for (std::size_t i = 0; i < few.size(); ++i) {
       for (std::size_t j = 0; j < many.size(); ++j) {
         const auto a = few.radii(i);
@@ -339,6 +342,8 @@ CSCD_INLINE Skeleton_match match_skeletons(const Indexed_skeleton& first, const 
       Limb_assignment(is_few ? limbs : other_limbs, is_few ? other_limbs : limbs).best();
   Skeleton_match result;
   std::vector<std::array<std::size_t, 2>> pairs;
+  pairs.reserve(best.size());
+  result.ends.reserve(best.size());
   for (std::size_t i = 0; i < best.size(); ++i) {
     pairs.push_back(is_few ? std::array<std::size_t, 2>{i, best[i]} : std::array<std::size_t, 2>{best[i], i});
     result.ends.push_back({limbs.end(pairs.back()[0]), other_limbs.end(pairs.back()[1])});
