@@ -9,6 +9,7 @@
 #include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
@@ -16,9 +17,11 @@
 #include <CGAL/mesh_segmentation.h>
 
 #include <cstddef>
+#include <fstream>
 #include <iostream>
 #include <limits>
 #include <ostream>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -33,16 +36,21 @@ struct Skeletonized_input
   Skeleton skeleton;
 };
 
-Skeletonized_input skeletonized_input(const Application_options& options)
+Skeletonized_input skeletonized_mesh(const std::string& name, const std::string& format, bool is_quiet)
 {
-  check_is_not_input(options.output, options.input, "--output");
-  Input input = read_mesh(options.input, options.format, options.is_quiet);
+  Input input = read_mesh(name, format, is_quiet);
   try {
     Skeletonization_result result = compute_skeleton(input, Skeletonize_options(), nullptr);
     return {std::move(input.mesh), std::move(result.skeleton)};
   } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
+    throw CSCD::Input_error(name_of(name) + ": " + error.what());
   }
+}
+
+Skeletonized_input skeletonized_input(const Application_options& options)
+{
+  check_is_not_input(options.output, options.input, "--output");
+  return skeletonized_mesh(options.input, options.format, options.is_quiet);
 }
 
 /// Calls `write(out)` with a stream to the output.
@@ -72,19 +80,69 @@ std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
   return CGAL::segmentation_from_sdf_values(input.mesh, diameters, labels, number_of_clusters, smoothness);
 }
 
-} // namespace
+using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 
-void segment(const Segment_options& options)
+/// Reads a label for each face of `mesh`.
+void read_labels(const std::string& filename, const Mesh& mesh, Labels labels)
+{
+  std::ifstream in(filename);
+  if (!in) {
+    throw CSCD::File_error(filename + ": cannot be read; check the name and the permissions");
+  }
+  for (const Mesh::Face_index face : mesh.faces()) {
+    if (!(in >> labels[face])) {
+      throw CSCD::Input_error(filename + ": has not a label for each of the " + std::to_string(mesh.number_of_faces()) +
+                              " faces of the mesh of --like; write one number a line");
+    }
+  }
+  if (std::string rest; in >> rest) {
+    throw CSCD::Input_error(filename + ": has more labels than the mesh of --like has faces");
+  }
+}
+
+/// Carries the parts of the mesh of `--like` over. \return the number of parts
+std::size_t segment_like(const Segment_options& options, const Skeletonized_input& input, Labels labels)
+{
+  Skeletonized_input other = skeletonized_mesh(options.like, "", options.is_quiet);
+  const Labels parts = other.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  if (options.labels.empty()) {
+    CSCD::segment_mesh(other.mesh, other.skeleton, parts, CSCD::parameters::default_values(), options.number_of_parts);
+  } else {
+    read_labels(options.labels, other.mesh, parts);
+  }
+  CSCD::carry_labels(other.mesh, other.skeleton, parts, input.mesh, input.skeleton, labels);
+  return std::set<std::size_t>(labels.begin(), labels.end()).size();
+}
+
+/// Checks options that exclude each other.
+void check(const Segment_options& options)
 {
   if (options.by == by_diameter && options.number_of_parts > 0) {
     throw Usage_error("--parts: only a segmentation by the skeleton has a choice of parts; leave out --by diameter");
   }
+  if (!options.like.empty() && options.by == by_diameter) {
+    throw Usage_error("--like: the parts of the other mesh are carried over by skeletons; leave out --by diameter");
+  }
+  if (options.like.empty() && !options.labels.empty()) {
+    throw Usage_error("--labels: are of the faces of another mesh; name it by --like");
+  }
+  if (!options.labels.empty() && options.number_of_parts > 0) {
+    throw Usage_error("--parts: the labels are what decides; leave out --parts or --labels");
+  }
+}
+
+} // namespace
+
+void segment(const Segment_options& options)
+{
+  check(options);
   Skeletonized_input input = skeletonized_input(options);
-  const auto labels = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  const Labels labels = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
   const std::size_t number_of_parts =
-      options.by == by_diameter ? segment_by_diameter(input, labels)
-                                : CSCD::segment_mesh(input.mesh, input.skeleton, labels,
-                                                     CSCD::parameters::default_values(), options.number_of_parts);
+      !options.like.empty()       ? segment_like(options, input, labels)
+      : options.by == by_diameter ? segment_by_diameter(input, labels)
+                                  : CSCD::segment_mesh(input.mesh, input.skeleton, labels,
+                                                       CSCD::parameters::default_values(), options.number_of_parts);
   write_output(options, [&](std::ostream& out) {
     for (const Mesh::Face_index face : input.mesh.faces()) {
       out << labels[face] << '\n';

@@ -135,17 +135,25 @@ void expect_dual_bases(const CSCD::test::Shape& shape, std::size_t genus)
   }
 }
 
-/// A body of revolution about the x axis, about 8 long and 2 wide, that is `neck_radius` wide in the middle.
-CSCD::test::Shape body_with_neck(double neck_radius, std::size_t around)
+/// A body of revolution about the x axis around the origin, closed by half spheres, of a radius of at most 1.
+template <class Radius>
+CSCD::test::Shape body_of_revolution(double length, const Radius& radius, std::size_t around)
 {
-  const std::size_t n = CSCD::test::rings_for(8, 1, around);
-  const auto points = CSCD::test::sampled_segment({-4, 0, 0}, {4, 0, 0}, n);
+  const std::size_t n = CSCD::test::rings_for(length, 1, around);
+  const auto points = CSCD::test::sampled_segment({-length / 2, 0, 0}, {length / 2, 0, 0}, n);
   std::vector<double> radii;
   radii.reserve(n);
   for (const auto& point : points) {
-    radii.push_back(1 - (1 - neck_radius) * std::exp(-2 * point[0] * point[0]));
+    radii.push_back(radius(point[0]));
   }
-  return CSCD::test::swept_shape("neck", points, radii, around, CSCD::test::Tube_end::round);
+  return CSCD::test::swept_shape("body of revolution", points, radii, around, CSCD::test::Tube_end::round);
+}
+
+/// One that is about 8 long and 2 wide, and `neck_radius` wide in the middle.
+CSCD::test::Shape body_with_neck(double neck_radius, std::size_t around)
+{
+  return body_of_revolution(
+      8, [&](double x) { return 1 - (1 - neck_radius) * std::exp(-2 * x * x); }, around);
 }
 
 TEST(Find_surface_loops, torus_has_one_handle_and_one_tunnel_of_known_length)
@@ -219,11 +227,11 @@ TEST(Find_surface_loops, neck_is_a_constriction)
     ASSERT_EQ(1U, loops.size());
     EXPECT_EQ(Loop_kind::constriction, loops[0].kind);
     EXPECT_NEAR(loops[0].length, 2 * pi * neck_radius, 0.02 * loops[0].length);
-    // Parallel circles at the greatest distance, a diameter, measured along the profile.
+    // Parallel circles at the greatest distance, three diameters, measured along the profile.
     double x = 0;
     const auto radius = [neck_radius](double at) { return 1 - (1 - neck_radius) * std::exp(-2 * at * at); };
     constexpr double step = 1e-4;
-    for (double distance = 0; distance < 2 * neck_radius; x += step) {
+    for (double distance = 0; distance < 6 * neck_radius; x += step) {
       distance += std::hypot(step, radius(x + step) - radius(x));
     }
     EXPECT_NEAR(loops[0].depth, radius(x) / neck_radius - 1, 0.05 * (radius(x) / neck_radius));
@@ -243,6 +251,25 @@ TEST(Find_surface_loops, depth_has_a_lower_bound)
   const double depth = find(0.05)[0].depth;
   EXPECT_EQ(1U, find(0.99 * depth).size());
   EXPECT_TRUE(find(1.01 * depth).empty());
+}
+
+TEST(Find_surface_loops, waves_of_a_limb_are_as_deep_as_they_are_high)
+{
+  // Narrow at 1 and, beyond a rise in the middle, narrower at -1: only the latter is as deep as the body is thick.
+  const auto radius = [](double x) {
+    return 1 - 0.45 * std::exp(-(x - 1) * (x - 1)) - 0.5 * std::exp(-(x + 1) * (x + 1));
+  };
+  const std::vector<Mesh_loop> all = CSCD::find_surface_loops(
+      CSCD::test::to_mesh<Loop_mesh>(body_of_revolution(10, radius, 40)), CSCD::parameters::default_values(), 0.01);
+  ASSERT_EQ(2U, all.size());
+  EXPECT_NEAR(all[0].length, 2 * pi * radius(-1), 0.02 * all[0].length);
+  EXPECT_GT(all[0].depth, 0.5);
+  double rise = 0;
+  for (double x = -1; x < 1; x += 1e-3) {
+    rise = std::max(rise, radius(x));
+  }
+  EXPECT_NEAR(all[1].depth, rise / radius(1) - 1, 0.02);
+  EXPECT_LT(all[1].depth, CSCD::default_min_constriction_depth);
 }
 
 TEST(Find_surface_loops, bodies_that_are_nowhere_constricted_have_no_loops)

@@ -105,6 +105,64 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
   expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
+TEST_F(Cscd, parts_are_carried_over_from_another_mesh)
+{
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(0, run("segment torus.off -o torus.seg --parts 3").status);
+  const Outcome outcome = run("segment torus.off -o same.seg --like torus.off --labels torus.seg");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ(0, run("segment torus.off -o segmented.seg --like torus.off --parts 3").status);
+  EXPECT_EQ(content("same.seg"), content("segmented.seg"));
+  std::istringstream carried(content("same.seg"));
+  std::istringstream expected(content("torus.seg"));
+  std::size_t number = 0;
+  std::size_t number_of_equal = 0;
+  for (std::size_t part = 0, other = 0; carried >> part && expected >> other; ++number) {
+    number_of_equal += part == other ? 1 : 0;
+  }
+  EXPECT_EQ(number, torus().polygons.size());
+  EXPECT_GT(double(number_of_equal), 0.9 * double(number)); // faces at boundaries may go to either side
+  m_folder.write("short.seg", "1\n2\n");
+  m_folder.write("long.seg", content("torus.seg") + "1\n");
+  expect_refusal("segment torus.off -o a.seg --like torus.off --labels short.seg", 2, {"short.seg"});
+  expect_refusal("segment torus.off -o a.seg --like torus.off --labels long.seg", 2, {"long.seg"});
+  expect_refusal("segment torus.off -o a.seg --like torus.off --labels missing.seg", 2, {"missing.seg"});
+  expect_refusal("segment torus.off -o a.seg --like missing.off", 2, {"missing.off"});
+  expect_refusal("segment torus.off -o a.seg --labels torus.seg", 1, {"--like"});
+  expect_refusal("segment torus.off -o a.seg --like torus.off --by diameter", 1, {"--like"});
+  expect_refusal("segment torus.off -o a.seg --like torus.off --labels torus.seg --parts 3", 1, {"--parts"});
+}
+
+TEST_F(Cscd, classes_are_those_of_the_nearest_other_shapes)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("copy.off", off(torus()));
+  m_folder.write("cube, one.off", off(cube()));
+  m_folder.write("cube.off", off(cube_of_squares()));
+  m_folder.write("shapes.csv", "file,class\ntorus.off,ring\r\ncube, one.off, box\ncube.off,box\n\ncopy.off\n");
+  for (const std::string options : {"", "--descriptor diameter"}) {
+    const Outcome outcome = run("classify shapes.csv -o classes.json " + options);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    EXPECT_NE(std::string::npos, outcome.out.find("accuracy 0.667"));
+    const auto result = nlohmann::json::parse(content("classes.json"));
+    EXPECT_DOUBLE_EQ(2. / 3, result.at("accuracy").get<double>());
+    const auto& shapes = result.at("shapes");
+    ASSERT_EQ(4U, shapes.size());
+    EXPECT_EQ("box", shapes[1].at("found"));
+    EXPECT_EQ("cube.off", shapes[1].at("nearest"));
+    EXPECT_TRUE(shapes[3].at("class").is_null());
+    EXPECT_EQ("ring", shapes[3].at("found"));
+    EXPECT_EQ(0, shapes[3].at("distance").get<double>());
+  }
+  m_folder.write("one.csv", "torus.off,ring\ncube.off\n");
+  m_folder.write("missing.csv", "torus.off,ring\nmissing.off,ring\n");
+  expect_refusal("classify one.csv -o a.json", 2, {"one.csv"});
+  expect_refusal("classify missing.csv -o a.json", 2, {"missing.off"});
+  expect_refusal("classify none.csv -o a.json", 2, {"none.csv"});
+  expect_refusal("classify shapes.csv -o a.json --descriptor color", 1, {"--descriptor"});
+  expect_refusal("classify shapes.csv -o shapes.csv", 1, {"is the input"});
+}
+
 TEST_F(Cscd, loops_are_written_by_kind_and_format)
 {
   m_folder.write("torus.off", off(torus()));
@@ -135,11 +193,11 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
   for (const std::string command :
-       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
     for (const std::string other :
-         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }

@@ -37,16 +37,18 @@ struct Surface_loop
   Loop_kind kind = Loop_kind::handle;
   /// Its length, in the unit of the mesh.
   double length = 0;
-  /// Of a constriction, by how much loops parallel to it are longer, relative to its own length: on either side the
-  /// longest at most a diameter away, `length / pi`, and of the two sides the lesser. 0 for other loops.
+  /// Of a constriction, by how much longer it must become if it is to move away, relative to its own length. The loops
+  /// parallel to it are followed on either side, up to three of its diameters away, `length / pi`, and until they have
+  /// no connected piece any more that is as long as it; the depth is the excess of the longest piece, on the side where
+  /// that is less. It is 0 if they do not get half a diameter away so, and for other loops.
   double depth = 0;
   /// Its points on edges and vertices, in order; the last and the first are neighbors.
   std::vector<Point> points;
 };
 
 /// Constrictions less deep than this are left out by default: loops parallel to them are longer by so much, relative to
-/// them. Less comes of the triangles on tubes that have no constriction.
-inline constexpr double default_min_constriction_depth = 0.05;
+/// them. On FAUST bodies, necks, wrists, ankles and most waists are deeper, folds and toes less deep.
+inline constexpr double default_min_constriction_depth = 0.3;
 
 namespace internal {
 

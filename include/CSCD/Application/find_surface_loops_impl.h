@@ -33,6 +33,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -67,24 +68,34 @@ public:
   }
 
   /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`.
-  /// O(k log k) for the k vertices at most a diameter away.
+  /// O(k log k) for the k vertices within reach.
   double depth(const Surface_path& curve)
   {
-    const double reach = curve.length / boost::math::double_constants::pi;
-    measure_distances(curve, reach);
-    std::array<double, 2> longest{0, 0};
-    for (const bool is_left : {false, true}) {
-      for (int step = 1; step <= number_of_levels; ++step) {
-        const double level = reach * step / number_of_levels;
-        longest[is_left ? 1 : 0] = std::max(longest[is_left ? 1 : 0], level_length(is_left ? level : -level));
-      }
-    }
-    return std::min(longest[0], longest[1]) / curve.length - 1;
+    const double step = curve.length / boost::math::double_constants::pi / levels_per_diameter;
+    measure_distances(curve, step * number_of_levels);
+    const std::array<std::vector<double>, 2> pieces = longest_pieces(step);
+    return std::max(std::min(climb(pieces[0], curve.length), climb(pieces[1], curve.length)) / curve.length - 1, 0.);
   }
 
 private:
-  /// So many parallel curves on either side are measured.
-  static constexpr int number_of_levels = 12;
+  /// Parallel curves are measured at so many distances in a diameter of the curve, `length / pi`, ...
+  static constexpr int levels_per_diameter = 8;
+  /// ... and so many on either side: up to three diameters, what a hand is longer than its wrist is wide.
+  static constexpr int number_of_levels = 3 * levels_per_diameter;
+  /// Of these, so many must be one curve, or have a piece as long: half a diameter. Loops that cut off several limbs at
+  /// once, such as an arm together with the head, come apart before.
+  static constexpr std::size_t min_levels = levels_per_diameter / 2;
+  /// Relative to the length of the curve: a parallel curve shorter by more is beyond what makes the constriction. Less
+  /// comes of measuring distances along triangles.
+  static constexpr double tolerance = 0.02;
+
+  /// The longest of the parallel curves on one side, before they get shorter than the curve or come apart.
+  static double climb(const std::vector<double>& pieces, double length)
+  {
+    const auto end =
+        std::find_if(pieces.begin(), pieces.end(), [&](double piece) { return piece < (1 - tolerance) * length; });
+    return std::size_t(end - pieces.begin()) < min_levels ? 0. : *std::max_element(pieces.begin(), end);
+  }
 
   /// Distances from `curve` of all vertices up to `reach`, and of those beyond next to them.
   void measure_distances(const Surface_path& curve, double reach)
@@ -166,33 +177,82 @@ private:
                                        : std::numeric_limits<double>::max();
   }
 
-  double signed_distance(Index vertex) const
+  /// In steps, positive on the left.
+  double signed_distance(Index vertex, double step) const
   {
-    return m_side[vertex] != 0 ? double(m_front.distance(vertex)) : -double(m_front.distance(vertex));
+    return (m_side[vertex] != 0 ? double(m_front.distance(vertex)) : -double(m_front.distance(vertex))) / step;
   }
 
-  double level_length(double level) const
+  /// The lengths of the longest connected pieces of the parallel curves on the right and on the left, at the multiples
+  /// of `step`. Linear in the number of faces and of the pieces of curves in them.
+  std::array<std::vector<double>, 2> longest_pieces(double step)
   {
-    double result = 0;
+    std::array<std::vector<double>, 2> longest;
+    longest.fill(std::vector<double>(number_of_levels, 0));
+    mark_levels(step);
     for (const Index face : m_faces) {
-      std::array<Vector_3, 2> ends;
-      std::size_t number_of_ends = 0;
-      for (const Index h : Triangulated_surface::face_halfedges(face)) {
-        const Index a = m_surface.origin(h);
-        const Index b = m_surface.target(h);
-        if (!m_front.is_reached(a) || !m_front.is_reached(b)) {
-          continue;
-        }
-        const double at_a = signed_distance(a) - level;
-        const double at_b = signed_distance(b) - level;
-        if ((at_a < 0) != (at_b < 0) && number_of_ends < 2) {
-          ends[number_of_ends++] =
-              m_surface.point(a) + at_a / (at_a - at_b) * (m_surface.point(b) - m_surface.point(a));
+      for (int bit = 0; m_levels[face] != 0; ++bit) {
+        if ((m_levels[face] >> bit & 1U) != 0) {
+          const bool is_left = bit >= number_of_levels;
+          double& length = longest[is_left ? 1 : 0][std::size_t(is_left ? bit - number_of_levels : bit)];
+          length = std::max(length, take_piece(face, bit, step));
         }
       }
-      result += number_of_ends == 2 ? (ends[1] - ends[0]).norm() : 0.;
     }
-    return result;
+    return longest;
+  }
+
+  /// Which multiple of the step is at a place of the bits of `m_levels`: those on the right, then those on the left.
+  static double level_at(int bit) { return bit < number_of_levels ? -bit - 1. : bit - number_of_levels + 1.; }
+
+  /// Sets, for each face around the curve, the bits of the levels that cross it.
+  void mark_levels(double step)
+  {
+    m_levels.resize(m_surface.number_of_faces(), 0);
+    for (const Index face : m_faces) {
+      double lowest = number_of_levels + 1;
+      double highest = -lowest;
+      bool is_reached = true;
+      for (const Index h : Triangulated_surface::face_halfedges(face)) {
+        const Index vertex = m_surface.origin(h);
+        is_reached = is_reached && m_front.is_reached(vertex);
+        const double distance = is_reached ? signed_distance(vertex, step) : 0.;
+        lowest = std::min(lowest, distance);
+        highest = std::max(highest, distance);
+      }
+      for (int bit = 0; is_reached && bit < 2 * number_of_levels; ++bit) {
+        if (lowest < level_at(bit) && level_at(bit) <= highest) {
+          m_levels[face] |= std::uint64_t(1) << bit;
+        }
+      }
+    }
+  }
+
+  /// Follows the level of `bit` from `face` on in both directions, clears the bit on the way and adds up lengths.
+  double take_piece(Index face, int bit, double step)
+  {
+    const double level = level_at(bit);
+    const auto is_below = [&](Index vertex) { return signed_distance(vertex, step) < level; };
+    const auto is_crossed = [&](Index h) { return is_below(m_surface.origin(h)) != is_below(m_surface.target(h)); };
+    const auto point_on = [&](Index h) -> Vector_3 {
+      const double from = signed_distance(m_surface.origin(h), step);
+      const double to = signed_distance(m_surface.target(h), step);
+      const Vector_3& point = m_surface.point(m_surface.origin(h));
+      return point + (level - from) / (to - from) * (m_surface.point(m_surface.target(h)) - point);
+    };
+    const std::array<Index, 3> sides = Triangulated_surface::face_halfedges(face);
+    const Index start = *std::find_if(sides.begin(), sides.end(), is_crossed);
+    double length = 0;
+    for (Index entry : {start, m_surface.twin(start)}) {
+      while ((m_levels[Triangulated_surface::face(entry)] >> bit & 1U) != 0) {
+        m_levels[Triangulated_surface::face(entry)] &= ~(std::uint64_t(1) << bit);
+        const Index next = Triangulated_surface::next(entry);
+        const Index exit = is_crossed(next) ? next : Triangulated_surface::next(next);
+        length += (point_on(exit) - point_on(entry)).norm();
+        entry = m_surface.twin(exit);
+      }
+    }
+    return length;
   }
 
   const Triangulated_surface& m_surface;
@@ -201,6 +261,8 @@ private:
   std::vector<Edge_crossing> m_crossings;
   std::vector<Index> m_reached;
   std::vector<Index> m_faces;
+  std::vector<std::uint64_t>
+      m_levels; // of faces: a bit for each parallel curve that crosses it and is not yet measured
 };
 
 /// Finds loops of all kinds on one surface.

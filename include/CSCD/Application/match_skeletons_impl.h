@@ -1,0 +1,426 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of match_skeletons.h.
+
+#ifndef CSCD_APPLICATION_MATCH_SKELETONS_IMPL_H
+#define CSCD_APPLICATION_MATCH_SKELETONS_IMPL_H
+
+#include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Application/match_skeletons.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/config.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Distances along a skeleton from some of its nodes.
+struct Skeleton_distances
+{
+  /// To a node in another component.
+  static constexpr double unreachable = std::numeric_limits<double>::infinity();
+
+  std::vector<double> distance;
+  std::vector<Index> previous; ///< the next node on the way to those
+};
+
+/// \param neighbors of the nodes of `skeleton`
+inline Skeleton_distances distances_along(const Indexed_skeleton& skeleton,
+                                          const std::vector<std::vector<Index>>& neighbors,
+                                          const std::vector<Index>& starts)
+{
+  const std::size_t n = skeleton.number_of_nodes();
+  Skeleton_distances result{std::vector<double>(n, Skeleton_distances::unreachable), std::vector<Index>(n, no_index)};
+  Dijkstra_search front(n);
+  for (const Index start : starts) {
+    front.reach(start, 0);
+  }
+  front.spread([&](Index node, float distance) {
+    result.distance[node] = distance;
+    for (const Index next : neighbors[node]) {
+      if (front.reach(next, distance + float(skeleton.length({node, next})))) {
+        result.previous[next] = node;
+      }
+    }
+  });
+  return result;
+}
+
+/// The main limbs of a skeleton.
+class Skeleton_limbs
+{
+public:
+  explicit Skeleton_limbs(const Indexed_skeleton& skeleton)
+      : m_skeleton(skeleton), m_neighbors(node_neighbors(skeleton))
+  {
+    find_ends();
+    m_from_end.reserve(m_ends.size());
+    for (const Index end : m_ends) {
+      m_from_end.push_back(distances_from({end}));
+    }
+    m_limbs.reserve(m_ends.size());
+    for (std::size_t i = 0; i < m_ends.size(); ++i) {
+      m_limbs.push_back(find_limb(i));
+    }
+  }
+
+  std::size_t size() const { return m_ends.size(); }
+  Index end(std::size_t i) const { return m_ends[i]; }
+
+  /// The distance of `node` from an end, relative to the length of the paths between all ends.
+  double distance(std::size_t end, Index node) const
+  {
+    return std::min(m_from_end[end].distance[node] / m_length, max_distance);
+  }
+
+  /// So many places stand for where a limb begins: one alone moves too much with the pose.
+  static constexpr std::size_t number_of_roots = 3;
+
+  /// Half a radius, a radius, and one and a half before the limb meets others; relative to the same length.
+  std::array<Vector_3, number_of_roots> roots(std::size_t i) const
+  {
+    std::array<Vector_3, number_of_roots> result;
+    const std::vector<Index>& limb = m_limbs[i];
+    const double to_joint = m_from_end[i].distance[limb.back()];
+    const double radius = m_skeleton.has_radii() ? m_skeleton.radii[limb.back()] : 0;
+    for (std::size_t k = 0; k < number_of_roots; ++k) {
+      const double wanted = to_joint - double(k + 1) / 2 * radius;
+      const auto place = std::find_if(limb.rbegin(), limb.rend() - 1,
+                                      [&](Index node) { return m_from_end[i].distance[node] <= wanted; });
+      result[k] = m_skeleton.points[*place] / m_length;
+    }
+    return result;
+  }
+
+  /// The radii at so many places of a limb, from the end on.
+  static constexpr std::size_t number_of_radii = 8;
+
+  /// Relative to the same length; 0 where radii are unknown.
+  std::array<double, number_of_radii> radii(std::size_t i) const
+  {
+    std::array<double, number_of_radii> result{};
+    const std::vector<Index>& limb = m_limbs[i];
+    const std::vector<double>& distance = m_from_end[i].distance;
+    for (std::size_t k = 0; m_skeleton.has_radii() && k < number_of_radii; ++k) {
+      const double wanted = distance[limb.back()] * double(k + 1) / double(number_of_radii + 1);
+      const auto place = std::find_if(limb.begin(), limb.end() - 1, [&](Index v) { return distance[v] >= wanted; });
+      result[k] = m_skeleton.radii[*place] / m_length;
+    }
+    return result;
+  }
+
+private:
+  /// An end is one if it is further from the paths between others, relative to the distance of the first two. On human
+  /// bodies, heads are so by 0.2, fingers by 0.05.
+  static constexpr double min_distance = 0.1;
+  /// So many ends at most: an octopus has nine. The assignments are as many as their permutations.
+  static constexpr std::size_t max_ends = 9;
+  /// What is further, in another component too, counts as being so far, relative to the length of the paths.
+  static constexpr double max_distance = 2;
+
+  Skeleton_distances distances_from(const std::vector<Index>& starts) const
+  {
+    return distances_along(m_skeleton, m_neighbors, starts);
+  }
+
+  /// Of `nodes`, the one that is furthest among those that can be reached; the first if none can.
+  static Index furthest(const std::vector<Index>& nodes, const Skeleton_distances& distances)
+  {
+    const auto key = [&](Index v) {
+      return distances.distance[v] < Skeleton_distances::unreachable ? distances.distance[v] : -1.;
+    };
+    return *std::max_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return key(a) < key(b); });
+  }
+
+  /// Tips; all nodes if there are fewer than two of them.
+  std::vector<Index> possible_ends() const
+  {
+    std::vector<Index> tips;
+    std::vector<Index> all;
+    all.reserve(m_skeleton.number_of_nodes());
+    for (Index v = 0; v < m_skeleton.number_of_nodes(); ++v) {
+      all.push_back(v);
+      if (m_neighbors[v].size() == 1) {
+        tips.push_back(v);
+      }
+    }
+    return tips.size() < 2 ? all : tips;
+  }
+
+  /// Where the component with the longest edges in all has a possible end.
+  Index start(const std::vector<Index>& possible) const
+  {
+    Multi_source_dijkstra_search components(m_skeleton.number_of_nodes());
+    for (const Index v : possible) {
+      if (components.label(v) == no_index) {
+        components.reach(v, 0, v);
+        components.spread([&](Index node, const auto& visit) {
+          for (const Index next : m_neighbors[node]) {
+            visit(next, 0.F);
+          }
+        });
+      }
+    }
+    std::vector<double> length(m_skeleton.number_of_nodes(), 0);
+    for (const std::array<Index, 2>& edge : m_skeleton.edges) {
+      if (components.label(edge[0]) != no_index) {
+        length[components.label(edge[0])] += m_skeleton.length(edge);
+      }
+    }
+    return *std::max_element(possible.begin(), possible.end(), [&](Index a, Index b) { return length[a] < length[b]; });
+  }
+
+  void find_ends()
+  {
+    const std::vector<Index> possible = possible_ends();
+    const Index first = furthest(possible, distances_from({start(possible)}));
+    m_ends.push_back(first);
+    std::vector<Index> paths{first};
+    double least = 0;
+    while (m_ends.size() < max_ends) {
+      const Skeleton_distances distances = distances_from(paths);
+      const Index next = furthest(possible, distances);
+      const double length = distances.distance[next];
+      if (!(length > least) || !(length < Skeleton_distances::unreachable)) {
+        break;
+      }
+      least = std::max(least, min_distance * length);
+      m_length += length;
+      m_ends.push_back(next);
+      for (Index v = next; v != no_index && distances.distance[v] > 0; v = distances.previous[v]) {
+        paths.push_back(v);
+      }
+    }
+    m_length = m_length > 0 ? m_length : 1;
+  }
+
+  /// The nodes from an end to where the paths to the other ends part.
+  std::vector<Index> find_limb(std::size_t i) const
+  {
+    std::vector<std::size_t> count(m_skeleton.number_of_nodes(), 0);
+    for (const Index other : m_ends) {
+      for (Index v = other; v != no_index; v = m_from_end[i].previous[v]) {
+        ++count[v];
+      }
+    }
+    // The path to the end itself counts once more, there alone.
+    --count[m_ends[i]];
+    std::vector<Index> limb;
+    for (Index v = m_ends[i == 0 ? size() - 1 : 0]; v != no_index; v = m_from_end[i].previous[v]) {
+      if (count[v] + 1 == size()) {
+        limb.push_back(v);
+      }
+    }
+    if (limb.empty()) {
+      limb.push_back(m_ends[i]);
+    }
+    std::reverse(limb.begin(), limb.end());
+    return limb;
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  std::vector<std::vector<Index>> m_neighbors;
+  std::vector<Index> m_ends;
+  std::vector<Skeleton_distances> m_from_end;
+  std::vector<std::vector<Index>> m_limbs; // nodes of each, from its end on
+  double m_length = 0;                     // of the paths between all ends
+};
+
+/// Finds which limbs correspond.
+class Limb_assignment
+{
+public:
+  /// \pre `few` has no more ends than `many`
+  Limb_assignment(const Skeleton_limbs& few, const Skeleton_limbs& many)
+      : m_few(few), m_many(many), m_is_taken(many.size(), 0), m_chosen(few.size())
+  {
+    m_radius_costs.reserve(few.size() * many.size());
+    for (std::size_t i = 0; i < few.size(); ++i) {
+      for (std::size_t j = 0; j < many.size(); ++j) {
+        const auto a = few.radii(i);
+        const auto b = many.radii(j);
+        double sum = 0;
+        for (std::size_t k = 0; k < a.size(); ++k) {
+          sum += std::abs(a[k] - b[k]);
+        }
+        m_radius_costs.push_back(sum / double(a.size()));
+      }
+    }
+    measure_pairs(few, m_few_pairs);
+    measure_pairs(many, m_many_pairs);
+    choose(0, 0);
+  }
+
+  /// For each end of the skeleton with few, that of the other.
+  const std::vector<std::size_t>& best() const { return m_best; }
+
+private:
+  /// How much straight distances of where limbs begin count, in those along the skeleton. On odd-numbered poses of
+  /// FAUST it is better than 0.5, and 5 is no better.
+  static constexpr double root_weight = 2;
+
+  struct End_pair
+  {
+    double along;                                                 // the distance of the ends along the skeleton
+    std::array<double, Skeleton_limbs::number_of_roots> straight; // those of where their limbs begin
+  };
+
+  static void measure_pairs(const Skeleton_limbs& limbs, std::vector<End_pair>& pairs)
+  {
+    pairs.reserve(limbs.size() * limbs.size());
+    for (std::size_t i = 0; i < limbs.size(); ++i) {
+      for (std::size_t j = 0; j < limbs.size(); ++j) {
+        End_pair pair{limbs.distance(i, limbs.end(j)), {}};
+        const auto first = limbs.roots(i);
+        const auto second = limbs.roots(j);
+        for (std::size_t k = 0; k < first.size(); ++k) {
+          pair.straight[k] = (first[k] - second[k]).norm();
+        }
+        pairs.push_back(pair);
+      }
+    }
+  }
+
+  /// Tries all ends for the `i`-th that can still be better than the best so far.
+  void choose(std::size_t i, double cost)
+  {
+    if (i == m_few.size()) {
+      m_best = m_chosen;
+      m_least_cost = cost;
+      return;
+    }
+    for (std::size_t j = 0; j < m_many.size(); ++j) {
+      if (m_is_taken[j] != 0) {
+        continue;
+      }
+      double sum = 0;
+      for (std::size_t k = 0; k < i; ++k) {
+        const End_pair& a = m_few_pairs[i * m_few.size() + k];
+        const End_pair& b = m_many_pairs[j * m_many.size() + m_chosen[k]];
+        sum += std::abs(a.along - b.along);
+        for (std::size_t m = 0; m < a.straight.size(); ++m) {
+          sum += root_weight / double(a.straight.size()) * std::abs(a.straight[m] - b.straight[m]);
+        }
+      }
+      const double next_cost =
+          cost + m_radius_costs[i * m_many.size() + j] + sum / double(std::max<std::size_t>(m_few.size() - 1, 1));
+      if (next_cost < m_least_cost) {
+        m_is_taken[j] = 1;
+        m_chosen[i] = j;
+        choose(i + 1, next_cost);
+        m_is_taken[j] = 0;
+      }
+    }
+  }
+
+  const Skeleton_limbs& m_few;
+  const Skeleton_limbs& m_many;
+  std::vector<double> m_radius_costs; // of each end of the few with each of the many
+  std::vector<End_pair> m_few_pairs;
+  std::vector<End_pair> m_many_pairs;
+  std::vector<char> m_is_taken;
+  std::vector<std::size_t> m_chosen;
+  std::vector<std::size_t> m_best;
+  double m_least_cost = std::numeric_limits<double>::infinity();
+};
+
+CSCD_INLINE Skeleton_match match_skeletons(const Indexed_skeleton& first, const Indexed_skeleton& second)
+{
+  const Skeleton_limbs limbs(first);
+  const Skeleton_limbs other_limbs(second);
+  const bool is_few = limbs.size() <= other_limbs.size();
+  const std::vector<std::size_t> best =
+      Limb_assignment(is_few ? limbs : other_limbs, is_few ? other_limbs : limbs).best();
+  Skeleton_match result;
+  std::vector<std::array<std::size_t, 2>> pairs;
+  pairs.reserve(best.size());
+  result.ends.reserve(best.size());
+  for (std::size_t i = 0; i < best.size(); ++i) {
+    pairs.push_back(is_few ? std::array<std::size_t, 2>{i, best[i]} : std::array<std::size_t, 2>{best[i], i});
+    result.ends.push_back({limbs.end(pairs.back()[0]), other_limbs.end(pairs.back()[1])});
+  }
+  result.nodes.reserve(second.number_of_nodes());
+  for (Index v = 0; v < second.number_of_nodes(); ++v) {
+    double least = std::numeric_limits<double>::infinity();
+    Index nearest = 0;
+    for (Index u = 0; u < first.number_of_nodes(); ++u) {
+      double sum = 0;
+      for (const auto& [i, j] : pairs) {
+        sum += std::abs(limbs.distance(i, u) - other_limbs.distance(j, v));
+      }
+      if (sum < least) {
+        least = sum;
+        nearest = u;
+      }
+    }
+    result.nodes.push_back(nearest);
+  }
+  return result;
+}
+
+/// The label of the greatest area around each node; nodes without any take that of the nearest along the skeleton.
+CSCD_INLINE std::vector<std::size_t> labels_of_nodes(const Skeletonized_surface& surface,
+                                                     const std::vector<std::size_t>& labels)
+{
+  std::vector<std::map<std::size_t, double>> areas(surface.skeleton.number_of_nodes());
+  for (std::size_t f = 0; f < labels.size(); ++f) {
+    const auto& [a, b, c] = surface.triangles.faces[f];
+    const Vector_3& origin = surface.triangles.points[a];
+    const double area = (surface.triangles.points[b] - origin).cross(surface.triangles.points[c] - origin).norm();
+    for (const Index v : {a, b, c}) {
+      areas[surface.node[v]][labels[f]] += area;
+    }
+  }
+  std::vector<std::size_t> greatest(areas.size(), labels.front());
+  Multi_source_dijkstra_search front(areas.size());
+  for (Index node = 0; node < areas.size(); ++node) {
+    if (!areas[node].empty()) {
+      greatest[node] = std::max_element(areas[node].begin(), areas[node].end(), [](const auto& a, const auto& b) {
+                         return a.second < b.second;
+                       })->first;
+      front.reach(node, 0, node);
+    }
+  }
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
+  front.spread([&](Index node, const auto& visit) {
+    for (const Index next : neighbors[node]) {
+      visit(next, float(surface.skeleton.length({node, next})));
+    }
+  });
+  for (Index node = 0; node < areas.size(); ++node) {
+    if (front.label(node) != no_index) {
+      greatest[node] = greatest[front.label(node)];
+    }
+  }
+  return greatest;
+}
+
+CSCD_INLINE std::vector<std::size_t> carry_labels(const Skeletonized_surface& first,
+                                                  const std::vector<std::size_t>& labels,
+                                                  const Skeletonized_surface& second, const Skeleton_match& match)
+{
+  const std::vector<std::size_t> of_node = labels_of_nodes(first, labels);
+  std::vector<std::size_t> result;
+  result.reserve(second.triangles.faces.size());
+  for (const std::array<Index, 3>& face : second.triangles.faces) {
+    std::array<std::size_t, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = of_node[match.nodes[second.node[face[i]]]];
+    }
+    result.push_back(corners[1] == corners[2] ? corners[1] : corners[0]);
+  }
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_APPLICATION_MATCH_SKELETONS_IMPL_H
