@@ -284,21 +284,34 @@ TEST(Graph_skeleton, a_soup_that_is_no_surface_is_accepted)
   EXPECT_GE(counts.nodes, 5U);
 }
 
-TEST(Graph_skeleton, neighbors_of_points_on_a_torus_give_one_cycle)
+TEST(Graph_skeleton, points_are_joined_to_their_nearest_neighbors)
 {
-  const Shape shape = CSCD::test::torus(3, 1, 24);
+  const Shape shape = CSCD::test::trefoil_knot(0.4, 9);
   std::vector<CSCD::Vector_3> points;
   for (const Triple& p : shape.points) {
-    points.emplace_back(p[0], p[1], p[2]);
+    points.emplace_back(p[0], p[1] + 0.01 * std::sin(100 * p[0]), p[2]); // no two at the same distance
   }
-  Edges edges;
-  for (const auto& edge : CSCD::neighbor_edges(points)) {
-    EXPECT_LT(edge.source, edge.target);
-    edges.emplace_back(edge.source, edge.target);
+  constexpr std::size_t number = 7;
+  std::set<std::pair<std::size_t, std::size_t>> expected;
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    others.clear();
+    for (std::size_t j = 0; j < points.size(); ++j) {
+      if (j != i) {
+        others.emplace_back((points[i] - points[j]).norm(), j);
+      }
+    }
+    std::partial_sort(others.begin(), others.begin() + number, others.end());
+    for (std::size_t k = 0; k < number; ++k) {
+      expected.insert(std::minmax(i, others[k].second));
+    }
   }
-  EXPECT_GE(edges.size(), 4 * points.size());
-  const Counts counts = counts_of(make_place_graph(shape.points, edges));
-  EXPECT_EQ(counts.betti, 1U);
+  std::set<std::pair<std::size_t, std::size_t>> found;
+  for (const auto& edge : CSCD::neighbor_edges(points, number)) {
+    EXPECT_TRUE(found.emplace(edge.source, edge.target).second) << "twice";
+    EXPECT_NEAR(edge.length, (points[edge.source] - points[edge.target]).norm(), 1e-12);
+  }
+  EXPECT_EQ(found, expected);
 }
 
 TEST(Graph_skeleton, numbers_of_vertices_do_not_matter)

@@ -70,11 +70,16 @@ void add_sides(const CSCD::internal::Polygon_soup& soup, Graph& graph)
   }
 }
 
+/// Whether a line of `content` begins with `statement`.
+bool has_statement(const std::string& content, const std::string& statement)
+{
+  return boost::algorithm::starts_with(content, statement) || boost::algorithm::contains(content, "\n" + statement);
+}
+
 /// Whether a file holds edges besides vertices and perhaps faces, in a format that may also be that of a mesh.
 bool has_edges(const std::string& content, const std::string& ending)
 {
-  return (ending == ".obj" &&
-          (boost::algorithm::starts_with(content, "l ") || boost::algorithm::contains(content, "\nl "))) ||
+  return (ending == ".obj" && has_statement(content, "l ")) ||
          (ending == ".ply" &&
           boost::algorithm::contains(content.substr(0, content.find("end_header")), "element edge"));
 }
@@ -103,7 +108,7 @@ Input read_graph(const Skeletonize_options& options)
              has_edges(content, ending)) {
     graph = CSCD::internal::read_indexed_skeleton(in, lower, name);
   }
-  if (graph.points.empty() || ending == ".obj") {
+  if (graph.points.empty() || (ending == ".obj" && has_statement(content, "f "))) {
     std::istringstream again(content);
     input.as_read = CSCD::internal::read_polygons_or_points(again, lower, name);
     graph.points = input.as_read.points;
