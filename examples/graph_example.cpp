@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletonizes a graph that is no surface: the atoms of a carbon nanotube with its bonds, and a chain that hangs on it.
+// Skeletonizes a graph that is no surface: the bonds of a tube of atoms, and of a chain that hangs on it.
 
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -32,11 +32,11 @@ try {
   // A triangular lattice, rolled up: vertex (i, j) is the j-th one of ring i.
   constexpr std::size_t size = 60;
   constexpr std::size_t around = 12;
-  Molecule molecule;
+  Molecule molecule(size * around);
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < around; ++j) {
       const double angle = boost::math::double_constants::two_pi * (double(j) + double(i % 2) / 2) / around;
-      const auto atom = add_vertex(molecule);
+      const std::size_t atom = i * around + j;
       molecule[atom].point = Point(2 * std::cos(angle), 2 * std::sin(angle), double(i));
       add_edge(atom, i * around + (j + 1) % around, molecule);
       if (i > 0) {
