@@ -36,6 +36,7 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
+  cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 
@@ -170,7 +171,17 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->type_name("OUT")
       ->allow_extra_args(false);
   command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
+      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts", "graph", "edges", "json", "swc"}));
+  command
+      ->add_option("--as", options.domain,
+                   "take INPUT for a graph: a .graph, .json, .swc, .polylines.txt, lines of .obj, edges of .ply, the "
+                   "edges of a mesh of any kind, points joined to their neighbors, or .edges: six coordinates a line")
+      ->check(CLI::IsMember({cscd::graph_domain}));
+  command
+      ->add_option("--neighbors", options.number_of_neighbors,
+                   "of a graph of points: to how many others each is joined; by default 20")
+      ->check(check_count)
+      ->type_name("K");
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();

@@ -6,3 +6,4 @@
 #include <CSCD/Reconstruction/reconstruct_surface_impl.h>
 #include <CSCD/Surface/Point_cloud_impl.h>
 #include <CSCD/Surface/Point_solid_impl.h>
+#include <CSCD/Surface/Spatial_graph_impl.h>

@@ -27,6 +27,7 @@ inline constexpr const char* standard_stream = "-";
 /// @{
 inline constexpr const char* local_method = "local";
 inline constexpr const char* published_method = "published";
+inline constexpr const char* graph_domain = "graph";
 inline constexpr const char* euclidean_target = "euclidean";
 inline constexpr const char* geodesic_target = "geodesic";
 inline constexpr const char* flip_shortening = "flips";
@@ -61,7 +62,9 @@ struct Skeletonize_options
   std::string format;               ///< of the input: off, obj, ply, stl, xyz, pwn or pts; by its ending if empty
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string method = local_method;
-  std::string target;                  ///< of the published method: which cut point; `euclidean_target` if empty
+  std::string domain;                   ///< what the input is taken for: `graph_domain`, or by what it has if empty
+  unsigned int number_of_neighbors = 0; ///< to which points of a graph are joined; 0 for the default
+  std::string target;                   ///< of the published method: which cut point; `euclidean_target` if empty
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty

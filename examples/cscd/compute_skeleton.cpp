@@ -8,6 +8,7 @@
 
 #include "roots.h"
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Graph_policies.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published_policies.h>
@@ -16,9 +17,11 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
+#include <CSCD/Traits/Spatial_graph_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/extract_curve_skeleton_from_graph.h>
 #include <CSCD/extract_tree_skeleton.h>
 
 #include <CGAL/property_map.h>
@@ -172,6 +175,30 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   return result;
 }
 
+/// Skeletonizes the graph of `input`.
+Skeletonization_result compute_graph_skeleton(const Input& input, const Skeletonize_options& options,
+                                              Progress_visitor& visitor)
+{
+  // Skeletons are graphs with positions, too.
+  using Graph = Numbered_points::Skeleton;
+  using Traits = CSCD::Spatial_graph_traits<Graph, CSCD::internal::Bundled_point_map<Graph>>;
+  Graph graph;
+  for (std::size_t i = 0; i < input.points.size(); ++i) {
+    auto& vertex = graph[add_vertex(graph)];
+    vertex.point = input.points[i];
+    vertex.radius = input.graph->has_radii() ? input.graph->radii[i] : 0;
+  }
+  for (const auto& [a, b] : input.graph->edges) {
+    add_edge(a, b, graph);
+  }
+  const Traits traits(graph, CSCD::internal::Bundled_point_map<Graph>{&graph});
+  Numbered_points::Skeleton skeleton;
+  Skeletonization_result result = run_skeletonization(traits, CSCD::Graph_policies(), options, visitor, skeleton);
+  result.separators.clear(); // sets of vertices, no curves
+  result.skeleton = convert_skeleton(skeleton);
+  return result;
+}
+
 /// Skeletonizes the points of `input` as published, and puts the triangles that join them into its mesh.
 Skeletonization_result compute_published_point_skeleton(Input& input, const Skeletonize_options& options,
                                                         Progress_visitor& visitor)
@@ -257,6 +284,9 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
 {
   Progress_visitor visitor(bar);
   visitor.on_stage_begin(CSCD::Skeletonization_stage::compile_surface);
+  if (input.graph) {
+    return compute_graph_skeleton(input, options, visitor);
+  }
   if (!input.is_point_set) {
     return compute_mesh_skeleton(input, options, visitor);
   }

@@ -158,6 +158,9 @@ CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonizatio
     }
     return {input.points.size(), {}, gaps};
   }
+  if (input.graph) {
+    return {input.points.size(), {}, {}};
+  }
   if (!result.report.reconstruction) {
     return {};
   }
@@ -165,11 +168,11 @@ CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonizatio
           centers(result.report.reconstruction->joined_gaps)};
 }
 
-/// Whether the mesh of `input` is the surface of a body: not that of a tree, which has no faces, nor the triangles that
-/// join points by the published method.
+/// Whether the mesh of `input` is the surface of a body: not that of a tree or graph, which has no faces, nor the
+/// triangles that join points by the published method.
 bool bounds_body(const Skeletonization_result& result, const Skeletonize_options& options)
 {
-  return !result.tree && !(result.is_of_points && options.method == published_method);
+  return !result.tree && options.domain.empty() && !(result.is_of_points && options.method == published_method);
 }
 
 /// Chooses roots and measures branches; with the parts of the surface that belong to them if that is to be written.
@@ -316,8 +319,32 @@ void check_is_not_input(const std::string& output, const std::string& input, con
   }
 }
 
+namespace {
+
+/// Refuses options that need a surface where the input is taken for a graph, and those that are for graphs only.
+void check_domain(const Skeletonize_options& options)
+{
+  if (options.domain != graph_domain) {
+    if (options.number_of_neighbors > 0) {
+      throw Usage_error("--neighbors: joins points to a graph; add --as graph");
+    }
+    return;
+  }
+  for (const auto& [is_given, option] :
+       {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
+        std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
+        std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
+    if (is_given) {
+      throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
+    }
+  }
+}
+
+} // namespace
+
 void check_method(const Skeletonize_options& options)
 {
+  check_domain(options);
   const bool is_published = options.method == published_method;
   if (!is_published && !options.target.empty()) {
     throw Usage_error("--target: only the published method has a choice of targets; add --method published");
@@ -374,11 +401,25 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
                         result.tree ? name + ", taken for a scan of trees" : name, make_cloud(input, result));
 }
 
+namespace {
+
+/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
+Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
+{
+  try {
+    return read_input(options.input, options.format, options.is_quiet, keeps_file);
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
+  }
+}
+
+} // namespace
+
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
   const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
-  Input input = read_input(options.input, options.format, options.is_quiet, keeps_file);
+  Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
   std::optional<Progress_bar> bar;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);

@@ -11,12 +11,14 @@
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -38,9 +40,10 @@ struct Input
   Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
-  std::vector<Vector> normals;          ///< of the points, or empty
-  bool has_other_columns = false;       ///< whether three numbers beside each point are no normals
-  CSCD::internal::Polygon_soup as_read; ///< what the file has, if it was to be kept
+  std::vector<Vector> normals;                           ///< of the points, or empty
+  std::optional<CSCD::internal::Indexed_skeleton> graph; ///< if it is taken for one: its vertices are the points
+  bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
+  CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -56,6 +59,10 @@ struct Skeletonization_result : Run_report
 /// \param keeps_file whether the input is also kept as it was read
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
+
+/// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
+/// \throw Usage_error, `CSCD::File_error`
+Input read_graph(const Skeletonize_options& options);
 
 /// What an input is called in messages.
 std::string name_of(const std::string& input);

@@ -242,11 +242,16 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
   const CSCD::Skeletonization_report& report = result.report;
   Json document{{"version", CSCD_VERSION},
                 {"input", options.input},
+                {"domain", !options.domain.empty() ? options.domain
+                           : result.is_of_points   ? "points"
+                                                   : "mesh"},
                 {"method", options.method},
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs}};
-  if (options.method == local_method) {
+  if (options.domain == graph_domain) {
+    document["method"] = graph_domain;
+  } else if (options.method == local_method) {
     document["detail"] = options.detail.value_or(CSCD::Detail::default_value);
   } else {
     document["target"] = options.target.empty() ? euclidean_target : options.target;

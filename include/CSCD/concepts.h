@@ -35,14 +35,14 @@ class Point_complex;
 /// | expression | value |
 /// |---|---|
 /// | `T::Point`, `T::Input_descriptor` | the points of the input, and what identifies a vertex or point there |
-/// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface` |
+/// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface`, or `Spatial_graph` |
 /// | `t.surface()` | the surface: a `const T::Surface&` |
 /// | `t.descriptors(v)` | a range of what identifies, in the input, that which belongs to vertex `v`; may be empty |
 /// | `t.to_input_point(p)` | a point of the surface in the coordinates of the input |
 /// | `t.to_input_length(l)` | a length on the surface in the unit of the input |
 /// | `t.describe_input(report)` | writes counts, genus and warnings to a `Skeletonization_report&` |
 ///
-/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`, `Spatial_graph_traits`}
 /// \cgalArchetype{Skeletonization_traits_archetype.h}
 /// \cgalConcept
 class SkeletonizationTraits
@@ -233,7 +233,7 @@ constexpr void check_separator_cost()
 /// what it knows: the numbers of sources and of separators that were not taken, of handle cuts, of nodes and edges
 /// outside. Policies can be copied.
 ///
-/// \cgalHasModels{`Local_policies`, `Published_policies`}
+/// \cgalHasModels{`Local_policies`, `Published_policies`, `Graph_policies`}
 /// \cgalArchetype{Policies_archetype.h}
 /// \cgalConcept
 class SkeletonizationPolicies

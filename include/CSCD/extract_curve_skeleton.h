@@ -14,6 +14,7 @@
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/concepts.h>
+#include <CSCD/internal/detection.h>
 
 #include <CGAL/tags.h>
 
@@ -23,6 +24,12 @@
 #include <utility>
 
 namespace CSCD {
+
+/// Whether `T` is a graph without faces: it has vertices and edges, as Boost's graphs; for any type.
+template <class T>
+inline constexpr bool is_spatial_graph_v = CSCD_IS_VALID(const T&, vertices(t)) && CSCD_IS_VALID(const T&, edges(t)) &&
+                                           !is_triangle_mesh_v<T> && !is_point_range_v<T>;
+
 namespace internal {
 
 /// The policies that `np` gives; by default the local ones, with the cost and the detail that `np` gives.
@@ -146,7 +153,7 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
 /// \throw Cancelled_error if the visitor stops the work
 template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class Skeleton,
           class NamedParameters = parameters::Default_named_parameters,
-          std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
+          std::enable_if_t<!is_point_range_v<TriangleMesh> && !is_spatial_graph_v<TriangleMesh>, int> = 0>
 Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton& skeleton,
                                               const NamedParameters& np = parameters::default_values())
 {

@@ -953,6 +953,37 @@ TEST_F(Cscd, evaluates_for_people)
   EXPECT_NE(std::string::npos, outcome.out.find("\nconvolution surface "));
 }
 
+TEST_F(Cscd, edges_of_a_mesh_are_a_graph)
+{
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(0, run("skeletonize torus.off --as graph -q -o t.graph --report t.json --correspondence t.csv").status);
+  const auto report = nlohmann::json::parse(content("t.json"));
+  EXPECT_EQ("graph", report.at("domain"));
+  EXPECT_EQ(1, report.at("betti_number"));
+  EXPECT_EQ(torus().points.size(), report.at("number_of_sites"));
+  // A skeleton is a graph, and a curve its own skeleton.
+  EXPECT_EQ(0, run("skeletonize t.graph --as graph -q -o again.graph --report again.json").status);
+  EXPECT_EQ(report.at("number_of_nodes"), nlohmann::json::parse(content("again.json")).at("number_of_nodes"));
+}
+
+TEST_F(Cscd, lists_of_edges_are_graphs)
+{
+  m_folder.write("y.edges", "# a fork\n0 0 0 1 0 0\n1 0 0 2 1 0\n1 0 0 2 -1 0\n");
+  m_folder.write("y.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 2 -1 0\nl 1 2 3\nl 2 4\n");
+  for (const char* name : {"y.edges", "y.obj"}) {
+    EXPECT_EQ(0, run(std::string("skeletonize ") + name + " --as graph -q --report y.json -o y.graph").status) << name;
+    const auto report = nlohmann::json::parse(content("y.json"));
+    EXPECT_EQ(4, report.at("number_of_nodes")) << name;
+    EXPECT_EQ(3, report.at("number_of_tips")) << name;
+  }
+  m_folder.write("short.edges", "0 0 0 1 0\n");
+  expect_refusal("skeletonize short.edges --as graph", 2, {"short.edges", "line 1", "six coordinates"});
+  m_folder.write("nan.edges", "0 0 0 1 0 nan\n");
+  expect_refusal("skeletonize nan.edges --as graph", 2, {"not finite"});
+  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "no surface"});
+  expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
+}
+
 TEST_F(Cscd, evaluates_what_it_made_in_all_formats)
 {
   m_folder.write("torus.off", off(torus()));

@@ -14,6 +14,7 @@
 #include <CSCD/internal/Dijkstra_search.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -54,6 +55,8 @@ public:
   Index size() const { return m_size; }
   /// The region of `vertex`.
   Index operator[](Index vertex) const { return m_front.label(vertex); }
+  /// Whether a separator passes closest to `vertex`.
+  bool is_on_separator(Index vertex) const { return m_front.distance(vertex) == 0; }
 
 private:
   Multi_source_dijkstra_search m_front;
@@ -68,7 +71,13 @@ public:
   /// \tparam Surface a model of `SkeletonizationSurface`
   template <class Surface>
   Region_packing(const Surface& surface, const std::vector<Separator>& separators, Skeletonization_report& report)
-      : m_packed(pack(surface, separators, report)), m_regions(surface.triangulation(), separators, m_packed)
+      : Region_packing(surface, separators, pack(surface, separators, report))
+  {
+  }
+  /// Packs those of `separators` at the positions `packed`, no two of which overlap.
+  template <class Surface>
+  Region_packing(const Surface& surface, const std::vector<Separator>& separators, std::vector<Index> packed)
+      : m_packed(std::move(packed)), m_regions(surface.triangulation(), separators, m_packed)
   {
   }
 

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -49,7 +50,14 @@ public:
   /// \param surface whose edges the separators cross
   template <class Surface>
   Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
-      : m_crosses_itself(find_self_crossings(surface, separators))
+      : Separator_overlaps(surface, separators, find_self_crossings(surface, separators))
+  {
+  }
+  /// The same where it is known already which separators cross themselves.
+  template <class Surface>
+  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators,
+                     std::vector<std::uint8_t> crosses_itself)
+      : m_crosses_itself(std::move(crosses_itself))
   {
     collect_rings(surface, separators);
     list_passes(surface.number_of_vertices());
