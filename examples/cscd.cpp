@@ -33,6 +33,7 @@ constexpr const char* skeletonize_examples =
     R"(  cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
   cscd skeletonize bunny.off --html bunny.html       a page to look at it
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
+  cscd skeletonize bunny.off -o bunny.glb --root lowest     a rig: the mesh with joints and weights
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
@@ -74,6 +75,7 @@ constexpr const char* explanations = R"(
 Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
 to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
+Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
 Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
