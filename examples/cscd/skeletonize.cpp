@@ -74,8 +74,8 @@ Input read_from(const std::string& name, const std::string& format, bool keeps_f
 {
   if (name == standard_stream) {
     if (format.empty()) {
-      throw Usage_error(
-          "standard input has no ending: name its format by --format off, obj, ply, stl, xyz, pwn or pts");
+      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
+                        "vtp, xyz or pcd");
     }
     return read(std::cin, "." + format, name_of(name), keeps_file);
   }
