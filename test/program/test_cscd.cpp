@@ -143,7 +143,7 @@ TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
-  EXPECT_NE(std::string::npos, run("--help").out.find("PWN"));
+  EXPECT_NE(std::string::npos, run("--help").out.find(".pwn"));
 }
 
 TEST_F(Cscd, tells_its_version)
@@ -668,7 +668,7 @@ TEST_F(Cscd, reads_the_skeletons_that_it_writes_for_vtk)
   ASSERT_EQ(0, run("skeletonize torus.off -o t.vtp -o t.json -q").status);
   const Outcome compared = run("compare t.vtp t.json --json");
   EXPECT_EQ(0, compared.status) << compared.err;
-  EXPECT_EQ(0, nlohmann::json::parse(compared.out)["hausdorff_distance"]) << compared.out;
+  EXPECT_LT(nlohmann::json::parse(compared.out)["hausdorff_distance"].get<double>(), 1e-14) << "but for rounding";
   EXPECT_EQ(0, run("evaluate torus.off t.vtp --radii own --resolution 40").status);
   EXPECT_EQ(0, run("simplify t.vtp -o s.vtp --spacing 1r -q").status);
 }
