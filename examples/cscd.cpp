@@ -7,6 +7,7 @@
 #include "cscd/classify.h"
 #include "cscd/commands.h"
 #include "cscd/loops.h"
+#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
@@ -19,6 +20,7 @@
 #include <memory>
 #include <new>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -34,6 +36,7 @@ constexpr const char* skeletonize_examples =
     R"(  cscd skeletonize bunny.off -o bunny.graph          the skeleton as a graph
   cscd skeletonize bunny.off --html bunny.html       a page to look at it
   cscd skeletonize bunny.stl -o b.swc -o b.vtp --report b.json
+  cscd skeletonize bunny.off -o bunny.glb --root lowest     a rig: the mesh with joints and weights
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
@@ -78,10 +81,11 @@ constexpr const char* batch_examples =
 )";
 
 constexpr const char* explanations = R"(
-Input: triangle or polygon meshes as OFF, OBJ, PLY or STL; points as XYZ, PWN, PTS, PLY or OFF without faces. What has
-to be repaired is named on standard error.
+Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh .3mf; points: .xyz .pwn .pts .txt
+.csv .asc .pcd .las, or .ply .off .vtp .vtk without faces. What has to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
-Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc.
+Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
+Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc .vtp.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
 /// Puts the examples of a command, or of all, before the rest of its help.
@@ -105,6 +109,30 @@ public:
     return examples + "\n" + CLI::Formatter::make_help(app, name, mode);
   }
 };
+
+/// The values of `--format`: endings without their dots.
+template <class Endings>
+std::vector<std::string> formats_of(const Endings& endings)
+{
+  std::vector<std::string> result;
+  for (const auto& [ending, format] : endings) {
+    result.emplace_back(ending + 1);
+  }
+  return result;
+}
+
+/// Those of meshes and points, each once, and `others`.
+std::vector<std::string> formats_of_inputs(const std::vector<std::string>& others = {})
+{
+  std::vector<std::string> result = formats_of(CSCD::internal::mesh_endings);
+  result.insert(result.end(), others.begin(), others.end());
+  for (const std::string& format : formats_of(CSCD::internal::point_endings)) {
+    if (std::find(result.begin(), result.end(), format) == result.end()) {
+      result.push_back(format);
+    }
+  }
+  return result;
+}
 
 /// Refuses what is no integer that is at least 1. CLI11's own check names bounds of 300 digits.
 std::string check_count(const std::string& text)
@@ -171,7 +199,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->type_name("OUT")
       ->allow_extra_args(false);
   command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts", "graph", "edges", "json", "swc"}));
+      ->check(CLI::IsMember(formats_of_inputs({"graph", "edges", "json", "swc"})));
   command
       ->add_option("--as", options.domain,
                    "take INPUT for a graph: a .graph, .json, .swc, .polylines.txt, lines of .obj, edges of .ply, the "
@@ -261,7 +289,7 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
   command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl", "xyz", "pwn", "pts"}));
+      ->check(CLI::IsMember(formats_of_inputs()));
   command
       ->add_option("--radii", options.radii,
                    "radii of the reconstructed surfaces: estimated from the input, or the skeleton's own")
@@ -320,7 +348,7 @@ void add_simplify(CLI::App& app, cscd::Simplify_options& options)
       "--mesh", options.mesh,
       "the mesh of the skeleton: what is inside stays inside, and radii are estimated if there are none");
   command->add_option("--format", options.format, "format of the mesh instead of that of its ending, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+      ->check(CLI::IsMember(formats_of(CSCD::internal::mesh_endings)));
   const auto add_length = [&](const std::string& name, double& value, const std::string& description) {
     command->add_option(name, value, description)
         ->check([](const std::string& text) { return check_length(text, false); })
@@ -360,7 +388,7 @@ CLI::App* add_application(CLI::App& app, const std::string& name, const std::str
   command->add_option("INPUT", options.input, "file of a mesh, or - for standard input")->required();
   command->add_option("-o,--output", options.output, output)->type_name("OUT")->check(check_name)->required();
   command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember({"off", "obj", "ply", "stl"}));
+      ->check(CLI::IsMember(formats_of(CSCD::internal::mesh_endings)));
   command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
   return command;
 }

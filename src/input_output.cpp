@@ -7,4 +7,5 @@
 #include <CSCD/IO/read_skeleton_impl.h>
 #include <CSCD/IO/read_triangle_mesh_impl.h>
 #include <CSCD/IO/write_html_page_impl.h>
+#include <CSCD/IO/write_rig_impl.h>
 #include <CSCD/IO/write_skeleton_impl.h>

@@ -59,7 +59,7 @@ struct Swc_arguments
 struct Skeletonize_options
 {
   std::string input;                ///< a file name, or `standard_stream`
-  std::string format;               ///< of the input: off, obj, ply, stl, xyz, pwn or pts; by its ending if empty
+  std::string format;               ///< of the input: an ending without its dot; by that of its name if empty
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string method = local_method;
   std::string domain;                   ///< what the input is taken for: `graph_domain`, or by what it has if empty
@@ -93,7 +93,7 @@ inline constexpr const char* own_radii = "own";
 struct Evaluate_options
 {
   std::string input;                   ///< a file name, or `standard_stream`
-  std::string format;                  ///< of the input: off, obj, ply or stl; by its ending if empty
+  std::string format;                  ///< of the input: an ending without its dot; by that of its name if empty
   std::string skeleton;                ///< a file name, or `standard_stream` for GEL's graph format
   std::string radii = estimated_radii; ///< or `own_radii`
   std::size_t resolution = 200;        ///< cells of the reconstructed surfaces along the diagonal of the bounding box
@@ -118,7 +118,7 @@ struct Simplify_options
   std::string skeleton;             ///< a file name, or `standard_stream` for GEL's graph format
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string mesh;                 ///< a file name, `standard_stream`, or empty
-  std::string format;               ///< of the mesh: off, obj, ply or stl; by its ending if empty
+  std::string format;               ///< of the mesh: an ending without its dot; by that of its name if empty
   double min_significance = 0;
   double min_length = 0; ///< in the unit of the skeleton
   double min_length_over_radius = 0;

@@ -51,7 +51,7 @@ Skeleton skeleton_argument(const std::string& filename)
 void check_mesh_output(const std::string& filename)
 {
   try {
-    CSCD::mesh_format(filename);
+    CSCD::written_mesh_format(filename);
   } catch (const CSCD::File_error& error) {
     throw Usage_error(error.what());
   }

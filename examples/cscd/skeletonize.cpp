@@ -11,11 +11,13 @@
 #include "three_js_source.h"
 #include "types.h"
 #include "write_report.h"
+#include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_html_page.h>
+#include <CSCD/IO/write_rig.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Skeleton/Skeleton_branches.h>
@@ -25,6 +27,7 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/counted.h>
 
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
@@ -71,8 +74,8 @@ Input read_from(const std::string& name, const std::string& format, bool keeps_f
 {
   if (name == standard_stream) {
     if (format.empty()) {
-      throw Usage_error(
-          "standard input has no ending: name its format by --format off, obj, ply, stl, xyz, pwn or pts");
+      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
+                        "vtp, xyz or pcd");
     }
     return read(std::cin, "." + format, name_of(name), keeps_file);
   }
@@ -99,9 +102,28 @@ std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletoni
            {"--html", options.html}}};
 }
 
+bool is_glb(const std::string& output)
+{
+  return boost::algorithm::iends_with(output, ".glb");
+}
+
+/// Whether a rig is written to `output`, by its ending.
+bool is_rig(const std::string& output)
+{
+  return is_glb(output) || boost::algorithm::iends_with(output, ".bvh");
+}
+
 void check_outputs(const Skeletonize_options& options)
 {
-  check_skeleton_outputs(options.outputs, options.input);
+  std::vector<std::string> skeletons;
+  for (const std::string& output : options.outputs) {
+    if (is_rig(output)) {
+      check_is_not_input(output, options.input, "--output");
+    } else {
+      skeletons.push_back(output);
+    }
+  }
+  check_skeleton_outputs(skeletons, options.input);
   for (const auto& [option, file] : other_outputs(options)) {
     check_is_not_input(file, options.input, option);
   }
@@ -219,11 +241,32 @@ void write_labels(CSCD::File_group& files, const Input& input, const Skeletoniza
   }
 }
 
+/// \throw CSCD::Input_error if the rig needs the surface of a body, and there is none
+void write_rig(CSCD::File_group& files, const std::string& output, const Input& input,
+               const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (is_glb(output) && !bounds_body(result, options)) {
+    throw CSCD::Input_error(name_of(options.input) + ": has no surface that a rig could move; .bvh holds joints alone");
+  }
+  const CSCD::Rig rig = CSCD::make_rig(input.mesh, result.skeleton, result.roots);
+  files.write(output, [&](std::ostream& out) {
+    if (is_glb(output)) {
+      CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
+    } else {
+      CSCD::write_bvh(out, rig);
+    }
+  });
+}
+
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
   CSCD::File_group files;
   for (const std::string& output : options.outputs) {
-    write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
+    if (is_rig(output)) {
+      write_rig(files, output, input, result, options);
+    } else {
+      write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
+    }
   }
   if (!options.branches.empty()) {
     write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });

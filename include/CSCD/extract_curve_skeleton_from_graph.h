@@ -58,10 +58,10 @@ auto graph_point_map([[maybe_unused]] const Graph& graph, [[maybe_unused]] const
 /// skeleton unless it goes around a limb or has less than five edges. A curve is its own skeleton: a path keeps all of
 /// its vertices. The result is the same for any number of threads. See `Graph_policies` for the cost.
 ///
-/// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// Edges are as long as the members `weight` of edges tell, or else as they are in space; where vertices have a member
 /// `radius`, as in `Skeleton_graph`, the radii of nodes are by so much larger.
 ///
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam Graph a model of Boost's `VertexListGraph` and `EdgeListGraph` without faces; directions do not count
 /// \tparam Skeleton a model of `CurveSkeletonGraph`
 /// \param graph with vertices; it may be disconnected, with parallel edges, and edges from a vertex to itself

@@ -154,6 +154,210 @@ inline std::string binary_stl(const Mesh_file_content& mesh, std::string text)
   return text;
 }
 
+/// The bytes of numbers of type `Number`, least or most significant first.
+template <class Number, class Range>
+std::string bytes_of(const Range& numbers, bool is_little_endian = true)
+{
+  std::string result;
+  for (const auto number : numbers) {
+    append_bytes(result, static_cast<Number>(number), is_little_endian);
+  }
+  return result;
+}
+
+/// The coordinates of all points.
+inline std::vector<double> coordinates(const Mesh_file_content& mesh)
+{
+  std::vector<double> result;
+  for (const auto& point : mesh.points) {
+    result.insert(result.end(), point.begin(), point.end());
+  }
+  return result;
+}
+
+/// The corners of all polygons, before each its size if they are to be.
+inline std::vector<std::size_t> corners(const Mesh_file_content& mesh, bool has_sizes = false)
+{
+  std::vector<std::size_t> result;
+  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
+    if (has_sizes) {
+      result.push_back(polygon.size());
+    }
+    result.insert(result.end(), polygon.begin(), polygon.end());
+  }
+  return result;
+}
+
+/// Where the polygons end among their corners.
+inline std::vector<std::size_t> ends(const Mesh_file_content& mesh)
+{
+  std::vector<std::size_t> result;
+  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
+    result.push_back((result.empty() ? 0 : result.back()) + polygon.size());
+  }
+  return result;
+}
+
+template <class Range>
+std::string as_text(const Range& numbers)
+{
+  std::ostringstream out;
+  for (const auto number : numbers) {
+    out << number << ' ';
+  }
+  return out.str() + '\n';
+}
+
+inline std::string base64(const std::string& bytes)
+{
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t bits = 0;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      bits = bits << 8U | (k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      result.push_back(i + k > bytes.size() ? '=' : digits[bits >> (18 - 6 * k) & 63U]);
+    }
+  }
+  return result;
+}
+
+/// Legacy PolyData of VTK.
+inline std::string legacy_vtk(const Mesh_file_content& mesh, bool is_binary, bool is_version_5)
+{
+  const auto ints = [&](const auto& numbers) {
+    return is_binary ? bytes_of<std::int32_t>(numbers, false) + '\n' : as_text(numbers);
+  };
+  const auto floats = [&](const auto& numbers) {
+    return is_binary ? bytes_of<float>(numbers, false) + '\n' : as_text(numbers);
+  };
+  std::string result = "# vtk DataFile Version " + std::string(is_version_5 ? "5.1" : "3.0") + "\na cube\n" +
+                       (is_binary ? "BINARY" : "ASCII") + "\nDATASET POLYDATA\nPOINTS " +
+                       std::to_string(mesh.points.size()) + " float\n" + floats(coordinates(mesh));
+  if (is_version_5) {
+    std::vector<std::size_t> offsets = ends(mesh);
+    offsets.insert(offsets.begin(), 0);
+    result += "METADATA\nINFORMATION 0\n\nPOLYGONS " + std::to_string(offsets.size()) + ' ' +
+              std::to_string(corners(mesh).size()) + "\nOFFSETS int\n" + ints(offsets) + "CONNECTIVITY int\n" +
+              ints(corners(mesh));
+  } else {
+    const std::vector<std::size_t> cells = corners(mesh, true);
+    result +=
+        "POLYGONS " + std::to_string(mesh.polygons.size()) + ' ' + std::to_string(cells.size()) + '\n' + ints(cells);
+  }
+  const std::vector<double> normals(3 * mesh.points.size(), 0.5);
+  const std::vector<int> ids(mesh.points.size(), 7);
+  return result + "CELL_DATA " + std::to_string(mesh.polygons.size()) + "\nSCALARS part int 1\nLOOKUP_TABLE default\n" +
+         ints(std::vector<int>(mesh.polygons.size(), 3)) + "POINT_DATA " + std::to_string(mesh.points.size()) +
+         "\nNORMALS direction float\n" + floats(normals) + "FIELD more 1\nid 1 " + std::to_string(ids.size()) +
+         " int\n" + ints(ids);
+}
+
+/// XML PolyData of VTK.
+/// \param format ascii, binary, or appended
+/// \param encoding of appended data: raw or base64
+inline std::string vtp(const Mesh_file_content& mesh, const std::string& format, const std::string& encoding = "raw")
+{
+  std::string appended;
+  const auto array = [&](const std::string& attributes, const std::string& text, const std::string& bytes) {
+    const std::string size = bytes_of<std::uint32_t>(std::vector<std::size_t>{bytes.size()});
+    std::string result = "<DataArray " + attributes + " format=\"" + format + '"';
+    if (format == "appended") {
+      result += " offset=\"" + std::to_string(appended.size()) + "\"/>\n";
+      // the size may be encoded with what follows or alone
+      appended += encoding == "raw" ? size + bytes : base64(size) + base64(bytes);
+      return result;
+    }
+    return result + ">\n" + (format == "ascii" ? text : base64(size + bytes)) + "\n</DataArray>\n";
+  };
+  std::string result = "<?xml version=\"1.0\"?>\n<!-- a > cube -->\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+                       "byte_order='LittleEndian'>\n<PolyData>\n<Piece NumberOfPoints=\"" +
+                       std::to_string(mesh.points.size()) + "\" NumberOfPolys=\"" +
+                       std::to_string(mesh.polygons.size()) + "\">\n<Points>\n";
+  result += array("type=\"Float32\" Name=\"Points\" NumberOfComponents=\"3\"", as_text(coordinates(mesh)),
+                  bytes_of<float>(coordinates(mesh))) +
+            "</Points>\n<Polys>\n";
+  result +=
+      array("type=\"Int32\" Name=\"connectivity\"", as_text(corners(mesh)), bytes_of<std::int32_t>(corners(mesh)));
+  result += array("type=\"UInt32\" Name=\"offsets\"", as_text(ends(mesh)), bytes_of<std::uint32_t>(ends(mesh))) +
+            "</Polys>\n</Piece>\n</PolyData>\n";
+  if (format == "appended") {
+    result += "<AppendedData encoding=\"" + encoding + "\">\n_" + appended + "\n</AppendedData>\n";
+  }
+  return result + "</VTKFile>\n";
+}
+
+/// A raw mesh of Neuroglancer, of triangles.
+inline std::string ngmesh(const Mesh_file_content& mesh)
+{
+  return bytes_of<std::uint32_t>(std::vector<std::size_t>{mesh.points.size()}) + bytes_of<float>(coordinates(mesh)) +
+         bytes_of<std::uint32_t>(corners(mesh));
+}
+
+/// The JSON of glTF of a mesh of triangles whose node mirrors, turns and moves it.
+/// \param uri what the buffer has besides its length
+inline std::string gltf_json(const Mesh_file_content& mesh, const std::string& uri)
+{
+  const std::size_t size_of_points = 12 * mesh.points.size();
+  const std::size_t number_of_corners = 3 * mesh.polygons.size();
+  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[1]}],"nodes":[{"mesh":0,"scale":[-1,1,1],"rotation":[)"
+         R"(0.5,0.5,0.5,0.5]},{"children":[0],"translation":[2,0,1]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},)"
+         R"("indices":1},{"mode":1,"attributes":{"POSITION":0}}]}],"accessors":[{"bufferView":0,"componentType":5126,)"
+         R"("type":"VEC3","count":)" +
+         std::to_string(mesh.points.size()) + R"(},{"bufferView":1,"componentType":5125,"type":"SCALAR","count":)" +
+         std::to_string(number_of_corners) + R"(}],"bufferViews":[{"buffer":0,"byteLength":)" +
+         std::to_string(size_of_points) + R"(},{"buffer":0,"byteOffset":)" + std::to_string(size_of_points) +
+         R"(,"byteLength":)" + std::to_string(4 * number_of_corners) + R"(}],"buffers":[{)" + uri + R"("byteLength":)" +
+         std::to_string(size_of_points + 4 * number_of_corners) + "}]}";
+}
+
+inline std::string gltf(const Mesh_file_content& mesh)
+{
+  const std::string data = bytes_of<float>(coordinates(mesh)) + bytes_of<std::uint32_t>(corners(mesh));
+  return gltf_json(mesh, R"("uri":"data:application/octet-stream;base64,)" + base64(data) + R"(",)");
+}
+
+inline std::string glb(const Mesh_file_content& mesh)
+{
+  const std::string data = bytes_of<float>(coordinates(mesh)) + bytes_of<std::uint32_t>(corners(mesh));
+  std::string json = gltf_json(mesh, "");
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  return "glTF" + bytes_of<std::uint32_t>(std::vector<std::size_t>{2, 28 + json.size() + data.size(), json.size()}) +
+         "JSON" + json + bytes_of<std::uint32_t>(std::vector<std::size_t>{data.size()}) + std::string("BIN\0", 4) +
+         data;
+}
+
+/// 3MF of a mesh of triangles, without compression: an object that is placed by a component and a mirroring item.
+inline std::string threemf(const Mesh_file_content& mesh)
+{
+  std::ostringstream model;
+  model << "<?xml version='1.0'?>\n<model unit=\"millimeter\"><resources>\n<object id=\"1\" type=\"model\"><mesh>\n"
+           "<vertices>\n";
+  for (const auto& [x, y, z] : mesh.points) {
+    model << "<vertex x=\"" << x << "\" y=\"" << y << "\" z=\"" << z << "\" />\n";
+  }
+  model << "</vertices><triangles>\n";
+  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
+    model << "<triangle v1=\"" << polygon[0] << "\" v2=\"" << polygon[1] << "\" v3=\"" << polygon[2] << "\" />\n";
+  }
+  model << "</triangles></mesh></object>\n<object id=\"2\"><components><component objectid=\"1\" "
+           "transform=\"1 0 0 0 1 0 0 0 1 4 5 6\"/></components></object></resources>\n"
+           "<build><item objectid=\"2\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/></build></model>\n";
+  const std::string text = model.str();
+  const std::string name = "3D/3dmodel.model";
+  const auto word = [](std::size_t number) { return bytes_of<std::uint32_t>(std::vector<std::size_t>{number}); };
+  const auto half = [&word](std::size_t number) { return word(number).substr(0, 2); };
+  // version, flags, method; time, date; checksum, which is not read; sizes; lengths of the name and of what follows it
+  const std::string common = half(20) + half(0) + half(0) + word(0) + word(0) + word(text.size()) + word(text.size()) +
+                             half(name.size()) + half(0);
+  const std::string member = "PK\3\4" + common + name + text;
+  const std::string directory = "PK\1\2" + half(20) + common + half(0) + half(0) + half(0) + word(0) + word(0) + name;
+  return member + directory + "PK\5\6" + half(0) + half(0) + half(1) + half(1) + word(directory.size()) +
+         word(member.size()) + half(0);
+}
+
 } // namespace test_support
 
 #endif // CSCD_TEST_IO_MESH_FILES_H

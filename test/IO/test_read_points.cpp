@@ -13,8 +13,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -110,6 +118,157 @@ std::string refusal(const std::string& text, Point_format format)
   return "not refused";
 }
 
+TEST(read_points, reads_tables_by_the_names_of_their_columns)
+{
+  for (const char* text : {"1,2,3\n-4,5.5,6e-3\n", "1;2;3\r\n-4;5.5;6e-3\r\n", "x,y,z\n1,2,3\n-4,5.5,6e-3",
+                           "2\n1, 2, 3\n-4, 5.5, 6e-3\n", "\"id\",\"z\",\"Y\",\"X\"\n\"a\",3,2,1\n\"b\",6e-3,5.5,-4\n",
+                           "//X Y Z R G B\n2\n1 2 3 255 0 0\n-4 5.5 6e-3 0 0 9\n",
+                           "# exported, with commas\n1 2 3\n-4 5.5 6e-3\n", "id x y z\n7 1 2 3\n8 -4 5.5 6e-3\n",
+                           "x,y,z,intensity\n1,2,3,\n-4,5.5,6e-3,1\n", "1,2,3,,,\n-4,5.5,6e-3,,,\n"}) {
+    EXPECT_EQ(expected_points, read(text, Point_format::xyz).points) << text;
+    EXPECT_TRUE(read(text, Point_format::xyz).normals.empty()) << text;
+  }
+  const char* const with_normals = "//X Y Z R G B Nx Ny Nz\n1 2 3 9 9 9 0 0 1\n-4 5.5 6e-3 9 9 9 0.6 -.8 0\n";
+  EXPECT_EQ(expected_points, read(with_normals, Point_format::xyz).points);
+  EXPECT_EQ(expected_normals, read(with_normals, Point_format::xyz).normals);
+  EXPECT_EQ(expected_normals, read("1,2,3,0,0,1\n-4,5.5,6e-3,.6,-.8,0\n", Point_format::xyz).normals);
+}
+
+template <class Number>
+void append_number(std::string& bytes, Number number)
+{
+  std::array<char, sizeof(Number)> raw{};
+  std::memcpy(raw.data(), &number, sizeof(Number));
+  bytes.append(raw.data(), raw.size());
+}
+
+/// A PCD file of the expected points and normals, with a field between them and a point that was not measured.
+std::string pcd(const std::string& encoding)
+{
+  std::string file = "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z rgb normal_x normal_y normal_z\nSIZE 8 8 8 4 4 4 4\n"
+                     "TYPE F F F U F F F\nCOUNT 1 1 1 1 1 1 1\nWIDTH 3\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 3\n"
+                     "DATA " +
+                     encoding + '\n';
+  if (encoding == "ascii") {
+    return file + "1 2 3 77 0 0 1\nnan nan nan 0 nan nan nan\n-4 5.5 0.006 77 0.6 -0.8 0\n";
+  }
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::array<std::array<double, 7>, 3> rows{
+      {{1, 2, 3, 77, 0, 0, 1}, {nan, nan, nan, 0, nan, nan, nan}, {-4, 5.5, 6e-3, 77, 0.6, -0.8, 0}}};
+  std::string data;
+  const auto append = [&data](std::size_t field, double number) {
+    if (field < 3) {
+      append_number(data, number);
+    } else if (field == 3) {
+      append_number(data, std::uint32_t(number));
+    } else {
+      append_number(data, float(number));
+    }
+  };
+  for (std::size_t i = 0; i < 21; ++i) { // compressed data have all numbers of a field together
+    const std::size_t row = encoding == "binary" ? i / 7 : i % 3;
+    const std::size_t field = encoding == "binary" ? i % 7 : i / 3;
+    append(field, rows[row][field]);
+  }
+  if (encoding == "binary") {
+    return file + data;
+  }
+  std::string compressed; // literals of up to 32 bytes; the last bytes, zeros, as a copy of the one before
+  const std::size_t number_of_literals = data.size() - 3;
+  for (std::size_t begin = 0; begin < number_of_literals; begin += 32) {
+    const std::string run = data.substr(begin, std::min<std::size_t>(32, number_of_literals - begin));
+    compressed += char(run.size() - 1) + run;
+  }
+  compressed += std::string("\x20\x00", 2); // three bytes from one back
+  append_number(file, std::uint32_t(compressed.size()));
+  append_number(file, std::uint32_t(data.size()));
+  return file + compressed;
+}
+
+TEST(read_points, reads_pcd)
+{
+  for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
+    SCOPED_TRACE(encoding);
+    const Content content = read(pcd(encoding), Point_format::pcd);
+    EXPECT_EQ(expected_points, content.points) << "what is not finite is left out";
+    ASSERT_EQ(2u, content.normals.size());
+    EXPECT_EQ(expected_normals[0], content.normals[0]);
+    EXPECT_NEAR(-0.8, content.normals[1].y(), 1e-7);
+  }
+}
+
+/// A LAS file of version 1.2, of points of format 0, each with 8 bytes more than its coordinates.
+std::string las(std::uint32_t number_of_points)
+{
+  std::string file = "LASF";
+  file.resize(24, '\0');
+  file += std::string("\1\2", 2);
+  file.resize(94, '\0');
+  append_number(file, std::uint16_t(227));
+  append_number(file, std::uint32_t(230)); // with a gap behind the header
+  append_number(file, std::uint32_t(0));
+  file.push_back('\0');
+  append_number(file, std::uint16_t(20));
+  append_number(file, number_of_points);
+  file.resize(131, '\0');
+  for (const double number : {0.5, 0.25, 0.001, 10., 0., -1.}) { // scales and offsets
+    append_number(file, number);
+  }
+  file.resize(230, '\0');
+  for (const std::array<std::int32_t, 3>& point : {std::array<std::int32_t, 3>{-18, 8, 4000}, {-28, 22, 1006}}) {
+    for (const std::int32_t coordinate : point) {
+      append_number(file, coordinate);
+    }
+    file.append(8, '\x7f');
+  }
+  return file;
+}
+
+TEST(read_points, reads_las)
+{
+  const Content content = read(las(2), Point_format::las);
+  ASSERT_EQ(2u, content.points.size());
+  EXPECT_LT(CGAL::squared_distance(expected_points[0], content.points[0]), 1e-20);
+  EXPECT_LT(CGAL::squared_distance(expected_points[1], content.points[1]), 1e-20);
+}
+
+TEST(read_points, reads_points_of_vtk)
+{
+  EXPECT_EQ(expected_points,
+            read("# vtk DataFile Version 3.0\npoints\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n1 2 3 -4 "
+                 "5.5 6e-3\nVERTICES 1 3\n2 0 1\n",
+                 Point_format::vtk)
+                .points);
+}
+
+TEST(read_points, survives_damaged_scans)
+{
+  std::mt19937 random(7);
+  for (const auto& [content, format] :
+       std::vector<std::pair<std::string, Point_format>>{{pcd("ascii"), Point_format::pcd},
+                                                         {pcd("binary"), Point_format::pcd},
+                                                         {pcd("binary_compressed"), Point_format::pcd},
+                                                         {las(2), Point_format::las},
+                                                         {"//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", Point_format::xyz},
+                                                         {"id,x,y,z\n7,1,2,3\n", Point_format::xyz}}) {
+    for (int i = 0; i < 400; ++i) {
+      std::string damaged = content;
+      for (int k = 0; k < 3; ++k) {
+        damaged[random() % damaged.size()] = char(random());
+      }
+      damaged.resize(i % 4 == 0 ? random() % damaged.size() : damaged.size());
+      std::istringstream in(damaged);
+      Content read;
+      try {
+        CSCD::read_points(in, format, "cloud", read.points, read.normals);
+        EXPECT_FALSE(read.points.empty());
+      } catch (const CSCD::File_error&) {
+        EXPECT_TRUE(read.points.empty());
+      }
+    }
+  }
+}
+
 TEST(read_points, refuses_malformed_files)
 {
   EXPECT_EQ("cloud: the file is empty; fetch or write it again", refusal("", Point_format::xyz));
@@ -117,6 +276,32 @@ TEST(read_points, refuses_malformed_files)
   EXPECT_EQ(0u, refusal("x y z\nx y z\n1 2 3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
   EXPECT_EQ(0u, refusal("1 2 3\n1 2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
   EXPECT_EQ(0u, refusal("1 2 3\n1 2 x\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2,3\n1,,3\n", Point_format::xyz).rfind("cloud, line 3: a number", 0));
+  EXPECT_EQ(0u, refusal("1;2;3\n1,5;2,5;3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2,inf\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));
+  for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
+    const std::string file = pcd(encoding);
+    for (const auto& [old_text, new_text] :
+         std::vector<std::pair<std::string, std::string>>{{"POINTS 3", "POINTS 4"},
+                                                          {"POINTS 3", "POINTS 3000000000"},
+                                                          {"x y z", "u v w"},
+                                                          {"SIZE 8", "SIZE 3"},
+                                                          {"COUNT 1", "COUNT 9999999"},
+                                                          {"DATA ", "DATA x"},
+                                                          {"POINTS", "DATA"}}) {
+      std::string changed = file;
+      EXPECT_EQ(0u, refusal(changed.replace(changed.find(old_text), old_text.size(), new_text), Point_format::pcd)
+                        .rfind("cloud", 0));
+    }
+    EXPECT_EQ(0u, refusal(file.substr(0, file.size() - 9), Point_format::pcd).rfind("cloud", 0));
+    EXPECT_EQ(0u, refusal(file.substr(0, 100), Point_format::pcd).rfind("cloud", 0));
+  }
+  EXPECT_EQ(0u, refusal(las(3), Point_format::las).rfind("cloud", 0));
+  EXPECT_EQ(0u, refusal(las(4000000000U), Point_format::las).rfind("cloud", 0));
+  EXPECT_EQ(0u, refusal(las(2).substr(0, 200), Point_format::las).rfind("cloud", 0));
+  EXPECT_NE(std::string::npos, refusal(las(2).replace(104, 1, "\x80"), Point_format::las).find("laszip"))
+      << "names the remedy";
   EXPECT_EQ(0u, refusal("1 2 3\n1 nan 2\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));
 }
 

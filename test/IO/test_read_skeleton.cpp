@@ -90,6 +90,7 @@ TEST(Read_skeleton, reads_back_exactly_what_is_written)
                                                                                    {".ply", true},
                                                                                    {".polylines.txt", false},
                                                                                    {".swc", true},
+                                                                                   {".vtp", true},
                                                                                    {".GRAPH", false}}) {
     SCOPED_TRACE(ending);
     const std::string filename = folder.file("skeleton" + ending);
@@ -111,7 +112,7 @@ TEST(Read_skeleton, reads_back_exactly_what_is_written)
 TEST(Read_skeleton, nodes_keep_their_order_where_the_format_has_one)
 {
   const Temporary_folder folder;
-  for (const std::string ending : {".graph", ".json", ".obj", ".ply"}) {
+  for (const std::string ending : {".graph", ".json", ".obj", ".ply", ".vtp"}) {
     const std::string filename = folder.file("skeleton" + ending);
     CSCD::write_skeleton(filename, sample_skeleton<Skeleton_without_radius>());
     expect_sample<Skeleton_without_radius>(read(ending, read_file(filename)));
@@ -153,6 +154,19 @@ TEST(Read_skeleton, json_tells_which_nodes_are_openings)
   ASSERT_EQ(num_vertices(skeleton), num_vertices(read_back));
   for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
     EXPECT_EQ(skeleton[node].is_opening, read_back[node].is_opening);
+  }
+}
+
+TEST(Read_skeleton, vtp_tells_which_nodes_are_openings)
+{
+  Skeleton skeleton = sample_skeleton<Skeleton>();
+  skeleton[3].is_opening = true;
+  const Temporary_folder folder;
+  CSCD::write_skeleton(folder.file("s.vtp"), skeleton);
+  Skeleton read;
+  CSCD::read_skeleton(folder.file("s.vtp"), read);
+  for (std::size_t v = 0; v < num_vertices(read); ++v) {
+    EXPECT_EQ(v == 3, read[v].is_opening);
   }
 }
 
@@ -229,6 +243,25 @@ std::string binary_ply_of_an_edge(bool is_little_endian)
   return result;
 }
 
+TEST(Read_skeleton, lines_of_vtk)
+{
+  const Parsed_skeleton legacy =
+      read(".vtp", "# vtk DataFile Version 4.2\nlines\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n"
+                   "0 0 0 1 0 0 2 0 0 1 1 0\nLINES 2 7\n3 0 1 2\n2 1 3\nPOINT_DATA 4\nSCALARS "
+                   "Radius float\nLOOKUP_TABLE default\n.5 .25 .125 1\n");
+  EXPECT_EQ((Edges{{0, 1}, {1, 2}, {1, 3}}), legacy.edges);
+  EXPECT_EQ((std::vector<double>{0.5, 0.25, 0.125, 1}), legacy.radii);
+  const Parsed_skeleton pieces = read(
+      ".vtp", "<VTKFile type='PolyData'><PolyData><Piece NumberOfPoints='2'><Points><DataArray type='Float64'>0 0 0 "
+              "1 0 0</DataArray></Points><Lines><DataArray type='Int64' Name='connectivity'>0 1</DataArray><DataArray "
+              "type='Int64' Name='offsets'>2</DataArray></Lines></Piece><Piece NumberOfPoints='2'><Points><DataArray "
+              "type='Float64'>5 0 0 6 0 0</DataArray></Points><Lines><DataArray type='Int64' "
+              "Name='connectivity'>1 0</DataArray><DataArray type='Int64' Name='offsets'>2</DataArray></Lines>"
+              "</Piece></PolyData></VTKFile>");
+  EXPECT_EQ((Edges{{0, 1}, {3, 2}}), pieces.edges);
+  EXPECT_TRUE(pieces.radii.empty());
+}
+
 TEST(Read_skeleton, binary_ply)
 {
   for (const bool is_little_endian : {true, false}) {
@@ -296,6 +329,16 @@ TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
       {".graph", "n 0 0 0\nc -1 0\n", "an edge names node -1"},
       {".graph", "n 0 0 0\nc 0 99999999999999999999\n", "line 2"},
       {".graph", "OFF\n3 1 0\n", "line 1: a line begins with neither n nor c"},
+      {".vtp", "<VTKFile type='PolyData'><PolyData></PolyData></VTKFile>", "no nodes"},
+      {".vtp", "<VTKFile type='UnstructuredGrid'>", "the only kind that is read"},
+      {".vtp",
+       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 "
+       "2\n",
+       "a mesh, no skeleton"},
+      {".vtp",
+       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nSCALARS radius "
+       "float\nLOOKUP_TABLE default\n-1\n",
+       "a radius that is negative"},
       {".json", "{", "no valid JSON"},
       {".json", "[]", "no JSON object with an array nodes"},
       {".json", R"({"nodes": {}})", "an array nodes"},
@@ -369,7 +412,7 @@ TEST(Read_skeleton, formats_that_are_written_only_are_refused)
 {
   const Temporary_folder folder;
   Skeleton skeleton;
-  for (const std::string ending : {".vtp", ".dot", ".graphml", ".txt", ""}) {
+  for (const std::string ending : {".dot", ".graphml", ".txt", ""}) {
     const std::string filename = folder.write("skeleton" + ending, "x");
     try {
       CSCD::read_skeleton(filename, skeleton);

@@ -7,7 +7,9 @@
 #include "support/Temporary_folder.h"
 #include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
+#include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_rig.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -102,6 +104,18 @@ TEST(Read_triangle_mesh, reads_all_formats)
       {ascii_stl(cube()), CSCD::Mesh_format::stl},
       {binary_stl(cube(), "any text"), CSCD::Mesh_format::stl},
       {binary_stl(cube(), "solid text, though binary"), CSCD::Mesh_format::stl},
+      {legacy_vtk(cube(), false, false), CSCD::Mesh_format::vtk},
+      {legacy_vtk(cube(), false, true), CSCD::Mesh_format::vtk},
+      {legacy_vtk(cube(), true, false), CSCD::Mesh_format::vtk},
+      {legacy_vtk(cube(), true, true), CSCD::Mesh_format::vtk},
+      {vtp(cube(), "ascii"), CSCD::Mesh_format::vtk},
+      {vtp(cube(), "binary"), CSCD::Mesh_format::vtk},
+      {vtp(cube(), "appended", "raw"), CSCD::Mesh_format::vtk},
+      {vtp(cube(), "appended", "base64"), CSCD::Mesh_format::vtk},
+      {ngmesh(cube()), CSCD::Mesh_format::neuroglancer},
+      {gltf(cube()), CSCD::Mesh_format::gltf},
+      {glb(cube()), CSCD::Mesh_format::gltf},
+      {threemf(cube()), CSCD::Mesh_format::threemf},
   };
   for (const auto& [content, format] : files) {
     SCOPED_TRACE(content.substr(0, 30));
@@ -571,6 +585,154 @@ TEST(Read_triangle_mesh, refuses_malformed_stl)
   }
 }
 
+TEST(Read_triangle_mesh, reads_compressed_vtp)
+{
+  // By zlib, in blocks of 32 bytes, as vtkXMLPolyDataWriter does in larger ones.
+  const std::string content =
+      "<VTKFile type=\"PolyData\" compressor=\"vtkZLibDataCompressor\"><PolyData><Piece NumberOfPoints=\"4\">"
+      "<Points><DataArray type=\"Float32\" format=\"binary\">"
+      "AgAAACAAAAAQAAAAEAAAAA0AAAA=eJxjYEAGDfYMaHwADo4Bf3icY2BABg32AAFPAMA="
+      "</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"binary\">"
+      "AgAAACAAAAAQAAAAGAAAABIAAAA=eJxjYGBgYAJiRgYIANHMUBokDgAAtAALeJxjZmBgYGKAAGYgBgAAZAAJ"
+      "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"binary\">"
+      "AQAAACAAAAAQAAAAEwAAAA==eJxjZmBgYANiTiDmAWIAAQAAHw=="
+      "</DataArray></Polys></Piece></PolyData></VTKFile>";
+  std::istringstream in(content);
+  Mesh mesh;
+  try {
+    CSCD::read_triangle_mesh(in, CSCD::Mesh_format::vtk, "input", mesh);
+    EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(mesh));
+  } catch (const CSCD::File_error& error) { // of a build without zlib
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("install zlib1g-dev")) << error.what();
+  }
+  refusal(std::string(content).replace(content.find("vtkZLib"), 7, "vtkLZ4"), CSCD::Mesh_format::vtk);
+}
+
+TEST(Read_triangle_mesh, nodes_of_gltf_and_items_of_3mf_move_meshes)
+{
+  const Mesh of_gltf = read(glb(cube()), CSCD::Mesh_format::gltf).mesh;
+  // (1, 0, 0) is mirrored, turned by a third of a circle around (1, 1, 1), and moved by (2, 0, 1).
+  EXPECT_EQ(Kernel::Point_3(2, -1, 1), of_gltf.point(Mesh::Vertex_index(1)));
+  const Mesh of_3mf = read(threemf(cube()), CSCD::Mesh_format::threemf).mesh;
+  EXPECT_EQ(Kernel::Point_3(-5, 5, 6), of_3mf.point(Mesh::Vertex_index(1)));
+}
+
+TEST(Read_triangle_mesh, reads_back_a_rig)
+{
+  const Mesh mesh = read_off(cube()).mesh;
+  CSCD::Rig rig;
+  rig.joints.resize(1);
+  rig.joints[0].point = {0.5, 0.5, 0.5};
+  rig.influences.assign(8, {{{0, 1}}});
+  std::ostringstream out;
+  CSCD::write_glb(out, mesh, rig);
+  const Result result = read(out.str(), CSCD::Mesh_format::gltf);
+  expect_cube(result.mesh);
+  EXPECT_TRUE(result.report.is_empty());
+  for (const auto v : mesh.vertices()) {
+    EXPECT_EQ(mesh.point(v), result.mesh.point(v));
+  }
+}
+
+TEST(Read_triangle_mesh, reads_strips_of_vtk_and_gltf)
+{
+  const std::string strip =
+      "# vtk DataFile Version 2.0\nstrip\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n0 0 0 1 0 0 0 1 "
+      "0 1 1 0\nTRIANGLE_STRIPS 1 5\n4 0 1 2 3\n";
+  const Result result = read(strip, CSCD::Mesh_format::vtk);
+  EXPECT_EQ(2u, num_faces(result.mesh));
+  EXPECT_TRUE(result.report.is_empty()) << "both triangles turn the same way";
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_files_of_vtk_and_others)
+{
+  using F = CSCD::Mesh_format;
+  const auto changed = [](std::string text, const std::string& old_text, const std::string& new_text) {
+    EXPECT_NE(std::string::npos, text.find(old_text)) << old_text;
+    return text.replace(text.find(old_text), old_text.size(), new_text);
+  };
+  const std::string legacy = legacy_vtk(cube(), false, false);
+  const std::string binary = legacy_vtk(cube(), true, true);
+  const std::string xml = vtp(cube(), "ascii");
+  const std::string encoded = vtp(cube(), "binary");
+  const std::string raw = vtp(cube(), "appended");
+  for (const std::string& content : {changed(legacy, "POLYDATA", "UNSTRUCTURED_GRID"),
+                                     changed(legacy, "ASCII", "EBCDIC"),
+                                     changed(legacy, "POINTS 8", "POINTS 4000000000000000000"),
+                                     changed(legacy, "POINTS 8", "POINTS 7"),
+                                     changed(legacy, "POLYGONS 12", "POLYGONS 13"),
+                                     changed(legacy, "POLYGONS 12 48", "POLYGONS 12 480000000000"),
+                                     changed(legacy, "3 0 3 2", "2 0 3 2"),
+                                     changed(legacy, "3 0 3 2", "3 0 8 2"),
+                                     changed(legacy, "3 0 3 2", "3 0 -3 2"),
+                                     changed(legacy, "CELL_DATA", "SELL_DATA"),
+                                     changed(legacy, "FIELD more 1", "FIELD more 2"),
+                                     legacy.substr(0, 150),
+                                     binary.substr(0, 150),
+                                     changed(binary, "POINTS 8 float", "POINTS 8 flood"),
+                                     changed(binary, "POINTS 8 float", "POINTS 9000 float"),
+                                     changed(xml, "PolyData", "ImageData"),
+                                     changed(xml, "VTKFile", "VTKPile"),
+                                     changed(xml, "0 0 0", "0 0 nan"),
+                                     changed(xml, "0 3 2", "0 8 2"),
+                                     changed(xml, "0 3 2", "0 1.5 2"),
+                                     changed(xml, "3 6 9", "3 2 9"),
+                                     changed(xml, "3 6 9", "2 6 9"),
+                                     changed(xml, "3 6 9", "3 6 900"),
+                                     changed(xml, "0 0 0", "0 0 0 0"),
+                                     xml.substr(0, xml.find("<Polys>")),
+                                     xml.substr(0, 40),
+                                     changed(encoded, "Float32", "Float16"),
+                                     changed(encoded, "AAAA", "A?AA"),
+                                     changed(encoded, "YAAAAA", "/////w"),
+                                     changed(raw, "offset=\"0\"", "offset=\"99999\""),
+                                     changed(raw, "offset=\"0\"", "offset=\"-1\""),
+                                     raw.substr(0, raw.find('_') + 30)}) {
+    refusal(content, F::vtk);
+  }
+  const std::string raw_mesh = ngmesh(cube());
+  for (const std::string& content :
+       {raw_mesh.substr(0, 3), raw_mesh.substr(0, 50), raw_mesh + "1", raw_mesh.substr(0, 100),
+        "\xff\xff\xff\xff" + raw_mesh.substr(4), "\x07" + raw_mesh.substr(1)}) {
+    refusal(content, F::neuroglancer);
+  }
+  const std::string json = gltf(cube());
+  const std::string chunks = glb(cube());
+  for (const std::string& content :
+       {json.substr(0, 100),
+        std::string("[]"),
+        std::string("{}"),
+        changed(json, "\"count\":8", "\"count\":9000000000000"),
+        changed(json, "\"count\":36", "\"count\":37"),
+        changed(json, "\"count\":8", "\"count\":-8"),
+        changed(json, "\"count\":8", "\"count\":1"),
+        changed(json, "\"POSITION\":0", "\"POSITION\":1"),
+        changed(json, "\"POSITION\":0", "\"POSITION\":7"),
+        changed(json, "\"children\":[0]", "\"children\":[0,0]"),
+        changed(json, "\"children\":[0]", "\"children\":[1]"),
+        changed(json, "\"children\":[0]", "\"children\":{}"),
+        changed(json, "\"mesh\":0", "\"mesh\":3"),
+        changed(json, "[2,0,1]", "[2,0,null]"),
+        changed(json, "[2,0,1]", "[1e308,6,1e999]"),
+        changed(json, "5126", "5130"),
+        changed(json, "data:application", "cube.bin?"),
+        changed(json, ";base64,", ";base64,?"),
+        changed(json, "{\"asset\"", "{\"extensionsRequired\":[\"KHR_draco\\n\"],\"asset\""),
+        chunks.substr(0, 10),
+        chunks.substr(0, 100),
+        chunks.substr(0, chunks.size() - 1),
+        "glTF\1" + chunks.substr(5)}) {
+    refusal(content, F::gltf);
+  }
+  const std::string zip = threemf(cube());
+  for (const std::string& content :
+       {zip.substr(0, 100), zip.substr(100), changed(zip, "v1=\"0\"", "v1=\"9\""), changed(zip, "x=\"0\"", "x=\"a\""),
+        changed(zip, "objectid=\"1\"", "objectid=\"2\""), changed(zip, "objectid=\"1\"", "objectid=\"7\""),
+        changed(zip, "1 4 5 6", "1 4 5  "), changed(zip, "PK\3\4", "PK\3\5"), changed(zip, "</model>", "</modes<")}) {
+    refusal(content, F::threemf);
+  }
+}
+
 TEST(Read_triangle_mesh, refuses_noise)
 {
   std::mt19937 random(7);
@@ -579,8 +741,9 @@ TEST(Read_triangle_mesh, refuses_noise)
     for (int k = 0; k < 300; ++k) {
       noise.push_back(static_cast<char>(random()));
     }
-    for (CSCD::Mesh_format format :
-         {CSCD::Mesh_format::off, CSCD::Mesh_format::obj, CSCD::Mesh_format::ply, CSCD::Mesh_format::stl}) {
+    for (CSCD::Mesh_format format : {CSCD::Mesh_format::off, CSCD::Mesh_format::obj, CSCD::Mesh_format::ply,
+                                     CSCD::Mesh_format::stl, CSCD::Mesh_format::vtk, CSCD::Mesh_format::gltf,
+                                     CSCD::Mesh_format::neuroglancer, CSCD::Mesh_format::threemf}) {
       refusal(noise, format);
     }
   }
@@ -589,10 +752,21 @@ TEST(Read_triangle_mesh, refuses_noise)
 /// Damaged files are read or refused, and what is read is a valid mesh.
 TEST(Read_triangle_mesh, survives_damaged_bytes)
 {
-  const std::pair<std::string, CSCD::Mesh_format> files[] = {
-      {off(cube_of_squares()), CSCD::Mesh_format::off}, {obj(cube_of_squares()), CSCD::Mesh_format::obj},
-      {ascii_ply(cube()), CSCD::Mesh_format::ply},      {binary_ply(cube(), true), CSCD::Mesh_format::ply},
-      {ascii_stl(cube()), CSCD::Mesh_format::stl},      {binary_stl(cube(), "text"), CSCD::Mesh_format::stl}};
+  const std::pair<std::string, CSCD::Mesh_format> files[] = {{off(cube_of_squares()), CSCD::Mesh_format::off},
+                                                             {obj(cube_of_squares()), CSCD::Mesh_format::obj},
+                                                             {ascii_ply(cube()), CSCD::Mesh_format::ply},
+                                                             {binary_ply(cube(), true), CSCD::Mesh_format::ply},
+                                                             {ascii_stl(cube()), CSCD::Mesh_format::stl},
+                                                             {binary_stl(cube(), "text"), CSCD::Mesh_format::stl},
+                                                             {legacy_vtk(cube(), false, true), CSCD::Mesh_format::vtk},
+                                                             {legacy_vtk(cube(), true, false), CSCD::Mesh_format::vtk},
+                                                             {vtp(cube(), "ascii"), CSCD::Mesh_format::vtk},
+                                                             {vtp(cube(), "binary"), CSCD::Mesh_format::vtk},
+                                                             {vtp(cube(), "appended"), CSCD::Mesh_format::vtk},
+                                                             {ngmesh(cube()), CSCD::Mesh_format::neuroglancer},
+                                                             {gltf(cube()), CSCD::Mesh_format::gltf},
+                                                             {glb(cube()), CSCD::Mesh_format::gltf},
+                                                             {threemf(cube()), CSCD::Mesh_format::threemf}};
   std::mt19937 random(7);
   const std::string alphabet = "0123456789 -.e\nf/v";
   for (const auto& [content, format] : files) {

@@ -30,7 +30,7 @@ namespace {
 
 using Skeleton = CSCD::Skeleton_graph<CGAL::Simple_cartesian<double>::Point_3, std::size_t>;
 
-const std::array<std::string, 6> endings{".graph", ".json", ".obj", ".ply", ".polylines.txt", ".swc"};
+const std::array<std::string, 7> endings{".graph", ".json", ".obj", ".ply", ".polylines.txt", ".swc", ".vtp"};
 const std::string name_of_file = "fuzz";
 
 [[noreturn]] void complain(const std::string& what)

@@ -201,7 +201,7 @@ TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
-  EXPECT_NE(std::string::npos, run("--help").out.find("PWN"));
+  EXPECT_NE(std::string::npos, run("--help").out.find(".pwn"));
 }
 
 TEST_F(Cscd, tells_its_version)
@@ -617,7 +617,8 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
   expect_refusal("simplify cross.json -o cross.json", 1, {"is the input", "name another file"});
   expect_refusal("simplify cross.json -o cloud.off --mesh cloud.off", 1, {"cloud.off"});
   expect_refusal("simplify cross.json -o a.doc", 1, {"a.doc", ".graph .json"});
-  expect_refusal("simplify cross.vtp -o a.json", 1, {"cross.vtp"});
+  expect_refusal("simplify cross.dot -o a.json", 1, {"cross.dot"});
+  expect_refusal("simplify cross.json -o a.glb", 1, {"a.glb"});
   expect_refusal("simplify cross.json -o a.json --spacing -1", 1, {"--spacing", "-1"});
   expect_refusal("simplify cross.json -o a.json --spacing 1x", 1, {"--spacing", "1x"});
   expect_refusal("simplify cross.json -o a.json --spacing r", 1, {"--spacing"});
@@ -706,6 +707,28 @@ TEST_F(Cscd, writes_all_formats_at_once)
   for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp", "t.dot", "t.graphml"}) {
     EXPECT_LT(100u, content(name).size()) << name;
   }
+}
+
+TEST_F(Cscd, writes_rigs)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome outcome = run("skeletonize torus.off -o t.glb -o T.BVH -o t.json --root longest");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ("glTF", content("t.glb").substr(0, 4));
+  EXPECT_EQ(0u, content("T.BVH").rfind("HIERARCHY\nROOT branch_0_node_", 0));
+  EXPECT_EQ(0, run("skeletonize t.glb -o again.json -q").status) << "the mesh of a rig is read";
+  expect_refusal("skeletonize t.glb -o t.glb", 1, {"is the input", "name another file"});
+}
+
+TEST_F(Cscd, reads_the_skeletons_that_it_writes_for_vtk)
+{
+  m_folder.write("torus.off", off(torus()));
+  ASSERT_EQ(0, run("skeletonize torus.off -o t.vtp -o t.json -q").status);
+  const Outcome compared = run("compare t.vtp t.json --json");
+  EXPECT_EQ(0, compared.status) << compared.err;
+  EXPECT_LT(nlohmann::json::parse(compared.out)["hausdorff_distance"].get<double>(), 1e-14) << "but for rounding";
+  EXPECT_EQ(0, run("evaluate torus.off t.vtp --radii own --resolution 40").status);
+  EXPECT_EQ(0, run("simplify t.vtp -o s.vtp --spacing 1r -q").status);
 }
 
 TEST_F(Cscd, prints_a_summary)
@@ -1056,7 +1079,7 @@ TEST_F(Cscd, refuses_what_it_cannot_measure)
   m_folder.write("far.graph", "n 1e6 0 0\n");
   m_folder.write("bad.graph", "n 1 0\n");
   expect_refusal("evaluate torus.off", 1, {"SKELETON"});
-  expect_refusal("evaluate torus.off circle.vtp", 1, {"circle.vtp", "written", ".swc"});
+  expect_refusal("evaluate torus.off circle.dot", 1, {"circle.dot", "written", ".swc .vtp"});
   expect_refusal("evaluate torus.off circle.graph --resolution 0", 1, {"--resolution"});
   expect_refusal("evaluate torus.off circle.graph --radii big", 1, {"--radii"});
   expect_refusal("evaluate torus.off circle.graph --round-cones r.txt", 1, {"r.txt", ".off .obj .ply .stl"});

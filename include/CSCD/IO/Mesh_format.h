@@ -10,71 +10,127 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 
+#include <array>
+#include <cstddef>
 #include <locale>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace CSCD {
 
 /// A file format for polygon meshes.
 enum class Mesh_format
 {
-  off, ///< Object File Format, ASCII
-  obj, ///< Wavefront OBJ
-  ply, ///< PLY, ASCII or binary
-  stl  ///< STL, ASCII or binary
+  off,          ///< Object File Format, ASCII
+  obj,          ///< Wavefront OBJ
+  ply,          ///< PLY, ASCII or binary
+  stl,          ///< STL, ASCII or binary
+  vtk,          ///< PolyData of VTK, XML or legacy; read only, as what follows
+  gltf,         ///< glTF 2.0, binary or with its data in it
+  neuroglancer, ///< the raw mesh of Neuroglancer and DVID
+  threemf       ///< 3MF
 };
+
+/// A file format for point sets.
+enum class Point_format
+{
+  xyz, ///< a line for each point: coordinates, perhaps a normal; or a table with commas or names of columns
+  pts, ///< the same, perhaps with the number of points in the first line
+  ply, ///< PLY, ASCII or binary, faces ignored
+  off, ///< Object File Format, ASCII, faces ignored
+  vtk, ///< PolyData of VTK, XML or legacy, cells ignored
+  pcd, ///< PCD of the Point Cloud Library
+  las  ///< LAS, not compressed
+};
+
+namespace internal {
+
+/// The value that `endings` have for the ending of `filename`, in lower or upper case; nothing if there is none.
+template <class Format, std::size_t size>
+std::optional<Format> find_format(const std::array<std::pair<const char*, Format>, size>& endings,
+                                  const std::string& filename)
+{
+  const std::string::size_type dot = filename.rfind('.');
+  const std::string its_ending =
+      boost::algorithm::to_lower_copy(dot == std::string::npos ? "" : filename.substr(dot), std::locale::classic());
+  for (const auto& [ending, format] : endings) {
+    if (its_ending == ending) {
+      return format;
+    }
+  }
+  return std::nullopt;
+}
+
+/// The endings of meshes; those that are written, too, come first.
+inline constexpr std::array<std::pair<const char*, Mesh_format>, 10> mesh_endings{
+    {{".off", Mesh_format::off},
+     {".obj", Mesh_format::obj},
+     {".ply", Mesh_format::ply},
+     {".stl", Mesh_format::stl},
+     {".vtp", Mesh_format::vtk},
+     {".vtk", Mesh_format::vtk},
+     {".glb", Mesh_format::gltf},
+     {".gltf", Mesh_format::gltf},
+     {".ngmesh", Mesh_format::neuroglancer},
+     {".3mf", Mesh_format::threemf}}};
+
+/// The endings of points.
+inline constexpr std::array<std::pair<const char*, Point_format>, 13> point_endings{{{".xyz", Point_format::xyz},
+                                                                                     {".pwn", Point_format::xyz},
+                                                                                     {".pts", Point_format::pts},
+                                                                                     {".txt", Point_format::xyz},
+                                                                                     {".csv", Point_format::xyz},
+                                                                                     {".asc", Point_format::xyz},
+                                                                                     {".ply", Point_format::ply},
+                                                                                     {".off", Point_format::off},
+                                                                                     {".vtp", Point_format::vtk},
+                                                                                     {".vtk", Point_format::vtk},
+                                                                                     {".pcd", Point_format::pcd},
+                                                                                     {".las", Point_format::las},
+                                                                                     {".laz", Point_format::las}}};
+
+/// Endings, separated by blanks.
+template <class Format, std::size_t size>
+std::string list_of_endings(const std::array<std::pair<const char*, Format>, size>& endings)
+{
+  std::string result;
+  for (const auto& [ending, format] : endings) {
+    result += std::string(result.empty() ? "" : " ") + ending;
+  }
+  return result;
+}
+
+} // namespace internal
 
 /// The format that the ending of `filename` names, in lower or upper case.
 /// \throw File_error if it names none
 inline Mesh_format mesh_format(const std::string& filename)
 {
-  const std::string::size_type dot = filename.rfind('.');
-  const std::string ending =
-      boost::algorithm::to_lower_copy(dot == std::string::npos ? "" : filename.substr(dot + 1), std::locale::classic());
-  if (ending == "off") {
-    return Mesh_format::off;
+  const std::optional<Mesh_format> format = internal::find_format(internal::mesh_endings, filename);
+  if (!format) {
+    throw File_error(filename + ": the ending names no known mesh format; use one of " +
+                     internal::list_of_endings(internal::mesh_endings));
   }
-  if (ending == "obj") {
-    return Mesh_format::obj;
-  }
-  if (ending == "ply") {
-    return Mesh_format::ply;
-  }
-  if (ending == "stl") {
-    return Mesh_format::stl;
-  }
-  throw File_error(filename + ": the ending names no known mesh format; use one of .off .obj .ply .stl");
+  return *format;
 }
 
-/// A file format for point sets.
-enum class Point_format
+/// The format of a mesh to be written to `filename`, as its ending has it.
+/// \throw File_error if the format is unknown, or is read only
+inline Mesh_format written_mesh_format(const std::string& filename)
 {
-  xyz, ///< a line for each point: coordinates, perhaps a normal
-  pts, ///< the same, perhaps with the number of points in the first line
-  ply, ///< PLY, ASCII or binary, faces ignored
-  off  ///< Object File Format, ASCII, faces ignored
-};
+  const std::optional<Mesh_format> format = internal::find_format(internal::mesh_endings, filename);
+  if (!format || *format > Mesh_format::stl) {
+    throw File_error(filename +
+                     ": the ending names no format that meshes are written in; use one of .off .obj .ply .stl");
+  }
+  return *format;
+}
 
 /// The format that the ending of `filename` names, in lower or upper case; nothing if it names none.
 inline std::optional<Point_format> find_point_format(const std::string& filename)
 {
-  const std::string::size_type dot = filename.rfind('.');
-  const std::string ending =
-      boost::algorithm::to_lower_copy(dot == std::string::npos ? "" : filename.substr(dot + 1), std::locale::classic());
-  if (ending == "xyz" || ending == "pwn") {
-    return Point_format::xyz;
-  }
-  if (ending == "pts") {
-    return Point_format::pts;
-  }
-  if (ending == "ply") {
-    return Point_format::ply;
-  }
-  if (ending == "off") {
-    return Point_format::off;
-  }
-  return std::nullopt;
+  return internal::find_format(internal::point_endings, filename);
 }
 
 /// The format that the ending of `filename` names, in lower or upper case.
@@ -83,7 +139,8 @@ inline Point_format point_format(const std::string& filename)
 {
   const std::optional<Point_format> format = find_point_format(filename);
   if (!format) {
-    throw File_error(filename + ": the ending names no known format of points; use one of .xyz .pwn .pts .ply .off");
+    throw File_error(filename + ": the ending names no known format of points; use one of " +
+                     internal::list_of_endings(internal::point_endings));
   }
   return *format;
 }

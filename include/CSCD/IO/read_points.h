@@ -44,8 +44,8 @@ void convert_to_points(const Polygon_soup& soup, std::vector<Point>& points, std
 
 } // namespace internal
 
-/// reads the points that the file `filename` holds, as XYZ, PTS, PLY or OFF by its ending, and their normals, if there
-/// are any for all points. Linear. \tparam Point, Vector constructible from three coordinates
+/// reads the points that the file `filename` holds, in the `Point_format` that its ending names, and their normals, if
+/// there are any for all points. Linear. \tparam Point, Vector constructible from three coordinates
 /// \param points, normals are replaced; when an exception is thrown they are as they were
 /// \throw File_error if the file cannot be read, is malformed, or has no points
 template <class Point, class Vector>

@@ -11,6 +11,8 @@
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/parse_mesh.h>
 #include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/internal/parse_scans.h>
+#include <CSCD/IO/internal/parse_vtk.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -20,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,10 +30,12 @@
 
 namespace CSCD::internal {
 
-/// Forgets `normals` that are none: unless most of them are of unit length, and differ, they are colors or the like. Of
-/// normals, those of another length are set to zero: they are not known.
-inline void keep_normals_only(std::vector<Vector_3>& normals)
+/// Forgets normals that are none, and tells so: unless most of them are of unit length, and differ, they are colors or
+/// the like. Of normals, those of another length are set to zero: they are not known.
+inline void keep_normals_only(Polygon_soup& soup)
 {
+  std::vector<Vector_3>& normals = soup.normals;
+  soup.has_other_columns = !normals.empty();
   constexpr double tolerance = 0.01; // normals are written with few digits
   std::size_t number_of_unit_length = 0;
   bool do_differ = false;
@@ -45,6 +50,7 @@ inline void keep_normals_only(std::vector<Vector_3>& normals)
   if (2 * number_of_unit_length <= normals.size() || !do_differ) {
     normals.clear();
   }
+  soup.has_other_columns = soup.has_other_columns && normals.empty();
 }
 
 /// Reads `text`, a point in each line: three coordinates, and perhaps three numbers of a normal; what follows is passed
@@ -89,10 +95,21 @@ inline Polygon_soup parse_xyz(std::string_view text, const std::string& filename
   if (!has_normals) {
     soup.normals.clear();
   }
-  soup.has_other_columns = !soup.normals.empty();
-  keep_normals_only(soup.normals);
-  soup.has_other_columns = soup.has_other_columns && soup.normals.empty();
+  keep_normals_only(soup);
   check_number_of_points(soup.points.size(), filename);
+  return soup;
+}
+
+/// Reads a table with commas or names of columns, or else a file as `parse_xyz()` does.
+/// \throw File_error if it is malformed or has no points
+inline Polygon_soup parse_point_table(std::string_view content, const std::string& filename)
+{
+  const std::optional<Point_columns> columns = find_columns(content);
+  if (!columns) {
+    return parse_xyz(content, filename);
+  }
+  Polygon_soup soup = Point_table_parser(content, *columns, filename).parse();
+  keep_normals_only(soup);
   return soup;
 }
 
@@ -105,7 +122,10 @@ inline Polygon_soup parse_points(std::string_view content, Point_format format, 
   }
   Polygon_soup soup = format == Point_format::off   ? parse_off(content, filename)
                       : format == Point_format::ply ? parse_ply(content, filename)
-                                                    : parse_xyz(content, filename);
+                      : format == Point_format::vtk ? parse_vtk(content, filename)
+                      : format == Point_format::pcd ? Pcd_parser(content, filename).parse()
+                      : format == Point_format::las ? parse_las(content, filename)
+                                                    : parse_point_table(content, filename);
   if (soup.points.empty()) {
     throw File_error(filename + ": the file has no points; fetch or write it again");
   }

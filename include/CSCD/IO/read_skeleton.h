@@ -69,13 +69,14 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
 /// - `.obj`: vertices and lines;
 /// - `.ply`, ASCII or binary: elements `vertex` and `edge`, the latter with `vertex1` and `vertex2`;
 /// - `.polylines.txt`, as CGAL's examples write it: points with equal coordinates are one node;
-/// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges.
+/// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges;
+/// - `.vtp`: points and poly-lines of VTK's PolyData, and perhaps the point arrays `Radius` and `IsOpening`, of any
+///   encoding; what zlib has compressed only if this was built with it (`CSCD_WITH_ZLIB`).
 ///
 /// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
-/// are 0 where the file holds none. Significances are computed; which edges are `is_joined` and which nodes
-/// `is_opening`, only `.json` tells. What `write_skeleton()` writes of nodes and edges is read back exactly; they keep
-/// their order in `.graph`, `.json` and
-/// `.ply`. Expectedly linear.
+/// are 0 where the file holds none. Significances are computed; which edges are `is_joined`, only `.json` tells, and
+/// which nodes `is_opening`, `.json` and `.vtp`. What `write_skeleton()` writes of nodes and edges is read back
+/// exactly; nodes and edges keep their order in `.graph`, `.json` and `.ply`, nodes also in `.vtp`. Expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose points can be made of three coordinates
 /// \param skeleton is replaced; when an exception is thrown it is as it was
 /// \return whether the file holds radii

@@ -6,8 +6,10 @@
 #ifndef CSCD_IO_READ_SKELETON_IMPL_H
 #define CSCD_IO_READ_SKELETON_IMPL_H
 
+#include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/internal/parse_vtk.h>
 #include <CSCD/IO/internal/skeleton_endings.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
@@ -523,11 +525,42 @@ inline Indexed_skeleton parse_ply_edges(std::string_view content, const std::str
   return Ply_edge_parser<Ply_binary_source>(Ply_binary_source(bytes), filename).parse(header);
 }
 
+/// Reads the vertices and poly-lines of PolyData, and the point arrays `Radius` and `IsOpening`, if they are there.
+/// \throw File_error if it is malformed
+inline Indexed_skeleton parse_vtk_lines(std::string_view content, const std::string& filename)
+{
+  Vtk_poly_data data = parse_vtk_data(content, filename);
+  Skeleton_collector collector(filename);
+  const Polygon_soup& lines = data.cells["lines"];
+  if (lines.number_of_polygons() == 0 && (data.cells.count("polys") > 0 || data.cells.count("strips") > 0)) {
+    collector.fail("it has faces but no lines: a mesh, no skeleton");
+  }
+  const std::vector<double>& radii = data.arrays[Vtk_collector::radius];
+  const std::vector<double>& openings = data.arrays[Vtk_collector::is_opening];
+  for (std::size_t v = 0; v < data.points.size(); ++v) {
+    if (radii.empty()) {
+      collector.add_node(data.points[v]);
+    } else {
+      collector.add_node(data.points[v], radii[v]);
+    }
+    if (!openings.empty() && openings[v] != 0) {
+      collector.set_opening();
+    }
+  }
+  for (std::size_t line = 0; line < lines.number_of_polygons(); ++line) {
+    for (std::size_t c = lines.first_corner[line]; c + 1 < lines.first_corner[line + 1]; ++c) {
+      collector.add_edge(lines.corners[c], lines.corners[c + 1]);
+    }
+  }
+  return collector.finish();
+}
+
 inline Indexed_skeleton parse_skeleton(std::string_view content, std::size_t ending, const std::string& filename)
 {
   // In the order of `skeleton_endings`.
   constexpr std::array<Indexed_skeleton (*)(std::string_view, const std::string&), number_of_read_skeleton_endings>
-      parsers{parse_gel_graph, parse_json_skeleton, parse_obj_lines, parse_ply_edges, parse_polylines, parse_swc};
+      parsers{parse_gel_graph, parse_json_skeleton, parse_obj_lines, parse_ply_edges,
+              parse_polylines, parse_swc,           parse_vtk_lines};
   if (content.empty()) {
     throw File_error(filename + ": the file is empty; fetch or write it again");
   }

@@ -9,8 +9,11 @@
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/parse_3mf.h>
+#include <CSCD/IO/internal/parse_gltf.h>
 #include <CSCD/IO/internal/parse_mesh.h>
 #include <CSCD/IO/internal/parse_ply.h>
+#include <CSCD/IO/internal/parse_vtk.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
@@ -283,10 +286,10 @@ inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format for
   if (content.empty()) {
     throw File_error(filename + ": the file is empty; fetch or write it again");
   }
-  Polygon_soup soup = format == Mesh_format::off   ? parse_off(content, filename)
-                      : format == Mesh_format::obj ? parse_obj(content, filename)
-                      : format == Mesh_format::ply ? parse_ply(content, filename)
-                                                   : parse_stl(content, filename);
+  // In the order of `Mesh_format`.
+  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 8> parsers{
+      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer, parse_3mf};
+  Polygon_soup soup = parsers[std::size_t(format)](content, filename);
   if (soup.number_of_polygons() == 0) {
     throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
   }
@@ -299,9 +302,8 @@ inline Mesh_format mesh_format_among_all(const std::string& ending)
   try {
     return mesh_format(ending);
   } catch (const File_error&) {
-    throw File_error(ending +
-                     ": the ending names no known format; use one of .off .obj .ply .stl for meshes, .xyz .pwn "
-                     ".pts .ply .off for points");
+    throw File_error(ending + ": the ending names no known format; use one of " + list_of_endings(mesh_endings) +
+                     " for meshes, " + list_of_endings(point_endings) + " for points");
   }
 }
 

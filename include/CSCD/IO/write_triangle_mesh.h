@@ -28,7 +28,7 @@ namespace CSCD {
 template <class TriangleMesh>
 void write_triangle_mesh(const std::string& filename, const TriangleMesh& mesh)
 {
-  const Mesh_format format = mesh_format(filename);
+  const Mesh_format format = written_mesh_format(filename);
   write_file(filename, [&](std::ostream& out) {
     internal::Exact_format exact(out);
     const auto digits = CGAL::parameters::stream_precision(int(out.precision()));

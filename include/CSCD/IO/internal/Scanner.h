@@ -87,6 +87,11 @@ public:
 
   /// What is left of the text, in bytes.
   std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_at); }
+  /// What is left of the text.
+  std::string_view rest() const { return {m_at, remaining()}; }
+
+  /// Passes over `size` bytes. \pre there are as many
+  void skip(std::size_t size) { m_at += size; }
 
   /// Goes on to the next token, over line ends and, if `comment` is not 0, over all that follows it in a line.
   /// \return false at the end of the text
@@ -306,6 +311,42 @@ private:
   boost::endian::order m_order;
   std::string m_filename;
 };
+
+/// How a number is stored.
+struct Number_type
+{
+  char kind = 'f';      ///< `i` an integer, `u` one without sign, `f` a floating-point number
+  std::size_t size = 0; ///< in bytes: 1, 2, 4 or 8, of floating-point numbers 4 or 8
+
+  /// Whether there is such a type.
+  bool is_valid() const
+  {
+    const bool has_floating_size = size == 4 || size == 8;
+    return has_floating_size ? kind == 'i' || kind == 'u' || kind == 'f'
+                             : (size == 1 || size == 2) && (kind == 'i' || kind == 'u');
+  }
+};
+
+/// Reads a number of any type; integers beyond 2^53 are rounded.
+/// \pre the type is valid
+/// \throw File_error if the data end before
+inline double next_number(Byte_scanner& scanner, const Number_type& type)
+{
+  if (type.kind == 'f') {
+    return type.size == sizeof(float) ? double(scanner.number<float>()) : scanner.number<double>();
+  }
+  const bool has_sign = type.kind == 'i';
+  switch (type.size) {
+  case 1:
+    return has_sign ? double(scanner.number<std::int8_t>()) : double(scanner.number<std::uint8_t>());
+  case 2:
+    return has_sign ? double(scanner.number<std::int16_t>()) : double(scanner.number<std::uint16_t>());
+  case 4:
+    return has_sign ? double(scanner.number<std::int32_t>()) : double(scanner.number<std::uint32_t>());
+  default:
+    return has_sign ? double(scanner.number<std::int64_t>()) : double(scanner.number<std::uint64_t>());
+  }
+}
 
 } // namespace CSCD::internal
 

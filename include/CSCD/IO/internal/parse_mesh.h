@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads polygons from OFF, OBJ and STL.
+// Reads polygons from OFF, OBJ, STL, and raw meshes of Neuroglancer.
 
 #ifndef CSCD_IO_INTERNAL_PARSE_MESH_H
 #define CSCD_IO_INTERNAL_PARSE_MESH_H
@@ -458,6 +458,45 @@ private:
 inline Polygon_soup parse_stl(std::string_view content, const std::string& filename)
 {
   return Stl_parser(content, filename).parse();
+}
+
+/// Reads `content`, that of a raw mesh of Neuroglancer, little endian: the number of vertices as `uint32`, three
+/// `float` for each, then three numbers of vertices, `uint32`, for each triangle up to the end of the file.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_neuroglancer(std::string_view content, const std::string& filename)
+{
+  constexpr std::size_t vertex_size = 3 * sizeof(float);
+  constexpr std::size_t triangle_size = 3 * sizeof(std::uint32_t);
+  Byte_scanner scanner(content, boost::endian::order::little, filename);
+  const std::size_t number_of_points = scanner.number<std::uint32_t>();
+  if (number_of_points > scanner.remaining() / vertex_size ||
+      (scanner.remaining() - number_of_points * vertex_size) % triangle_size != 0) {
+    throw File_error(filename + ": the file is too short or too long for a raw mesh of Neuroglancer with " +
+                     std::to_string(number_of_points) +
+                     " vertices; check the ending of the file name, or fetch it again");
+  }
+  Polygon_soup soup;
+  soup.points.resize(number_of_points);
+  for (Vector_3& point : soup.points) {
+    for (double& coordinate : point) {
+      coordinate = double(scanner.number<float>());
+    }
+    if (!point.allFinite()) {
+      throw File_error(filename + ": a vertex has a coordinate that is not finite; write the file again");
+    }
+  }
+  soup.corners.resize(scanner.remaining() / sizeof(std::uint32_t));
+  for (Index& corner : soup.corners) {
+    corner = scanner.number<std::uint32_t>();
+    if (corner >= number_of_points) {
+      throw File_error(filename + ": a triangle names vertex " + std::to_string(corner) + ", but there are only " +
+                       std::to_string(number_of_points) + " (counted from 0); write the file again");
+    }
+  }
+  while (soup.first_corner.back() < soup.corners.size()) {
+    soup.first_corner.push_back(soup.first_corner.back() + 3);
+  }
+  return soup;
 }
 
 } // namespace CSCD::internal

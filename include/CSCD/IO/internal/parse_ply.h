@@ -187,25 +187,10 @@ public:
 
   double number(Ply_type type)
   {
-    switch (type) {
-    case Ply_type::int8:
-      return m_scanner.number<std::int8_t>();
-    case Ply_type::uint8:
-      return m_scanner.number<std::uint8_t>();
-    case Ply_type::int16:
-      return m_scanner.number<std::int16_t>();
-    case Ply_type::uint16:
-      return m_scanner.number<std::uint16_t>();
-    case Ply_type::int32:
-      return m_scanner.number<std::int32_t>();
-    case Ply_type::uint32:
-      return m_scanner.number<std::uint32_t>();
-    case Ply_type::float32:
-      return double(m_scanner.number<float>());
-    case Ply_type::float64:
-      break;
-    }
-    return m_scanner.number<double>();
+    constexpr std::array<Number_type, 8> types{
+        // in the order of `Ply_type`
+        {{'i', 1}, {'u', 1}, {'i', 2}, {'u', 2}, {'i', 4}, {'u', 4}, {'f', 4}, {'f', 8}}};
+    return next_number(m_scanner, types[std::size_t(type)]);
   }
 
 private:

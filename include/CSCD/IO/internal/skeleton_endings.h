@@ -26,7 +26,7 @@ inline constexpr std::array<const char*, 9> skeleton_endings{".graph", ".json", 
                                                              ".swc",   ".vtp",  ".dot", ".graphml"};
 
 /// How many of `skeleton_endings` are read.
-inline constexpr std::size_t number_of_read_skeleton_endings = 6;
+inline constexpr std::size_t number_of_read_skeleton_endings = 7;
 
 /// The first `number` endings, separated by blanks.
 inline std::string list_of_skeleton_endings(std::size_t number)

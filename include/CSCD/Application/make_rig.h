@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A rig for animation: joints in a hierarchy, and which of them move the vertices of a mesh.
+
+#ifndef CSCD_APPLICATION_MAKE_RIG_H
+#define CSCD_APPLICATION_MAKE_RIG_H
+
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/Rooted_forest.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/Vector_3.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CSCD {
+
+/// A joint of a rig: it turns what comes after it about its place.
+struct Rig_joint
+{
+  std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
+  Index node = no_index;               ///< of the skeleton, at which it is
+  Index branch = no_index;             ///< to which that node belongs
+  Vector_3 point{};                    ///< of the node
+  double radius = 0;                   ///< of the node
+  bool is_tip = false;                 ///< whether a limb ends in it, so that it moves nothing
+};
+
+/// The name of a joint in files, as `branch_3_node_17`.
+std::string name(const Rig_joint& joint);
+
+/// How strongly a joint moves a vertex.
+struct Rig_influence
+{
+  Index joint = 0;   ///< the number of the joint
+  double weight = 0; ///< from 0, for none, to 1
+};
+
+/// Joints, and which of them move the vertices of a mesh.
+struct Rig
+{
+  /// How many joints move a vertex at most, as engines for animation have it.
+  static constexpr std::size_t max_number_of_influences = 4;
+  /// Of one vertex, the strongest first; the sum of their weights is 1.
+  using Influences = std::array<Rig_influence, max_number_of_influences>;
+
+  std::vector<Rig_joint> joints;      ///< each after its parent, and what depends on it right after it
+  std::vector<Influences> influences; ///< of the vertices of the mesh in their order
+};
+
+namespace internal {
+
+/// \param bend_tolerance see the public function
+Rig make_rig(const Indexed_skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
+             double bend_tolerance);
+
+} // namespace internal
+
+/// makes a rig of the skeleton of a mesh.
+///
+/// Joints are at the roots, junctions and tips of the skeleton; where a limb leaves the ball of the junction that it
+/// begins at, so that each limb has a joint of its own; and where a limb bends: the algorithm of Douglas and Peucker
+/// leaves those out without which the straight bones stay close to the skeleton. Cycles are cut where they are
+/// thinnest.
+///
+/// A vertex is moved by the joint before its place on the skeleton, which is the point of the edges at its node that is
+/// nearest to it. Up to one radius before and after a joint, the weights go over from one joint to the other by a cubic
+/// polynomial of the distance along the skeleton. At last they are averaged over neighboring vertices, so often that
+/// they spread by a quarter of a mean radius, as places on the skeleton leap where limbs meet.
+///
+/// Expectedly O(n log n + m k), for n nodes and k averagings, 2 to 64, over m vertices; O(b^2) for branches of b nodes
+/// that bend everywhere.
+///
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
+/// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
+/// \param roots nodes, counted from 0 in the order of the graph, as `find_roots()` gives them; if there are none, the
+///        thickest node of each component
+/// \param bend_tolerance how far bones may be from the skeleton, in radii of its nodes
+/// \pre `skeleton` has nodes; all faces of `mesh` are triangles
+template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
+Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, const std::vector<Index>& roots = {},
+             double bend_tolerance = 0.5)
+{
+  static_assert(has_radius_v<Skeleton>, "joints are placed by the radii of the nodes");
+  const internal::Indexed_skeleton indexed = internal::index_skeleton(skeleton);
+  return internal::make_rig(indexed, internal::assigned_surface(mesh, skeleton),
+                            roots.empty() ? internal::find_roots(indexed, Root_rule::thickest) : roots, bend_tolerance);
+}
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Application/make_rig_impl.h>
+#endif
+
+#endif // CSCD_APPLICATION_MAKE_RIG_H

@@ -1,0 +1,402 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of make_rig.h.
+
+#ifndef CSCD_APPLICATION_MAKE_RIG_IMPL_H
+#define CSCD_APPLICATION_MAKE_RIG_IMPL_H
+
+#include <CSCD/Application/make_rig.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/Rooted_forest.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+CSCD_INLINE std::string name(const Rig_joint& joint)
+{
+  return "branch_" + std::to_string(joint.branch) + "_node_" + std::to_string(joint.node);
+}
+
+namespace internal {
+
+/// Chooses the nodes of a rooted skeleton at which joints are.
+class Joint_placement
+{
+public:
+  /// \param bend_tolerance in radii
+  Joint_placement(const Indexed_skeleton& skeleton, const Rooted_forest& forest, double bend_tolerance)
+      : m_skeleton(skeleton), m_bend_tolerance(bend_tolerance), m_children(skeleton.number_of_nodes()),
+        m_is_joint(skeleton.number_of_nodes(), 0)
+  {
+    for (const Index node : forest.order()) {
+      if (!forest.is_root(node)) {
+        m_children[forest.parent(node)].push_back(node);
+      }
+    }
+    for (const Index node : forest.order()) {
+      if (forest.is_root(node) || m_children[node].size() != 1) {
+        m_ends.push_back(node);
+        m_is_joint[node] = 1;
+      }
+    }
+    for (const Index end : m_ends) {
+      for (const Index child : m_children[end]) {
+        place_along(chain_from(end, child));
+      }
+    }
+  }
+
+  bool is_joint(Index node) const { return m_is_joint[node] != 0; }
+  bool is_leaf(Index node) const { return m_children[node].empty(); }
+  const std::vector<Index>& children(Index node) const { return m_children[node]; }
+
+private:
+  using Chain = std::vector<Index>;
+
+  Chain chain_from(Index end, Index child) const
+  {
+    Chain chain{end, child};
+    while (m_children[chain.back()].size() == 1) {
+      chain.push_back(m_children[chain.back()].front());
+    }
+    return chain;
+  }
+
+  void place_along(const Chain& chain)
+  {
+    std::size_t first = 0;
+    if (m_children[chain.front()].size() > 1) {
+      first = exit_of_junction(chain);
+      m_is_joint[chain[first]] = 1;
+    }
+    place_at_bends(chain, first);
+  }
+
+  bool is_in_ball(Index node, Index center) const
+  {
+    return m_skeleton.length({node, center}) <= m_skeleton.radii[center];
+  }
+
+  /// Where the limb leaves the ball of the junction at which it begins; 0 if it does not before it enters that of the
+  /// next one. A limb that stays inside as far as its tip has its joint right before this.
+  std::size_t exit_of_junction(const Chain& chain) const
+  {
+    const std::size_t last = chain.size() - 1;
+    const bool ends_in_tip = is_leaf(chain.back());
+    for (std::size_t i = 1; i < last; ++i) {
+      if (!is_in_ball(chain[i], chain.front()) && (ends_in_tip || !is_in_ball(chain[i], chain.back()))) {
+        return i;
+      }
+    }
+    return ends_in_tip ? last - 1 : 0;
+  }
+
+  /// The algorithm of Douglas and Peucker from `first` to the end of the chain.
+  void place_at_bends(const Chain& chain, std::size_t first)
+  {
+    std::vector<std::pair<std::size_t, std::size_t>> open{{first, chain.size() - 1}};
+    while (!open.empty()) {
+      const auto [begin, end] = open.back();
+      open.pop_back();
+      double greatest = m_bend_tolerance;
+      std::size_t bend = begin;
+      for (std::size_t i = begin + 1; i < end; ++i) {
+        const double distance = distance_to_segment(m_skeleton.points[chain[i]], m_skeleton.points[chain[begin]],
+                                                    m_skeleton.points[chain[end]]);
+        if (distance > greatest * m_skeleton.radii[chain[i]] && m_skeleton.radii[chain[i]] > 0) {
+          greatest = distance / m_skeleton.radii[chain[i]];
+          bend = i;
+        }
+      }
+      if (bend != begin) {
+        m_is_joint[chain[bend]] = 1;
+        open.emplace_back(begin, bend);
+        open.emplace_back(bend, end);
+      }
+    }
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  double m_bend_tolerance;
+  std::vector<std::vector<Index>> m_children;
+  std::vector<char> m_is_joint;
+  std::vector<Index> m_ends; ///< nodes at which chains begin or end
+};
+
+/// Numbers joints, and finds how strongly they move what belongs to a place on the skeleton.
+class Joint_weights
+{
+public:
+  Joint_weights(const Indexed_skeleton& skeleton, const std::vector<Index>& roots, double bend_tolerance)
+      : m_skeleton(skeleton), m_forest(skeleton, roots), m_placement(skeleton, m_forest, bend_tolerance)
+  {
+    number_joints();
+    find_next_joints();
+    find_zones();
+  }
+
+  const std::vector<Rig_joint>& joints() const { return m_joints; }
+
+  /// \param node to which `point` belongs
+  Rig::Influences operator()(Index node, const Vector_3& point) const
+  {
+    Index target = no_index; // of the nearest edge, of which the parent is the source
+    double least = 0;
+    const auto look_at = [&](Index child) {
+      const double distance =
+          distance_to_segment(point, m_skeleton.points[m_forest.parent(child)], m_skeleton.points[child]);
+      if (target == no_index || distance < least) {
+        least = distance;
+        target = child;
+      }
+    };
+    if (!m_forest.is_root(node)) {
+      look_at(node);
+    }
+    for (const Index child : m_placement.children(node)) {
+      look_at(child);
+    }
+    return target == no_index ? Rig::Influences{{{m_owner[node], 1.}}} : influences_on(target, point);
+  }
+
+private:
+  void number_joints()
+  {
+    m_owner.assign(m_skeleton.number_of_nodes(), no_index);
+    m_distance.assign(m_skeleton.number_of_nodes(), 0);
+    const std::vector<Index> branch_of_node = measure_branches(m_skeleton).branch_of_node;
+    for (const Index node : m_forest.order()) {
+      const bool is_root = m_forest.is_root(node);
+      const Index parent = m_forest.parent(node);
+      m_owner[node] = m_owner[parent];
+      m_distance[node] = is_root ? 0 : m_distance[parent] + m_skeleton.length({parent, node});
+      if (m_placement.is_joint(node)) {
+        Rig_joint joint{{}, node, branch_of_node[node], m_skeleton.points[node], m_skeleton.radii[node], false};
+        joint.is_tip = !is_root && m_placement.is_leaf(node);
+        if (!is_root) {
+          joint.parent = m_owner[parent];
+        }
+        if (!joint.is_tip) {
+          m_owner[node] = Index(m_joints.size());
+        }
+        m_joints.push_back(joint);
+      }
+    }
+  }
+
+  void find_next_joints()
+  {
+    m_next.assign(m_skeleton.number_of_nodes(), no_index);
+    std::vector<Index> number(m_skeleton.number_of_nodes(), no_index);
+    for (std::size_t j = 0; j < m_joints.size(); ++j) {
+      number[m_joints[j].node] = Index(j);
+    }
+    for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
+      m_next[*node] = m_placement.is_joint(*node) ? number[*node] : m_next[m_placement.children(*node).front()];
+    }
+  }
+
+  /// A zone around a joint ends halfway to the next joint, so that zones do not overlap.
+  void find_zones()
+  {
+    m_zone.reserve(m_joints.size());
+    for (const Rig_joint& joint : m_joints) {
+      m_zone.push_back(joint.radius);
+    }
+    for (std::size_t j = 0; j < m_joints.size(); ++j) {
+      if (const std::optional<std::size_t> parent = m_joints[j].parent) {
+        const double half = (m_distance[m_joints[j].node] - m_distance[m_joints[*parent].node]) / 2;
+        m_zone[j] = std::min(m_zone[j], half);
+        m_zone[*parent] = std::min(m_zone[*parent], half);
+      }
+    }
+  }
+
+  /// How much a joint has of its full influence.
+  /// \param distance behind the joint along the skeleton; negative before it
+  double share(std::size_t joint, double distance) const
+  {
+    const double zone = m_zone[joint];
+    if (!(std::abs(distance) < zone)) {
+      return distance < 0 ? 0 : 1;
+    }
+    const double t = (1 + distance / zone) / 2;
+    return t * t * (3 - 2 * t);
+  }
+
+  /// The influences at the place of the edge to `target` that is nearest to `point`.
+  Rig::Influences influences_on(Index target, const Vector_3& point) const
+  {
+    const Index source = m_forest.parent(target);
+    const Vector_3 along = m_skeleton.points[target] - m_skeleton.points[source];
+    const double length = along.norm();
+    const double behind_source =
+        length > 0 ? std::clamp((point - m_skeleton.points[source]).dot(along) / length, 0., length) : 0;
+    const double place = m_distance[source] + behind_source;
+    const Index before = m_owner[source];
+    const Index behind = m_next[target];
+    const double behind_share = m_joints[behind].is_tip ? 0 : share(behind, place - m_distance[m_joints[behind].node]);
+    const std::optional<std::size_t> parent = m_joints[before].parent;
+    const double parent_share = parent ? 1 - share(before, place - m_distance[m_joints[before].node]) : 0;
+    Rig::Influences result{{{before, 1 - behind_share - parent_share}}};
+    if (behind_share > 0) {
+      result[1] = {behind, behind_share};
+    } else if (parent_share > 0) {
+      result[1] = {Index(*parent), parent_share};
+    }
+    return result;
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  Rooted_forest m_forest;
+  Joint_placement m_placement;
+  std::vector<Rig_joint> m_joints;
+  std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is no tip
+  std::vector<Index> m_next;      ///< of each node, the first joint at or behind it
+  std::vector<double> m_distance; ///< of each node from its root along the skeleton
+  std::vector<double> m_zone;     ///< how far from each joint the weights go over
+};
+
+/// Averages influences over neighboring vertices.
+class Influence_smoothing
+{
+public:
+  explicit Influence_smoothing(const Assigned_surface& surface)
+      : m_surface(surface), m_neighbors(surface.points.size(), [&surface](const auto& use) {
+          for (const std::array<Index, 3>& triangle : surface.triangles) {
+            for (std::size_t i = 0; i < 3; ++i) {
+              use(triangle[i], triangle[(i + 1) % 3]);
+              use(triangle[(i + 1) % 3], triangle[i]);
+            }
+          }
+        })
+  {
+  }
+
+  /// How often influences have to be averaged to spread by `distance`. Averaging with the neighbors at the distance of
+  /// an edge, with half of the weight on the vertex itself, spreads by the square root of half an edge's square.
+  int number_of_steps(double distance) const
+  {
+    constexpr int min_number = 2;
+    constexpr int max_number = 64; // bounds the time on fine meshes
+    double sum = 0;
+    for (const std::array<Index, 3>& triangle : m_surface.triangles) {
+      sum += (m_surface.points[triangle[1]] - m_surface.points[triangle[0]]).norm();
+    }
+    const double ratio = sum > 0 ? distance * double(m_surface.triangles.size()) / sum : 0; // in edges
+    return int(std::clamp(std::ceil(2 * ratio * ratio), double(min_number), double(max_number)));
+  }
+
+  void smooth(std::vector<Rig::Influences>& influences, int number_of_steps)
+  {
+    std::vector<Rig::Influences> old;
+    for (int step = 0; step < number_of_steps; ++step) {
+      old = influences;
+      for (std::size_t v = 0; v < influences.size(); ++v) {
+        influences[v] = average(old, v);
+      }
+    }
+  }
+
+private:
+  Rig::Influences average(const std::vector<Rig::Influences>& influences, std::size_t vertex)
+  {
+    const auto neighbors = m_neighbors[vertex];
+    if (neighbors.empty()) {
+      return influences[vertex];
+    }
+    m_sum.clear();
+    add(influences[vertex], 0.5);
+    for (const Index neighbor : neighbors) {
+      add(influences[neighbor], 0.5 / double(neighbors.size()));
+    }
+    return strongest();
+  }
+
+  void add(const Rig::Influences& influences, double factor)
+  {
+    for (const Rig_influence& influence : influences) {
+      if (influence.weight > 0) {
+        const auto place = std::find_if(m_sum.begin(), m_sum.end(),
+                                        [&](const Rig_influence& other) { return other.joint == influence.joint; });
+        if (place == m_sum.end()) {
+          m_sum.push_back({influence.joint, factor * influence.weight});
+        } else {
+          place->weight += factor * influence.weight;
+        }
+      }
+    }
+  }
+
+  Rig::Influences strongest()
+  {
+    constexpr double negligible = 1e-3; // moves a vertex by less than one sees
+    std::sort(m_sum.begin(), m_sum.end(), [](const Rig_influence& a, const Rig_influence& b) {
+      return a.weight != b.weight ? a.weight > b.weight : a.joint < b.joint;
+    });
+    Rig::Influences result{};
+    double sum = 0;
+    for (std::size_t i = 0; i < std::min(m_sum.size(), result.size()); ++i) {
+      if (i == 0 || m_sum[i].weight > negligible) {
+        result[i] = m_sum[i];
+        sum += m_sum[i].weight;
+      }
+    }
+    for (Rig_influence& influence : result) {
+      influence.weight /= sum;
+    }
+    return result;
+  }
+
+  const Assigned_surface& m_surface;
+  Compressed_rows<Index, std::size_t> m_neighbors;
+  std::vector<Rig_influence> m_sum;
+};
+
+CSCD_INLINE Rig make_rig(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
+                         const std::vector<Index>& roots, double bend_tolerance)
+{
+  CGAL_precondition(skeleton.number_of_nodes() > 0 && skeleton.has_radii());
+  constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
+  const Joint_weights weights(skeleton, roots, bend_tolerance);
+  Rig rig{weights.joints(), {}};
+  rig.influences.reserve(surface.points.size());
+  double sum_of_radii = 0;
+  std::size_t number_of_vertices = 0;
+  for (std::size_t v = 0; v < surface.points.size(); ++v) {
+    const Index node = surface.node_of_vertex[v];
+    if (node == no_index) {
+      rig.influences.push_back({{{0, 1.}}}); // weights have the sum 1 for what is in no face, too
+    } else {
+      rig.influences.push_back(weights(node, surface.points[v]));
+      sum_of_radii += skeleton.radii[node];
+      ++number_of_vertices;
+    }
+  }
+  Influence_smoothing smoothing(surface);
+  smoothing.smooth(
+      rig.influences,
+      smoothing.number_of_steps(number_of_vertices > 0 ? spread * sum_of_radii / double(number_of_vertices) : 0));
+  return rig;
+}
+
+} // namespace internal
+} // namespace CSCD
+
+#endif // CSCD_APPLICATION_MAKE_RIG_IMPL_H

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Bytes from Base64, and from compressed bytes.
+
+#ifndef CSCD_IO_INTERNAL_DECODE_BYTES_H
+#define CSCD_IO_INTERNAL_DECODE_BYTES_H
+
+#include <CSCD/exceptions.h>
+
+#ifdef CSCD_WITH_ZLIB
+#include <zlib.h>
+#endif
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace CSCD::internal {
+
+/// Bytes that stand in a file as they are or in Base64, read piece by piece.
+class Encoded_bytes
+{
+public:
+  /// \param text must outlive the bytes
+  /// \param filename for messages
+  Encoded_bytes(std::string_view text, bool is_base64, std::string filename)
+      : m_text(text), m_is_base64(is_base64), m_filename(std::move(filename))
+  {
+  }
+
+  /// At least as many bytes as are left.
+  std::size_t max_remaining() const
+  {
+    return m_is_base64 ? m_decoded.size() + m_text.size() / 4 * 3 + 3 : m_text.size();
+  }
+
+  /// The next `size` bytes.
+  /// \throw File_error if there are fewer
+  std::string take(std::size_t size)
+  {
+    if (size > max_remaining()) {
+      fail();
+    }
+    if (!m_is_base64) {
+      const std::string result(m_text.substr(0, size));
+      m_text.remove_prefix(size);
+      return result;
+    }
+    std::string result = std::move(m_decoded);
+    result.reserve(size + 2);
+    while (result.size() < size) {
+      decode_quartet(result);
+    }
+    m_decoded = result.substr(size);
+    result.resize(size);
+    return result;
+  }
+
+  /// All bytes that are left, up to what is no Base64.
+  std::string take_all()
+  {
+    std::string result = m_is_base64 ? std::move(m_decoded) : std::string(m_text);
+    while (m_is_base64 && skip_blanks()) {
+      decode_quartet(result);
+    }
+    m_text = {};
+    return result;
+  }
+
+private:
+  static constexpr int bits_of_digit = 6;
+
+  bool skip_blanks()
+  {
+    const std::size_t digit = m_text.find_first_not_of(" \t\r\n");
+    m_text.remove_prefix(digit == std::string_view::npos ? m_text.size() : digit);
+    return !m_text.empty();
+  }
+
+  /// The value of a digit; -1 of other characters.
+  static int value(char c)
+  {
+    return c >= 'A' && c <= 'Z'   ? c - 'A'
+           : c >= 'a' && c <= 'z' ? c - 'a' + 26
+           : c >= '0' && c <= '9' ? c - '0' + 52
+           : c == '+'             ? 62
+           : c == '/'             ? 63
+                                  : -1;
+  }
+
+  /// Appends three bytes; fewer where `=` fills the last digits, behind which further data may follow.
+  void decode_quartet(std::string& bytes)
+  {
+    std::uint32_t bits = 0;
+    int number_of_digits = 0;
+    for (int i = 0; i < 4; ++i) {
+      if (!skip_blanks()) {
+        fail();
+      }
+      const char c = m_text.front();
+      m_text.remove_prefix(1);
+      const int digit = value(c);
+      const bool is_filling = c == '=' && i >= 2;
+      if ((digit < 0 && !is_filling) || (digit >= 0 && number_of_digits < i)) {
+        fail();
+      }
+      number_of_digits += is_filling ? 0 : 1;
+      bits = bits << bits_of_digit | std::uint32_t(is_filling ? 0 : digit);
+    }
+    for (int i = 0; i + 1 < number_of_digits; ++i) {
+      bytes.push_back(char(bits >> (16 - 8 * i) & 0xffU));
+    }
+  }
+
+  [[noreturn]] void fail() const
+  {
+    throw File_error(m_filename + ": binary data are no Base64, or end before all that their header promises; fetch or "
+                                  "write the file again");
+  }
+
+  std::string_view m_text;
+  bool m_is_base64;
+  std::string m_filename;
+  std::string m_decoded; ///< and not taken
+};
+
+/// \throw File_error telling that compressed data are damaged
+[[noreturn]] inline void fail_to_decompress(const std::string& filename)
+{
+  throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
+}
+
+/// Decompresses what zlib has compressed.
+/// \param size of the result
+/// \param has_header whether the header of zlib is there, as in VTK; not in ZIP archives
+/// \throw File_error if the result has another size, if the data are damaged, or if this is built without zlib
+inline std::string inflate(std::string_view bytes, std::size_t size, [[maybe_unused]] bool has_header,
+                           const std::string& filename)
+{
+  constexpr std::size_t max_ratio = 1032; // of deflate: 258 bytes of 2 bits
+  if (size / max_ratio > bytes.size()) {
+    fail_to_decompress(filename);
+  }
+#ifdef CSCD_WITH_ZLIB
+  std::string result(size, '\0');
+  z_stream stream{};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = uInt(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = uInt(result.size());
+  const bool fits = bytes.size() == stream.avail_in && result.size() == stream.avail_out;
+  if (!fits || inflateInit2(&stream, has_header ? MAX_WBITS : -MAX_WBITS) != Z_OK) {
+    fail_to_decompress(filename);
+  }
+  const int status = ::inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END || stream.total_out != size) {
+    fail_to_decompress(filename);
+  }
+  return result;
+#else
+  throw File_error(filename +
+                   ": is compressed, and this was built without zlib; install zlib1g-dev and build again, or "
+                   "write the file without compression");
+#endif
+}
+
+/// Decompresses what LZF, of PCD files, has compressed.
+/// \param size of the result
+/// \throw File_error if the result has another size or the data are damaged
+inline std::string decompress_lzf(std::string_view bytes, std::size_t size, const std::string& filename)
+{
+  constexpr std::size_t max_ratio = 88; // 264 bytes of 3
+  constexpr unsigned max_literal = 32;
+  constexpr unsigned long_length = 7;
+  if (size / max_ratio > bytes.size()) {
+    fail_to_decompress(filename);
+  }
+  std::size_t at = 0;
+  const auto next = [&] {
+    if (at == bytes.size()) {
+      fail_to_decompress(filename);
+    }
+    return unsigned(static_cast<unsigned char>(bytes[at++]));
+  };
+  std::string result;
+  result.reserve(size);
+  while (at < bytes.size()) {
+    const unsigned control = next();
+    if (control < max_literal) {
+      for (unsigned i = 0; i <= control; ++i) {
+        result.push_back(char(next()));
+      }
+    } else {
+      unsigned length = control >> 5U;
+      length += length == long_length ? next() : 0;
+      const std::size_t distance = ((control & 0x1fU) << 8U) + next() + 1;
+      if (distance > result.size()) {
+        fail_to_decompress(filename);
+      }
+      for (unsigned i = 0; i < length + 2; ++i) {
+        result.push_back(result[result.size() - distance]);
+      }
+    }
+    if (result.size() > size) {
+      fail_to_decompress(filename);
+    }
+  }
+  if (result.size() != size) {
+    fail_to_decompress(filename);
+  }
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_DECODE_BYTES_H

@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the triangles of glTF.
+
+#ifndef CSCD_IO_INTERNAL_PARSE_GLTF_H
+#define CSCD_IO_INTERNAL_PARSE_GLTF_H
+
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/decode_bytes.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/endian/conversion.hpp>
+
+#ifdef CSCD_WITH_GLTF
+#include <nlohmann/json.hpp>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A linear map and a translation.
+struct Affine_map
+{
+  std::array<Vector_3, 3> columns{Vector_3::UnitX(), Vector_3::UnitY(), Vector_3::UnitZ()};
+  Vector_3 offset{};
+
+  Vector_3 linear(const Vector_3& v) const { return v.x() * columns[0] + v.y() * columns[1] + v.z() * columns[2]; }
+  Vector_3 operator()(const Vector_3& point) const { return linear(point) + offset; }
+  /// First `other`, then this.
+  Affine_map operator*(const Affine_map& other) const
+  {
+    return {{linear(other.columns[0]), linear(other.columns[1]), linear(other.columns[2])}, (*this)(other.offset)};
+  }
+};
+
+/// Appends a mesh to `soup`; where it would be mirrored, its polygons are turned.
+inline void append_mapped(Polygon_soup& soup, const std::vector<Vector_3>& points,
+                          const std::vector<std::array<Index, 3>>& triangles, const Affine_map& map)
+{
+  const bool is_mirrored = map.columns[0].cross(map.columns[1]).dot(map.columns[2]) < 0;
+  const Index first = Index(soup.points.size());
+  for (const Vector_3& point : points) {
+    soup.points.push_back(map(point));
+  }
+  for (const auto& [a, b, c] : triangles) {
+    soup.corners.insert(soup.corners.end(), {first + a, first + (is_mirrored ? c : b), first + (is_mirrored ? b : c)});
+    soup.end_polygon();
+  }
+}
+
+#ifdef CSCD_WITH_GLTF
+
+/// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
+/// chunk, or in the JSON in Base64. Whatever the JSON says is checked before it is used.
+class Gltf_parser
+{
+public:
+  Gltf_parser(std::string_view content, const std::string& filename) : m_content(content), m_filename(filename) {}
+
+  Polygon_soup parse()
+  {
+    constexpr bool has_exceptions = false;
+    const std::string_view text = split();
+    m_json = Json::parse(text.begin(), text.end(), nullptr, has_exceptions);
+    if (!m_json.is_object()) {
+      fail("its JSON is malformed");
+    }
+    if (list("extensionsRequired").size() > 0) {
+      fail("it needs the extension " +
+           list("extensionsRequired")[0].dump(-1, ' ', true, Json::error_handler_t::replace) +
+           ", such as compression, which is not read");
+    }
+    for (const Json& buffer : list("buffers")) {
+      m_buffers.push_back(buffer_bytes(buffer));
+    }
+    add_scene();
+    check_number_of_points(m_soup.points.size(), m_filename);
+    return std::move(m_soup);
+  }
+
+private:
+  using Json = nlohmann::json;
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  /// Instances could multiply a small file without end.
+  static constexpr std::size_t max_number_of_elements = std::size_t(1) << 26U;
+
+  /// What an accessor tells.
+  struct Accessor
+  {
+    std::size_t count = 0;
+    std::size_t number_of_components = 0;
+    Number_type type;
+    std::size_t stride = 0; ///< in bytes
+    std::string_view bytes; ///< from the first element on
+  };
+
+  [[noreturn]] void fail(const std::string& fault) const
+  {
+    throw File_error(m_filename + ": " + fault + "; write the file again as .glb, or as another format");
+  }
+
+  /// \return the JSON; the rest of a binary file becomes the first buffer
+  std::string_view split()
+  {
+    constexpr std::size_t header_size = 12;
+    constexpr std::uint32_t version = 2;
+    if (m_content.substr(0, 4) != "glTF") {
+      return m_content;
+    }
+    Byte_scanner header(m_content.substr(4), boost::endian::order::little, m_filename);
+    if (header.number<std::uint32_t>() != version) {
+      fail("only version 2 of glTF is read");
+    }
+    std::string_view rest = m_content.substr(std::min(header_size, m_content.size()));
+    const std::string_view json = next_chunk(rest);
+    m_binary_chunk = rest.empty() ? rest : next_chunk(rest);
+    return json;
+  }
+
+  std::string_view next_chunk(std::string_view& rest) const
+  {
+    constexpr std::size_t chunk_header_size = 8;
+    const std::size_t size = Byte_scanner(rest, boost::endian::order::little, m_filename).number<std::uint32_t>();
+    if (rest.size() < chunk_header_size || size > rest.size() - chunk_header_size) {
+      fail("the file ends before all that its header promises");
+    }
+    const std::string_view chunk = rest.substr(chunk_header_size, size);
+    rest.remove_prefix(chunk_header_size + size);
+    return chunk;
+  }
+
+  const Json& list(const char* name) const { return list(m_json, name); }
+
+  /// A member that is an array; an empty one if there is none.
+  const Json& list(const Json& object, const char* name) const
+  {
+    static const Json empty = Json::array();
+    const auto place = object.find(name);
+    if (place == object.end()) {
+      return empty;
+    }
+    if (!place->is_array()) {
+      fail(std::string(name) + " is no array");
+    }
+    return *place;
+  }
+
+  /// A member that is a number, or `by_default`.
+  std::size_t number(const Json& object, const char* name, std::size_t by_default) const
+  {
+    if (!object.is_object()) {
+      fail("an element is no object");
+    }
+    const auto place = object.find(name);
+    if (place == object.end()) {
+      return by_default;
+    }
+    if (!place->is_number_unsigned()) {
+      fail(std::string(name) + " is no number from 0 on");
+    }
+    return place->get<std::size_t>();
+  }
+
+  const Json& element(const char* name, std::size_t i) const
+  {
+    if (i >= list(name).size() || !list(name)[i].is_object()) {
+      fail("there is no element " + std::to_string(i) + " in " + name);
+    }
+    return list(name)[i];
+  }
+
+  std::string buffer_bytes(const Json& buffer) const
+  {
+    number(buffer, "byteLength", 0);
+    const auto uri = buffer.find("uri");
+    if (uri == buffer.end()) {
+      return std::string(m_binary_chunk);
+    }
+    constexpr std::string_view base64 = ";base64,";
+    const std::string text = uri->is_string() ? uri->get<std::string>() : std::string();
+    const std::size_t begin = text.find(base64);
+    if (text.substr(0, 5) != "data:" || begin == std::string::npos) {
+      fail("its data are in a file of their own, which is not read");
+    }
+    return Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true, m_filename).take_all();
+  }
+
+  Number_type component_type(const Json& accessor) const
+  {
+    switch (number(accessor, "componentType", 0)) {
+    case 5120:
+      return {'i', 1};
+    case 5121:
+      return {'u', 1};
+    case 5122:
+      return {'i', 2};
+    case 5123:
+      return {'u', 2};
+    case 5125:
+      return {'u', 4};
+    case 5126:
+      return {'f', 4};
+    default:
+      fail("an accessor has an unknown type of components");
+    }
+  }
+
+  Accessor accessor(std::size_t i) const
+  {
+    const Json& its = element("accessors", i);
+    const auto type = its.find("type");
+    if (its.find("sparse") != its.end() || its.find("bufferView") == its.end()) {
+      fail("sparse accessors are not read");
+    }
+    Accessor result;
+    result.number_of_components = type != its.end() && *type == "VEC3" ? 3 : 1;
+    result.type = component_type(its);
+    result.count = number(its, "count", 0);
+    const Json& view = element("bufferViews", number(its, "bufferView", 0));
+    const std::size_t buffer = number(view, "buffer", 0);
+    const std::size_t offset_in_view = number(its, "byteOffset", 0);
+    const std::size_t offset = number(view, "byteOffset", 0);
+    const std::size_t size_of_element = result.number_of_components * result.type.size;
+    result.stride = number(view, "byteStride", size_of_element);
+    if (buffer >= m_buffers.size() || offset > m_buffers[buffer].size() ||
+        offset_in_view > m_buffers[buffer].size() - offset) {
+      fail("a view begins behind the end of its buffer");
+    }
+    result.bytes = std::string_view(m_buffers[buffer]).substr(offset + offset_in_view);
+    const std::size_t room = result.bytes.size() < size_of_element ? 0 : result.bytes.size() - size_of_element;
+    if (result.count > 0 &&
+        (result.bytes.size() < size_of_element || result.stride == 0 || result.count - 1 > room / result.stride)) {
+      fail("an accessor has more elements than there is room for");
+    }
+    return result;
+  }
+
+  Byte_scanner scanner_at(const Accessor& accessor, std::size_t i) const
+  {
+    return {accessor.bytes.substr(i * accessor.stride), boost::endian::order::little, m_filename};
+  }
+
+  std::vector<Vector_3> points(std::size_t i) const
+  {
+    const Accessor its = accessor(i);
+    if (its.type.kind != 'f' || its.number_of_components != 3) {
+      fail("positions are no vectors of floating-point numbers");
+    }
+    std::vector<Vector_3> result(its.count);
+    for (std::size_t v = 0; v < its.count; ++v) {
+      Byte_scanner scanner = scanner_at(its, v);
+      for (double& coordinate : result[v]) {
+        coordinate = next_number(scanner, its.type);
+      }
+      if (!result[v].allFinite()) {
+        fail("a position is not finite");
+      }
+    }
+    return result;
+  }
+
+  std::vector<Index> indices(const Json& primitive, std::size_t number_of_points) const
+  {
+    std::vector<Index> result;
+    const std::size_t i = number(primitive, "indices", none);
+    if (i == none) {
+      result.resize(number_of_points);
+      for (std::size_t v = 0; v < number_of_points; ++v) {
+        result[v] = Index(v);
+      }
+      return result;
+    }
+    const Accessor its = accessor(i);
+    if (its.type.kind != 'u' || its.number_of_components != 1) {
+      fail("indices are no numbers from 0 on");
+    }
+    result.reserve(its.count);
+    for (std::size_t k = 0; k < its.count; ++k) {
+      Byte_scanner scanner = scanner_at(its, k);
+      const double index = next_number(scanner, its.type);
+      if (index >= double(number_of_points)) {
+        fail("a triangle names a vertex that is not there");
+      }
+      result.push_back(Index(index));
+    }
+    return result;
+  }
+
+  void add_primitive(const Json& primitive, const Affine_map& map)
+  {
+    constexpr std::size_t triangle_list = 4;
+    constexpr std::size_t triangle_strip = 5;
+    constexpr std::size_t triangle_fan = 6;
+    const std::size_t mode = number(primitive, "mode", triangle_list);
+    const auto attributes = primitive.find("attributes");
+    if (mode < triangle_list || mode > triangle_fan || attributes == primitive.end()) {
+      return; // points or lines
+    }
+    const std::size_t position = number(*attributes, "POSITION", none);
+    if (position == none) {
+      return;
+    }
+    const std::vector<Vector_3> its_points = points(position);
+    const std::vector<Index> corners = indices(primitive, its_points.size());
+    std::vector<std::array<Index, 3>> triangles;
+    const std::size_t step = mode == triangle_list ? 3 : 1;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      const std::size_t turn = mode == triangle_strip ? i % 2 : 0; // every other one
+      triangles.push_back({corners[mode == triangle_fan ? 0 : i], corners[i + 1 + turn], corners[i + 2 - turn]});
+    }
+    if (m_soup.points.size() + its_points.size() + m_soup.corners.size() / 3 + triangles.size() >
+        max_number_of_elements) {
+      fail("its meshes have more than 2^26 vertices and triangles in all");
+    }
+    append_mapped(m_soup, its_points, triangles, map);
+  }
+
+  /// Reads up to `size` numbers of an array.
+  template <std::size_t size>
+  bool numbers(const Json& node, const char* name, std::array<double, size>& result) const
+  {
+    const Json& values = list(node, name);
+    for (std::size_t i = 0; i < size && i < values.size(); ++i) {
+      if (!values[i].is_number()) {
+        fail(std::string(name) + " of a node is not made of numbers");
+      }
+      result[i] = values[i].get<double>();
+    }
+    return values.size() == size;
+  }
+
+  Affine_map map_of(const Json& node) const
+  {
+    std::array<double, 16> m{};
+    if (numbers(node, "matrix", m)) { // column by column
+      return {{Vector_3(m[0], m[1], m[2]), Vector_3(m[4], m[5], m[6]), Vector_3(m[8], m[9], m[10])},
+              Vector_3(m[12], m[13], m[14])};
+    }
+    std::array<double, 3> t{};
+    std::array<double, 4> q{0, 0, 0, 1};
+    std::array<double, 3> s{1, 1, 1};
+    numbers(node, "translation", t);
+    numbers(node, "rotation", q);
+    numbers(node, "scale", s);
+    const Vector_3 axis(q[0], q[1], q[2]);
+    Affine_map result{{}, {t[0], t[1], t[2]}};
+    std::size_t i = 0;
+    for (const Vector_3& unit : {Vector_3::UnitX(), Vector_3::UnitY(), Vector_3::UnitZ()}) {
+      // The rotation by the unit quaternion (axis, w): v + 2 w (axis x v) + 2 axis x (axis x v).
+      const Vector_3 moment = 2 * axis.cross(unit);
+      result.columns[i] = s[i] * (unit + q[3] * moment + axis.cross(moment));
+      ++i;
+    }
+    return result;
+  }
+
+  /// Places the meshes of all nodes of the scene; a hierarchy of nodes is a forest, so that each comes once.
+  void add_scene()
+  {
+    std::vector<std::pair<std::size_t, Affine_map>> open;
+    const std::size_t scene = number(m_json, "scene", 0);
+    for (const Json& node : scene < list("scenes").size() ? list(list("scenes")[scene], "nodes") : Json::array()) {
+      open.emplace_back(to_index(node), Affine_map());
+    }
+    std::vector<char> was_seen(list("nodes").size(), 0);
+    while (!open.empty()) {
+      const auto [i, above] = open.back();
+      open.pop_back();
+      const Json& node = element("nodes", i);
+      if (std::exchange(was_seen[i], char(1)) != 0) {
+        fail("a node has two parents");
+      }
+      // A skin moves its vertices by its joints alone, at rest to where they are.
+      const bool has_skin = node.find("skin") != node.end();
+      const Affine_map map = above * map_of(node);
+      if (number(node, "mesh", none) != none) {
+        for (const Json& primitive : list(element("meshes", number(node, "mesh", none)), "primitives")) {
+          add_primitive(primitive, has_skin ? Affine_map() : map);
+        }
+      }
+      for (const Json& child : list(node, "children")) {
+        open.emplace_back(to_index(child), map);
+      }
+    }
+  }
+
+  std::size_t to_index(const Json& json) const
+  {
+    if (!json.is_number_unsigned()) {
+      fail("the number of a node is none");
+    }
+    return json.get<std::size_t>();
+  }
+
+  std::string_view m_content;
+  std::string m_filename;
+  Json m_json;
+  std::string_view m_binary_chunk;
+  std::vector<std::string> m_buffers;
+  Polygon_soup m_soup;
+};
+
+#endif // CSCD_WITH_GLTF
+
+/// Reads `content`, that of a file of glTF, binary or JSON.
+/// \throw File_error if it is malformed, needs what is not read, or if this is built without glTF: those who include
+///        readers as headers shall not have to compile JSON
+inline Polygon_soup parse_gltf([[maybe_unused]] std::string_view content, const std::string& filename)
+{
+#ifdef CSCD_WITH_GLTF
+  Polygon_soup soup = Gltf_parser(content, filename).parse();
+  for (const Vector_3& point : soup.points) {
+    if (!point.allFinite()) {
+      throw File_error(filename + ": a node moves a vertex out of the range of numbers; write the file again");
+    }
+  }
+  return soup;
+#else
+  throw File_error(filename +
+                   ": this was built without glTF; link CSCD::compiled, or define CSCD_WITH_GLTF, which needs "
+                   "nlohmann-json");
+#endif
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_PARSE_GLTF_H

@@ -1,0 +1,442 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads points from tables with commas or names of columns, from PCD and from LAS.
+
+#ifndef CSCD_IO_INTERNAL_PARSE_SCANS_H
+#define CSCD_IO_INTERNAL_PARSE_SCANS_H
+
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/decode_bytes.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <locale>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Which columns of a table hold coordinates and normals, and what stands between columns.
+struct Point_columns
+{
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  std::array<std::size_t, 6> places{0, 1, 2, none, none, none}; ///< of x, y, z and of the normal
+  char separator = 0;                                           ///< 0 for blanks
+
+  bool has_normals() const { return places[3] != none && places[4] != none && places[5] != none; }
+};
+
+/// The fields of a line, without the blanks and quotes around them.
+inline std::vector<std::string_view> split_fields(std::string_view line, char separator)
+{
+  constexpr std::string_view around = " \t\r\n\"";
+  std::vector<std::string_view> result;
+  while (true) {
+    const std::size_t begin = separator == 0 ? line.find_first_not_of(around) : 0;
+    if (begin == std::string_view::npos || (separator == 0 && line.empty())) {
+      return result;
+    }
+    const std::size_t end = separator == 0 ? line.find_first_of(around, begin) : line.find(separator);
+    std::string_view field = line.substr(begin, end == std::string_view::npos ? end : end - begin);
+    field.remove_prefix(std::min(field.find_first_not_of(around), field.size()));
+    const std::size_t last = field.find_last_not_of(around);
+    result.push_back(field.substr(0, last == std::string_view::npos ? 0 : last + 1));
+    if (end == std::string_view::npos) {
+      return result;
+    }
+    line.remove_prefix(end + (separator == 0 ? 0 : 1));
+  }
+}
+
+/// What separates the numbers of the first line that begins with one and has several: 0 for blanks. Where a `;`
+/// separates, a comma may belong to a number.
+inline char find_separator(std::string_view text)
+{
+  constexpr std::string_view begin_of_number = "0123456789+-.\"";
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin != std::string_view::npos && begin_of_number.find(line[begin]) != std::string_view::npos) {
+      for (const char separator : {';', ','}) {
+        if (line.find(separator) != std::string_view::npos) {
+          return separator;
+        }
+      }
+      if (split_fields(line, 0).size() > 1) {
+        return 0;
+      }
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+  }
+  return 0;
+}
+
+/// The columns, if other than blanks separate them, or if the first line, perhaps behind `//` or `#`, names those of
+/// all three coordinates.
+inline std::optional<Point_columns> find_columns(std::string_view text)
+{
+  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
+  Point_columns columns;
+  columns.separator = find_separator(text);
+  line.remove_prefix(std::min(line.find_first_not_of("#/ \t"), line.size()));
+  const std::vector<std::string_view> fields = split_fields(line, columns.separator);
+  constexpr std::array<std::array<std::string_view, 3>, 6> names{{{"x", "x_m", "coord_x"},
+                                                                  {"y", "y_m", "coord_y"},
+                                                                  {"z", "z_m", "coord_z"},
+                                                                  {"nx", "normal_x", "normalx"},
+                                                                  {"ny", "normal_y", "normaly"},
+                                                                  {"nz", "normal_z", "normalz"}}};
+  std::array<std::size_t, 6> places{};
+  places.fill(Point_columns::none);
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string name = boost::algorithm::to_lower_copy(std::string(fields[i]), std::locale::classic());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (std::find(names[k].begin(), names[k].end(), name) != names[k].end() && places[k] == Point_columns::none) {
+        places[k] = i;
+      }
+    }
+  }
+  const bool is_named = std::count(places.begin(), places.begin() + 3, Point_columns::none) == 0;
+  if (is_named) {
+    columns.places = places;
+  } else if (columns.separator != 0) {
+    columns.places = {0, 1, 2, 3, 4, 5};
+  }
+  return is_named || columns.separator != 0 ? std::optional<Point_columns>(columns) : std::nullopt;
+}
+
+/// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, and the
+/// number of points before the first one are passed over. Normals are kept if every line has one.
+/// \throw File_error if a line has no coordinates, or there are no points
+class Point_table_parser
+{
+public:
+  Point_table_parser(std::string_view text, const Point_columns& columns, const std::string& filename)
+      : m_scanner(text, filename), m_columns(columns), m_filename(filename), m_has_normals(columns.has_normals())
+  {
+  }
+
+  Polygon_soup parse()
+  {
+    bool is_first_line = true;
+    while (m_scanner.skip_blanks()) {
+      const bool is_header = std::exchange(is_first_line, false) && !is_number_next();
+      if (!is_header && !m_scanner.is_at("#") && !m_scanner.is_at("//")) {
+        const std::string_view rest = m_scanner.rest();
+        read_line(split_fields(rest.substr(0, rest.find('\n')), m_columns.separator));
+      }
+      m_scanner.skip_line();
+    }
+    if (!m_has_normals) {
+      m_soup.normals.clear();
+    }
+    check_number_of_points(m_soup.points.size(), m_filename);
+    return std::move(m_soup);
+  }
+
+private:
+  bool is_number_next() const
+  {
+    Text_scanner ahead = m_scanner;
+    ahead.skip_character('"');
+    return ahead.is_at_number();
+  }
+
+  void read_line(const std::vector<std::string_view>& fields)
+  {
+    if (fields.size() == 1 && m_soup.points.empty()) {
+      return; // the number of points
+    }
+    Vector_3 point;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (m_columns.places[i] >= fields.size()) {
+        m_scanner.fail("a point has fewer than three coordinates", "correct this line or write the file again");
+      }
+      const std::optional<double> number = to_number(fields[m_columns.places[i]]);
+      if (!number) {
+        m_scanner.fail("a number with a decimal point is expected", "correct this line or write the file again");
+      }
+      if (!std::isfinite(*number)) {
+        m_scanner.fail("a coordinate is not finite", "correct or remove this line");
+      }
+      point[i] = *number;
+    }
+    m_soup.points.push_back(point);
+    for (std::size_t i = 3; m_has_normals && i < 6; ++i) {
+      const std::size_t place = m_columns.places[i];
+      const std::optional<double> number = place < fields.size() ? to_number(fields[place]) : std::nullopt;
+      m_has_normals = number.has_value();
+      m_normal[i - 3] = number.value_or(0);
+    }
+    if (m_has_normals) {
+      m_soup.normals.push_back(m_normal);
+    }
+  }
+
+  std::optional<double> to_number(std::string_view field) const
+  {
+    Text_scanner scanner(field, m_filename);
+    if (!scanner.is_at_number()) {
+      return std::nullopt;
+    }
+    scanner.skip_character('+');
+    double value = 0;
+    const std::from_chars_result result = std::from_chars(scanner.rest().data(), field.data() + field.size(), value);
+    const bool is_all = result.ptr == field.data() + field.size() && result.ec == std::errc();
+    return is_all ? std::optional<double>(value) : std::nullopt;
+  }
+
+  Text_scanner m_scanner;
+  Point_columns m_columns;
+  std::string m_filename;
+  bool m_has_normals;
+  Vector_3 m_normal;
+  Polygon_soup m_soup;
+};
+
+/// Reads PCD of the Point Cloud Library, ASCII, binary or compressed. Points that are not finite, which stand for what
+/// was not measured, are left out.
+class Pcd_parser
+{
+public:
+  Pcd_parser(std::string_view text, const std::string& filename) : m_scanner(text, filename), m_filename(filename) {}
+
+  Polygon_soup parse()
+  {
+    read_header();
+    if (m_encoding == "ascii") {
+      read_text();
+    } else if (m_encoding == "binary") {
+      read_binary(m_scanner.rest(), false);
+    } else if (m_encoding == "binary_compressed") {
+      read_compressed();
+    } else {
+      m_scanner.fail("DATA is neither ascii nor binary nor binary_compressed", "write the file again");
+    }
+    return std::move(m_soup);
+  }
+
+private:
+  struct Field
+  {
+    std::string name;
+    Number_type type{'f', 4};
+    std::size_t count = 1; ///< numbers of the field at each point
+  };
+
+  void read_header()
+  {
+    while (m_encoding.empty()) {
+      if (!m_scanner.skip_blanks('#')) {
+        m_scanner.fail_at_end("the keyword DATA");
+      }
+      const std::string keyword(m_scanner.word());
+      if (keyword == "FIELDS") {
+        while (m_scanner.skip_blanks_in_line()) {
+          m_fields.push_back({std::string(m_scanner.word())});
+        }
+      } else if (keyword == "SIZE" || keyword == "COUNT" || keyword == "TYPE") {
+        for (std::size_t i = 0; i < m_fields.size() && m_scanner.skip_blanks_in_line(); ++i) {
+          read_property(keyword, m_fields[i]);
+        }
+      } else if (keyword == "POINTS") {
+        m_number_of_points = m_scanner.skip_blanks_in_line() ? m_scanner.count("the number of points") : 0;
+      } else if (keyword == "DATA") {
+        m_encoding = m_scanner.skip_blanks_in_line() ? std::string(m_scanner.word()) : "none";
+      }
+      m_scanner.skip_line();
+    }
+    check_fields();
+    check_number_of_points(m_number_of_points, m_filename);
+  }
+
+  void read_property(const std::string& keyword, Field& field)
+  {
+    if (keyword == "TYPE") {
+      const std::string_view type = m_scanner.word();
+      field.type.kind = type == "I" ? 'i' : type == "U" ? 'u' : 'f';
+    } else {
+      (keyword == "SIZE" ? field.type.size : field.count) = m_scanner.count("the size of a field");
+    }
+  }
+
+  void check_fields()
+  {
+    constexpr std::size_t max_count = 1U << 20U; // bounds the size of a point
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+      if (!m_fields[i].type.is_valid() || m_fields[i].count > max_count) {
+        m_scanner.fail("a field has an unknown type or size", "write the file again");
+      }
+      m_field_of.emplace(m_fields[i].name, i);
+      m_size_of_point += m_fields[i].count * m_fields[i].type.size;
+    }
+    for (const char* name : {"x", "y", "z"}) {
+      if (m_field_of.count(name) == 0 || m_fields[m_field_of[name]].count != 1) {
+        m_scanner.fail("there is no field " + std::string(name), "write the file again");
+      }
+    }
+    m_has_normals = m_field_of.count("normal_x") + m_field_of.count("normal_y") + m_field_of.count("normal_z") == 3;
+  }
+
+  void add(const std::vector<double>& numbers)
+  {
+    const auto vector = [&](const char* x, const char* y, const char* z) {
+      return Vector_3(numbers[m_field_of[x]], numbers[m_field_of[y]], numbers[m_field_of[z]]);
+    };
+    const Vector_3 point = vector("x", "y", "z");
+    if (point.allFinite()) {
+      m_soup.points.push_back(point);
+      if (m_has_normals) {
+        const Vector_3 normal = vector("normal_x", "normal_y", "normal_z");
+        m_soup.normals.push_back(normal.allFinite() ? normal : Vector_3::Zero());
+      }
+    }
+  }
+
+  void read_text()
+  {
+    std::vector<double> numbers(m_fields.size());
+    for (std::size_t point = 0; point < m_number_of_points; ++point) {
+      for (std::size_t f = 0; f < m_fields.size(); ++f) {
+        for (std::size_t i = 0; i < m_fields[f].count; ++i) {
+          if (!m_scanner.skip_blanks()) {
+            m_scanner.fail_at_end("point " + std::to_string(point) + " of " + std::to_string(m_number_of_points));
+          }
+          numbers[f] = m_scanner.number();
+        }
+      }
+      add(numbers);
+    }
+  }
+
+  /// \param is_by_field whether all numbers of a field come before those of the next one
+  void read_binary(std::string_view bytes, bool is_by_field)
+  {
+    if (m_number_of_points > bytes.size() / m_size_of_point) {
+      m_scanner.fail_at_end("all of its " + std::to_string(m_number_of_points) + " points");
+    }
+    std::vector<std::size_t> begin(m_fields.size(), 0);
+    std::size_t offset = 0;
+    for (std::size_t f = 0; f < m_fields.size(); ++f) {
+      begin[f] = offset;
+      offset += m_fields[f].count * m_fields[f].type.size * (is_by_field ? m_number_of_points : 1);
+    }
+    std::vector<double> numbers(m_fields.size());
+    for (std::size_t point = 0; point < m_number_of_points; ++point) {
+      for (std::size_t f = 0; f < m_fields.size(); ++f) {
+        const std::size_t stride = is_by_field ? m_fields[f].count * m_fields[f].type.size : m_size_of_point;
+        if (m_fields[f].count == 1) {
+          Byte_scanner scanner(bytes.substr(begin[f] + point * stride), boost::endian::order::little, m_filename);
+          numbers[f] = next_number(scanner, m_fields[f].type);
+        }
+      }
+      add(numbers);
+    }
+  }
+
+  void read_compressed()
+  {
+    Byte_scanner sizes(m_scanner.rest(), boost::endian::order::little, m_filename);
+    const std::size_t compressed_size = sizes.number<std::uint32_t>();
+    const std::size_t size = sizes.number<std::uint32_t>();
+    if (compressed_size > sizes.remaining()) {
+      m_scanner.fail_at_end("all of its compressed data");
+    }
+    const std::string_view bytes = m_scanner.rest().substr(2 * sizeof(std::uint32_t), compressed_size);
+    read_binary(decompress_lzf(bytes, size, m_filename), true);
+  }
+
+  Text_scanner m_scanner;
+  std::string m_filename;
+  std::vector<Field> m_fields;
+  std::map<std::string, std::size_t> m_field_of;
+  std::size_t m_size_of_point = 0;
+  std::size_t m_number_of_points = 0;
+  bool m_has_normals = false;
+  std::string m_encoding;
+  Polygon_soup m_soup;
+};
+
+/// Reads points from `content`, that of a LAS file of any version from 1.0 to 1.4.
+/// \throw File_error if it is malformed, or compressed (LAZ)
+inline Polygon_soup parse_las(std::string_view content, const std::string& filename)
+{
+  // Offsets in the header, by the specification of the ASPRS.
+  constexpr std::size_t header_size = 227;
+  constexpr std::size_t minor_version_at = 25;
+  constexpr std::size_t data_offset_at = 96;   // then the format, the size and the number of points
+  constexpr std::size_t scale_at = 131;        // then the offset
+  constexpr std::size_t large_number_at = 247; // from version 1.4
+  constexpr unsigned compression_bits = 0xc0;
+  constexpr std::size_t min_point_size = 3 * sizeof(std::int32_t);
+  const auto scanner_at = [&](std::size_t place) {
+    return Byte_scanner(content.substr(std::min(place, content.size())), boost::endian::order::little, filename);
+  };
+  if (content.substr(0, 4) != "LASF" || content.size() < header_size) {
+    throw File_error(filename + ": it is no LAS file, or its header is not complete; fetch or write the file again");
+  }
+  Byte_scanner header = scanner_at(data_offset_at);
+  const std::size_t data_offset = header.number<std::uint32_t>();
+  header.skip(sizeof(std::uint32_t)); // the number of records of variable length
+  if ((header.number<std::uint8_t>() & compression_bits) != 0) {
+    throw File_error(filename + ": it is compressed (LAZ), which is not read; convert it to LAS, as by `laszip` or "
+                                "`pdal translate`");
+  }
+  const std::size_t point_size = header.number<std::uint16_t>();
+  std::uint64_t number_of_points = header.number<std::uint32_t>();
+  if (number_of_points == 0 && content[minor_version_at] >= 4) {
+    number_of_points = scanner_at(large_number_at).number<std::uint64_t>();
+  }
+  Byte_scanner transform = scanner_at(scale_at);
+  Vector_3 scale;
+  Vector_3 offset;
+  for (Vector_3* const vector : {&scale, &offset}) {
+    for (double& coordinate : *vector) {
+      coordinate = transform.number<double>();
+    }
+  }
+  const std::size_t size_of_data = content.size() - std::min(data_offset, content.size());
+  if (point_size < min_point_size || number_of_points > size_of_data / point_size) {
+    throw File_error(filename + ": the file ends before all points that its header promises; it seems truncated, fetch "
+                                "or write it again");
+  }
+  check_number_of_points(number_of_points, filename);
+  Polygon_soup soup;
+  soup.points.reserve(number_of_points);
+  Byte_scanner scanner = scanner_at(data_offset);
+  for (std::uint64_t i = 0; i < number_of_points; ++i) {
+    Vector_3 point;
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = scanner.number<std::int32_t>() * scale[axis] + offset[axis];
+    }
+    if (!point.allFinite()) {
+      throw File_error(filename + ": the scale or offset in the header is not finite; write the file again");
+    }
+    scanner.skip(point_size - min_point_size);
+    soup.points.push_back(point);
+  }
+  return soup;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_IO_INTERNAL_PARSE_SCANS_H

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Rigs as glTF and as BVH.
+
+#ifndef CSCD_IO_WRITE_RIG_H
+#define CSCD_IO_WRITE_RIG_H
+
+#include <CSCD/Application/make_rig.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/Vector_3.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <ostream>
+#include <string>
+#include <type_traits>
+
+namespace CSCD {
+
+namespace internal {
+
+void write_glb(std::ostream& out, const Assigned_surface& surface, const Rig& rig, const std::string& name);
+
+} // namespace internal
+
+/// writes a mesh with its rig as binary glTF 2.0 (`.glb`): the mesh with normals, a node for each joint, which are
+/// called as `name()` has it, in their hierarchy and without rotations, inverse bind matrices, and four joints and
+/// weights at each vertex. The vertices are those of the mesh in their order; coordinates are of single precision, and
+/// axes stay as they are. If the skeleton has several components, a node named `rig` holds them together. Linear.
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
+/// \param rig of this mesh, as `make_rig()` gives it
+/// \param name of the mesh
+/// \pre all faces of `mesh` are triangles
+/// \throw Input_error if there is no face, a coordinate is too large for single precision, there are more than 65,535
+///        joints, or the file would be larger than 4 GB
+/// \throw File_error if `out` fails
+template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
+void write_glb(std::ostream& out, const TriangleMesh& mesh, const Rig& rig, const std::string& name = "mesh")
+{
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  internal::write_glb(out, internal::assigned_surface(mesh, Skeleton_graph<Vector_3, Vertex>()), rig, name);
+}
+
+/// writes the joints of a rig in their rest pose as BVH: a `ROOT` for each component of the skeleton, with a position
+/// and rotations, joints with rotations, called as `name()` has it, and a motion of one frame. After the last joint of
+/// a limb comes an `End Site` at the distance of the radius, where the surface ends. Linear.
+/// \throw File_error if `out` fails
+void write_bvh(std::ostream& out, const Rig& rig);
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/write_rig_impl.h>
+#endif
+
+#endif // CSCD_IO_WRITE_RIG_H

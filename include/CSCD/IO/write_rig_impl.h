@@ -1,0 +1,319 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of write_rig.h.
+
+#ifndef CSCD_IO_WRITE_RIG_IMPL_H
+#define CSCD_IO_WRITE_RIG_IMPL_H
+
+#include <CSCD/Application/make_rig.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/IO/write_correspondence.h>
+#include <CSCD/IO/write_rig.h>
+#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+#include <CSCD/version.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CSCD {
+namespace internal {
+
+/// Writes a mesh and its rig as binary glTF 2.0. Layout and constants: the specification of Khronos, 3.6, 3.7 and 4.
+class Glb_writer
+{
+public:
+  Glb_writer(const Assigned_surface& surface, const Rig& rig) : m_surface(surface), m_rig(rig) {}
+
+  void write(std::ostream& out, const std::string& name)
+  {
+    constexpr std::uint32_t version = 2;
+    constexpr std::uint32_t json_chunk = 0x4E4F534A;   // "JSON"
+    constexpr std::uint32_t binary_chunk = 0x004E4942; // "BIN" and a zero
+    constexpr std::uint64_t size_of_headers = 12 + 2 * 8;
+    check();
+    const nlohmann::json document = describe(name);
+    std::string text = document.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    text.resize(padded(text.size()), ' ');
+    const std::string binary = m_binary.str();
+    const std::uint64_t size = size_of_headers + text.size() + binary.size();
+    if (size > std::numeric_limits<std::uint32_t>::max()) {
+      throw Input_error("the mesh is too large for a file of glTF; simplify it first");
+    }
+    Exact_format format(out);
+    out << "glTF";
+    for (const std::uint64_t number :
+         {std::uint64_t(version), size, std::uint64_t(text.size()), std::uint64_t(json_chunk)}) {
+      write_little_endian(out, std::uint32_t(number));
+    }
+    out << text;
+    write_little_endian(out, std::uint32_t(binary.size()));
+    write_little_endian(out, binary_chunk);
+    out << binary;
+    format.finish();
+  }
+
+private:
+  using Json = nlohmann::json;
+  static constexpr int float_type = 5126;
+  static constexpr int unsigned_short_type = 5123;
+  static constexpr int unsigned_int_type = 5125;
+  static constexpr int vertex_target = 34962; ///< ARRAY_BUFFER
+  static constexpr int index_target = 34963;  ///< ELEMENT_ARRAY_BUFFER
+  static constexpr int no_target = 0;
+
+  void check() const
+  {
+    if (m_surface.triangles.empty()) {
+      throw Input_error("a rig in glTF needs a surface, but there are no faces; name another format");
+    }
+    if (m_rig.joints.size() > std::numeric_limits<std::uint16_t>::max()) {
+      throw Input_error("glTF holds 65,535 joints, but the rig has more; simplify the skeleton");
+    }
+    for (const Vector_3& point : m_surface.points) {
+      if (!(point.cwiseAbs().maxCoeff() <= double(std::numeric_limits<float>::max()))) {
+        throw Input_error("a coordinate is too large for glTF, which is of single precision; scale the mesh");
+      }
+    }
+  }
+
+  /// Offsets in the file are multiples of this many bytes.
+  static std::size_t padded(std::size_t size) { return (size + 3) / 4 * 4; }
+
+  Json describe(const std::string& name)
+  {
+    const std::size_t triangles = add_triangles();
+    const std::size_t matrices = add_inverse_bind_matrices();
+    const Json attributes = {{"POSITION", add_positions()},
+                             {"NORMAL", add_normals()},
+                             {"JOINTS_0", add_joints()},
+                             {"WEIGHTS_0", add_weights()}};
+    Json joints = Json::array();
+    for (std::size_t j = 0; j < m_rig.joints.size(); ++j) {
+      joints.push_back(node_of_joint(j));
+    }
+    const Json primitive = {{"attributes", attributes}, {"indices", triangles}};
+    m_document["asset"] = {{"version", "2.0"}, {"generator", "CSCD " CSCD_VERSION}};
+    m_document["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
+    m_document["skins"].push_back({{"inverseBindMatrices", matrices}, {"joints", joints}});
+    m_document["buffers"].push_back({{"byteLength", std::size_t(m_binary.tellp())}});
+    add_nodes(name);
+    return m_document;
+  }
+
+  static std::size_t node_of_joint(std::size_t joint) { return joint + 1; } // the first one is the mesh
+
+  static Json to_json(const Vector_3& vector) { return {float(vector.x()), float(vector.y()), float(vector.z())}; }
+
+  void add_nodes(const std::string& name)
+  {
+    Json nodes = Json::array();
+    nodes.push_back({{"name", name}, {"mesh", 0}, {"skin", 0}});
+    Json roots = Json::array();
+    for (std::size_t j = 0; j < m_rig.joints.size(); ++j) {
+      const Rig_joint& joint = m_rig.joints[j];
+      const Vector_3 offset = joint.parent ? joint.point - m_rig.joints[*joint.parent].point : joint.point;
+      nodes.push_back({{"name", CSCD::name(joint)}, {"translation", to_json(offset)}});
+      (joint.parent ? nodes[node_of_joint(*joint.parent)]["children"] : roots).push_back(node_of_joint(j));
+    }
+    if (roots.size() > 1) { // joints need a node above all of them
+      nodes.push_back({{"name", "rig"}, {"children", roots}});
+      roots = Json::array({nodes.size() - 1});
+    }
+    m_document["nodes"] = nodes;
+    m_document["scene"] = 0;
+    m_document["scenes"].push_back({{"nodes", Json::array({0, roots[0]})}});
+  }
+
+  /// Ends the part of the binary chunk that began at `begin`. \return the number of its accessor
+  std::size_t end_view(std::size_t begin, int target, int component_type, const char* type, std::size_t count)
+  {
+    const std::size_t end = std::size_t(m_binary.tellp());
+    Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", end - begin}};
+    if (target != no_target) {
+      view["target"] = target;
+    }
+    m_document["bufferViews"].push_back(view);
+    m_document["accessors"].push_back({{"bufferView", m_document["bufferViews"].size() - 1},
+                                       {"componentType", component_type},
+                                       {"count", count},
+                                       {"type", type}});
+    m_binary << std::string(padded(end) - end, '\0');
+    return m_document["accessors"].size() - 1;
+  }
+
+  std::size_t add_vectors(const std::vector<Vector_3>& vectors)
+  {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    for (const Vector_3& vector : vectors) {
+      for (const double coordinate : vector) {
+        write_little_endian(m_binary, float(coordinate));
+      }
+    }
+    return end_view(begin, vertex_target, float_type, "VEC3", vectors.size());
+  }
+
+  std::size_t add_positions()
+  {
+    const std::size_t accessor = add_vectors(m_surface.points);
+    Vector_3 least = m_surface.points.front();
+    Vector_3 greatest = least;
+    for (const Vector_3& point : m_surface.points) {
+      least = least.cwiseMin(point);
+      greatest = greatest.cwiseMax(point);
+    }
+    m_document["accessors"][accessor]["min"] = to_json(least);
+    m_document["accessors"][accessor]["max"] = to_json(greatest);
+    return accessor;
+  }
+
+  /// Means of the normals of the faces at the vertices, by their areas.
+  std::size_t add_normals()
+  {
+    std::vector<Vector_3> normals(m_surface.points.size());
+    for (const auto& [a, b, c] : m_surface.triangles) {
+      const Vector_3& origin = m_surface.points[a];
+      const Vector_3 normal = (m_surface.points[b] - origin).cross(m_surface.points[c] - origin);
+      for (const Index corner : {a, b, c}) {
+        normals[corner] += normal;
+      }
+    }
+    for (Vector_3& normal : normals) {
+      normal.normalize();
+      // Without area, or too small or large to tell: any direction will do.
+      normal = normal.allFinite() && std::abs(normal.squaredNorm() - 1) < 1e-6 ? normal : Vector_3::UnitZ();
+    }
+    return add_vectors(normals);
+  }
+
+  std::size_t add_joints()
+  {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    for (const Rig::Influences& influences : m_rig.influences) {
+      for (const Rig_influence& influence : influences) {
+        write_little_endian(m_binary, std::uint16_t(influence.joint));
+      }
+    }
+    return end_view(begin, vertex_target, unsigned_short_type, "VEC4", m_rig.influences.size());
+  }
+
+  std::size_t add_weights()
+  {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    for (const Rig::Influences& influences : m_rig.influences) {
+      for (const Rig_influence& influence : influences) {
+        write_little_endian(m_binary, float(influence.weight));
+      }
+    }
+    return end_view(begin, vertex_target, float_type, "VEC4", m_rig.influences.size());
+  }
+
+  std::size_t add_triangles()
+  {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    for (const std::array<Index, 3>& triangle : m_surface.triangles) {
+      for (const Index corner : triangle) {
+        write_little_endian(m_binary, corner);
+      }
+    }
+    return end_view(begin, index_target, unsigned_int_type, "SCALAR", 3 * m_surface.triangles.size());
+  }
+
+  /// Joints are not turned: the matrices, column by column, move them to the origin.
+  std::size_t add_inverse_bind_matrices()
+  {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    for (const Rig_joint& joint : m_rig.joints) {
+      const Vector_3& p = joint.point;
+      for (const double element : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -p.x(), -p.y(), -p.z(), 1.}) {
+        write_little_endian(m_binary, float(element));
+      }
+    }
+    return end_view(begin, no_target, float_type, "MAT4", m_rig.joints.size());
+  }
+
+  const Assigned_surface& m_surface;
+  const Rig& m_rig;
+  Json m_document;
+  std::ostringstream m_binary;
+};
+
+CSCD_INLINE void write_glb(std::ostream& out, const Assigned_surface& surface, const Rig& rig, const std::string& name)
+{
+  Glb_writer(surface, rig).write(out, name);
+}
+
+/// Writes where a joint is, relative to that before it.
+inline void write_bvh_offset(std::ostream& out, const Vector_3& offset)
+{
+  out << "OFFSET ";
+  write_coordinates(out, offset);
+  out << '\n';
+}
+
+/// Where the surface ends behind the last joint of a limb, relative to this.
+inline Vector_3 bvh_end(const Rig& rig, const Rig_joint& joint)
+{
+  const Vector_3 direction = joint.parent ? joint.point - rig.joints[*joint.parent].point : Vector_3::UnitZ();
+  return joint.radius * direction.normalized();
+}
+
+} // namespace internal
+
+CSCD_INLINE void write_bvh(std::ostream& out, const Rig& rig)
+{
+  internal::Exact_format format(out);
+  out << "HIERARCHY\n";
+  std::vector<std::size_t> open; // the joints whose braces are not closed
+  const auto close_until = [&](const std::optional<std::size_t>& parent) {
+    while (!open.empty() && open.back() != parent) {
+      out << "}\n";
+      open.pop_back();
+    }
+  };
+  for (std::size_t j = 0; j < rig.joints.size(); ++j) {
+    const Rig_joint& joint = rig.joints[j];
+    close_until(joint.parent);
+    out << (joint.parent ? "JOINT " : "ROOT ") << name(joint) << "\n{\n";
+    // A root is where its channels say; readers differ in whether its offset is added to them.
+    internal::write_bvh_offset(out, joint.parent ? joint.point - rig.joints[*joint.parent].point : Vector_3::Zero());
+    out << (joint.parent ? "CHANNELS 3" : "CHANNELS 6 Xposition Yposition Zposition")
+        << " Zrotation Xrotation Yrotation\n";
+    open.push_back(j);
+    const bool is_last = j + 1 == rig.joints.size() || rig.joints[j + 1].parent != j;
+    if (is_last) {
+      out << "End Site\n{\n";
+      internal::write_bvh_offset(out, internal::bvh_end(rig, joint));
+      out << "}\n";
+    }
+  }
+  close_until(std::nullopt);
+  out << "MOTION\nFrames: 1\nFrame Time: 1\n";
+  for (const Rig_joint& joint : rig.joints) {
+    if (!joint.parent) {
+      internal::write_coordinates(out, joint.point);
+      out << ' ';
+    }
+    out << "0 0 0 ";
+  }
+  out << '\n';
+  format.finish();
+}
+
+} // namespace CSCD
+
+#endif // CSCD_IO_WRITE_RIG_IMPL_H

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of rigs: what every rig holds, and that bending a joint moves its limb smoothly and nothing else.
+
+#include "support/convert_shape.h"
+#include "support/limb_shapes.h"
+#include "support/shape_operations.h"
+#include "support/simple_shapes.h"
+#include "support/swept_shapes.h"
+#include <CSCD/Application/make_rig.h>
+#include <CSCD/Skeleton/Rooted_forest.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/extract_curve_skeleton.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Rig_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Rig_skeleton = CSCD::Skeleton_graph<Rig_mesh::Point, Rig_mesh::Vertex_index>;
+
+struct Rigged_shape
+{
+  explicit Rigged_shape(const CSCD::test::Shape& shape, const std::vector<CSCD::Index>& roots = {})
+      : mesh(CSCD::test::to_mesh<Rig_mesh>(shape))
+  {
+    CSCD::extract_curve_skeleton(mesh, skeleton);
+    rig = CSCD::make_rig(mesh, skeleton, roots);
+  }
+
+  /// How strongly a joint and those behind it move a vertex: by this share it is turned when the joint is.
+  double share(std::size_t joint, std::size_t vertex) const
+  {
+    double sum = 0;
+    for (const CSCD::Rig_influence& influence : rig.influences[vertex]) {
+      std::size_t j = influence.joint;
+      while (j != joint && rig.joints[j].parent) {
+        j = *rig.joints[j].parent;
+      }
+      sum += j == joint ? influence.weight : 0;
+    }
+    return sum;
+  }
+
+  std::vector<std::size_t> joints_behind(std::size_t joint) const
+  {
+    std::vector<std::size_t> result;
+    for (std::size_t j = 0; j < rig.joints.size(); ++j) {
+      if (rig.joints[j].parent == joint) {
+        result.push_back(j);
+      }
+    }
+    return result;
+  }
+
+  /// How much the share of a joint changes along an edge at most, times the radius of the joint over the length of the
+  /// edge, or the mean length of edges if it is shorter.
+  double steepness(std::size_t joint) const
+  {
+    std::vector<double> lengths;
+    for (const auto edge : mesh.edges()) {
+      lengths.push_back(
+          std::sqrt(CGAL::squared_distance(mesh.point(mesh.vertex(edge, 0)), mesh.point(mesh.vertex(edge, 1)))));
+    }
+    const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.) / double(lengths.size());
+    double greatest = 0;
+    std::size_t e = 0;
+    for (const auto edge : mesh.edges()) {
+      const double change = std::abs(share(joint, mesh.vertex(edge, 0)) - share(joint, mesh.vertex(edge, 1)));
+      greatest = std::max(greatest, change * rig.joints[joint].radius / std::max(mean, lengths[e++]));
+    }
+    return greatest;
+  }
+
+  Rig_mesh mesh;
+  Rig_skeleton skeleton;
+  CSCD::Rig rig;
+};
+
+void expect_valid(const Rigged_shape& shape)
+{
+  const CSCD::Rig& rig = shape.rig;
+  ASSERT_FALSE(rig.joints.empty());
+  std::set<std::string> names;
+  std::set<std::size_t> ancestors; // of the joint before, and itself
+  for (std::size_t j = 0; j < rig.joints.size(); ++j) {
+    const CSCD::Rig_joint& joint = rig.joints[j];
+    EXPECT_TRUE(names.insert(name(joint)).second);
+    const auto& point = shape.skeleton[joint.node].point;
+    EXPECT_EQ(CSCD::Vector_3(point.x(), point.y(), point.z()), joint.point);
+    EXPECT_TRUE(!joint.parent || ancestors.count(*joint.parent) == 1) << "what depends on a joint comes in one piece";
+    ancestors.erase(joint.parent ? ancestors.upper_bound(*joint.parent) : ancestors.begin(), ancestors.end());
+    ancestors.insert(j);
+  }
+  ASSERT_EQ(shape.mesh.number_of_vertices(), rig.influences.size());
+  for (const CSCD::Rig::Influences& influences : rig.influences) {
+    double sum = 0;
+    std::set<CSCD::Index> seen;
+    for (const CSCD::Rig_influence& influence : influences) {
+      ASSERT_LT(influence.joint, rig.joints.size());
+      EXPECT_GE(influence.weight, 0);
+      if (influence.weight > 0) {
+        EXPECT_TRUE(seen.insert(influence.joint).second);
+        EXPECT_FALSE(rig.joints[influence.joint].is_tip);
+      }
+      sum += influence.weight;
+    }
+    EXPECT_NEAR(1, sum, 1e-12);
+  }
+}
+
+TEST(Make_rig, holds_for_bodies_of_all_kinds)
+{
+  const CSCD::test::Shape ball = CSCD::test::sphere(2);
+  for (const CSCD::test::Shape& shape :
+       {ball, CSCD::test::cube(), CSCD::test::torus(3, 1, 16), CSCD::test::double_torus(0.25), CSCD::test::hand(0.15),
+        CSCD::test::tube(8, 1, 16, CSCD::test::Tube_end::open)}) {
+    SCOPED_TRACE(shape.name);
+    expect_valid(Rigged_shape(shape));
+  }
+}
+
+TEST(Make_rig, has_a_root_for_each_component_unless_roots_are_given)
+{
+  const CSCD::test::Shape two = CSCD::test::chain_of_rings(2, 12);
+  const Rigged_shape rigged(two);
+  expect_valid(rigged);
+  EXPECT_EQ(2, std::count_if(rigged.rig.joints.begin(), rigged.rig.joints.end(),
+                             [](const CSCD::Rig_joint& joint) { return !joint.parent; }));
+  const CSCD::Index root = 3;
+  EXPECT_EQ(root, Rigged_shape(two, {root}).rig.joints.front().node);
+}
+
+TEST(Make_rig, has_no_joints_along_a_straight_limb)
+{
+  const CSCD::test::Shape tube = CSCD::test::capsule(10, 1, 16);
+  const Rigged_shape any(tube);
+  const auto ends = CSCD::find_roots(any.skeleton, CSCD::Root_rule::longest);
+  const Rigged_shape from_end(tube, ends);
+  EXPECT_EQ(2u, from_end.rig.joints.size());
+  EXPECT_TRUE(from_end.rig.joints.back().is_tip);
+}
+
+TEST(Make_rig, bending_a_joint_of_a_bent_tube_moves_what_is_behind_it)
+{
+  const Rigged_shape tube(CSCD::test::bent_tube(5, CSCD::test::pi / 2, 0.7, 20));
+  expect_valid(tube);
+  std::size_t number_of_bends = 0;
+  for (std::size_t j = 0; j < tube.rig.joints.size(); ++j) {
+    const CSCD::Rig_joint& joint = tube.rig.joints[j];
+    if (!joint.parent || joint.is_tip) {
+      continue;
+    }
+    ++number_of_bends;
+    EXPECT_LT(tube.steepness(j), 1.5);
+    const double place = std::atan2(joint.point.y(), joint.point.x());
+    const CSCD::Vector_3& before = tube.rig.joints[*joint.parent].point;
+    const double sign = std::atan2(before.y(), before.x()) < place ? 1 : -1;
+    for (const auto v : tube.mesh.vertices()) { // a radius around the joint is where the weights go over
+      const auto& p = tube.mesh.point(v);
+      const double behind = 5 * sign * (std::atan2(p.y(), p.x()) - place);
+      if (std::abs(behind) > 1.5) {
+        EXPECT_NEAR(behind > 0 ? 1 : 0, tube.share(j, v), 0.01) << behind;
+      }
+    }
+  }
+  EXPECT_GE(number_of_bends, 2u) << "an arc is no straight bone";
+}
+
+TEST(Make_rig, each_limb_of_a_star_has_a_joint_that_moves_it_alone)
+{
+  constexpr std::size_t number_of_limbs = 5;
+  const Rigged_shape star(CSCD::test::star(number_of_limbs, 6, 0.8, 0.25));
+  expect_valid(star);
+  const std::vector<std::size_t> joints = star.joints_behind(0);
+  ASSERT_EQ(number_of_limbs, joints.size());
+  for (const std::size_t j : joints) {
+    const CSCD::Vector_3 direction = star.rig.joints[j].point.normalized();
+    EXPECT_LT(star.rig.joints[j].point.norm(), 3) << "where the limb leaves the middle";
+    EXPECT_LT(star.steepness(j), 3);
+    for (const auto v : star.mesh.vertices()) {
+      const auto& p = star.mesh.point(v);
+      const double along = CSCD::Vector_3(p.x(), p.y(), p.z()).dot(direction);
+      const double distance = std::sqrt((p - CGAL::ORIGIN).squared_length());
+      const bool is_on_limb = along > 0.9 * distance;
+      if (is_on_limb && distance > 4) {
+        EXPECT_NEAR(1, star.share(j, v), 0.01);
+      } else if (!is_on_limb && distance > 3) {
+        EXPECT_EQ(0, star.share(j, v)) << "another limb";
+      }
+    }
+  }
+}
+
+TEST(Make_rig, vertices_without_a_face_belong_to_the_first_joint)
+{
+  Rig_mesh mesh = CSCD::test::to_mesh<Rig_mesh>(CSCD::test::capsule(6, 1, 12));
+  mesh.add_vertex({100, 100, 100});
+  Rig_skeleton skeleton;
+  CSCD::extract_curve_skeleton(mesh, skeleton);
+  const CSCD::Rig rig = CSCD::make_rig(mesh, skeleton);
+  ASSERT_EQ(mesh.number_of_vertices(), rig.influences.size());
+  EXPECT_EQ(0u, rig.influences.back()[0].joint);
+  EXPECT_EQ(1, rig.influences.back()[0].weight);
+}
+
+} // namespace
