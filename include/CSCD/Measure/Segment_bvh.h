@@ -73,8 +73,7 @@ struct Round_cone
 
 /// A search structure over segments; those of length zero are points. A node of the tree is bounded by a box, and
 /// by a round cone around its segments, which is slim where they leave one point in about one direction.
-/// Queries are const and may be made by several threads at once; each is O(log n) if segments are well spread, or all
-/// have their sources in common.
+/// Queries are const and may be made by several threads at once; each is O(log n) if segments are well spread.
 class Segment_bvh
 {
 public:
