@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -372,6 +373,59 @@ TEST(Degenerate_input, needle)
   expect_skeleton(CSCD::test::box("needle", {1e6, 1, 1}));
   expect_skeleton(CSCD::test::box("plate", {1e4, 1e4, 1}));
   expect_skeleton(CSCD::test::box("foil", {1, 1, 1e-9}));
+}
+
+/// Cubes of side `width` at the points of a lattice of n x n x n, those beside each other joined by struts of eight
+/// faces.
+Shape wire_lattice(std::size_t n, double width)
+{
+  Shape shape;
+  const auto vertex = [n](const std::array<std::size_t, 3>& cell, std::size_t corner) {
+    return ((cell[0] * n + cell[1]) * n + cell[2]) * 8 + corner;
+  };
+  const auto add_quad = [&shape](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+    shape.triangles.push_back({a, b, c});
+    shape.triangles.push_back({a, c, d});
+  };
+  for (std::size_t number = 0; number < n * n * n; ++number) {
+    const std::array<std::size_t, 3> cell{number / n / n, number / n % n, number % n};
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      Triple point{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        point[axis] = double(cell[axis]) + width * (double(corner >> axis & 1) - 0.5);
+      }
+      shape.points.push_back(point);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::size_t along = std::size_t(1) << axis;
+      const std::size_t u = std::size_t(1) << (axis + 1) % 3;
+      const std::size_t v = std::size_t(1) << (axis + 2) % 3;
+      const std::array<std::size_t, 4> ring{0, u, u + v, v};
+      std::array<std::size_t, 3> next = cell;
+      ++next[axis];
+      for (std::size_t i = 0; next[axis] < n && i < 4; ++i) {
+        const std::size_t a = ring[i];
+        const std::size_t b = ring[(i + 1) % 4];
+        add_quad(vertex(cell, a + along), vertex(cell, b + along), vertex(next, b), vertex(next, a));
+      }
+      if (next[axis] == n) {
+        add_quad(vertex(cell, along), vertex(cell, u + along), vertex(cell, u + v + along), vertex(cell, v + along));
+      }
+      if (cell[axis] == 0) {
+        add_quad(vertex(cell, v), vertex(cell, u + v), vertex(cell, u), vertex(cell, 0));
+      }
+    }
+  }
+  return shape;
+}
+
+TEST(Degenerate_input, handles_by_the_hundred)
+{
+  const CSCD::Skeletonization_report report = expect_skeleton(wire_lattice(5, 0.3));
+  EXPECT_EQ(report.genus, 176u); // 300 struts, 125 cubes
+  EXPECT_EQ(report.betti_number, 176u);
+  EXPECT_EQ(report.number_of_junctions, 125u);
+  EXPECT_EQ(report.number_of_edges_outside, 0u);
 }
 
 TEST(Degenerate_input, surface_that_cuts_itself)

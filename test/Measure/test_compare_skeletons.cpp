@@ -12,10 +12,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
+#include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -224,6 +228,110 @@ TEST(Compare_skeletons, takes_skeletons_of_different_types)
   add_edge(u, v, archetype);
   const Skeleton_comparison c = compare_skeletons(archetype, make_skeleton({Point(4, 0, 0), Point(0, 0, 0)}, {{0, 1}}));
   EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
+}
+
+/// Straight branches from the origin to random tips in a ball.
+Skeleton star(std::size_t number_of_arms, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> coordinate;
+  std::vector<Point> points{Point(0, 0, 0)};
+  Edges edges;
+  for (std::size_t i = 1; i <= number_of_arms; ++i) {
+    const double x = coordinate(generator);
+    const double y = coordinate(generator);
+    points.emplace_back(x, y, coordinate(generator));
+    edges.emplace_back(0, i);
+  }
+  return make_skeleton(points, edges);
+}
+
+/// The number of pairs up to `match_distance`, the nearest first, from all distances.
+template <class Distance>
+std::size_t number_matched(std::size_t m, std::size_t n, const Distance& distance, double match_distance)
+{
+  std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      if (distance(i, j) <= match_distance) {
+        pairs.emplace_back(distance(i, j), i, j);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  std::set<std::size_t> first, second;
+  for (const auto& [d, i, j] : pairs) {
+    if (first.count(i) + second.count(j) == 0) {
+      first.insert(i);
+      second.insert(j);
+    }
+  }
+  return first.size();
+}
+
+TEST(Compare_skeletons, matches_the_nearest_pairs_of_all)
+{
+  const Skeleton a = star(150, 1);
+  const Skeleton b = star(120, 2);
+  const auto tip = [](const Skeleton& skeleton, std::size_t i) { return skeleton[i + 1].point - CGAL::ORIGIN; };
+  // The mean distance of one arm from another; both begin in the origin.
+  const auto mean_distance = [](const auto& from, const auto& to) {
+    constexpr int number_of_samples = 32;
+    double sum = 0;
+    for (int k = 0; k < number_of_samples; ++k) {
+      const auto sample = (k + 0.5) / number_of_samples * from;
+      const double t = std::min(std::max(sample * to / to.squared_length(), 0.), 1.);
+      sum += std::sqrt((sample - t * to).squared_length());
+    }
+    return sum / number_of_samples;
+  };
+  for (const double match_distance : {0.02, 0.05, 0.2}) {
+    const Skeleton_comparison c = compare_skeletons(a, b, CSCD::parameters::match_distance(match_distance));
+    const double bound = match_distance * c.diagonal;
+    const auto tips = number_matched(
+        150, 120, [&](std::size_t i, std::size_t j) { return std::sqrt((tip(a, i) - tip(b, j)).squared_length()); },
+        bound);
+    const auto branches = number_matched(
+        150, 120,
+        [&](std::size_t i, std::size_t j) {
+          return std::max(mean_distance(tip(a, i), tip(b, j)), mean_distance(tip(b, j), tip(a, i)));
+        },
+        bound);
+    EXPECT_GT(tips, 0u);
+    EXPECT_EQ(c.tips.number_matched, tips);
+    EXPECT_EQ(c.branches.number_matched, branches);
+  }
+}
+
+TEST(Compare_skeletons, of_many_arms_at_one_hub_each_is_found)
+{
+  constexpr std::size_t number_of_arms = 5000; // minutes, if all pairs are looked at
+  const Skeleton_comparison c = compare_skeletons(star(number_of_arms, 3), star(number_of_arms, 3));
+  EXPECT_EQ(c.tips.number_matched, number_of_arms);
+  EXPECT_EQ(c.branches.number_matched, number_of_arms);
+  EXPECT_TRUE(c.has_same_structure);
+  EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
+}
+
+TEST(Compare_skeletons, structure_of_a_long_caterpillar)
+{
+  // A line with a twig at each node, or, in the middle, two at one and none at the next.
+  const auto caterpillar = [](std::size_t n, bool is_even) {
+    std::vector<Point> points(2 * n);
+    Edges edges;
+    for (std::size_t i = 0; i < n; ++i) {
+      points[i] = Point(double(i), 0, 0);
+      points[n + i] = Point(double(i), 1, 0);
+      edges.emplace_back(n + i, !is_even && i == n / 2 ? i + 1 : i);
+      if (i > 0) {
+        edges.emplace_back(i - 1, i);
+      }
+    }
+    return make_skeleton(points, edges);
+  };
+  constexpr std::size_t length = 5000; // minutes, if surroundings are compared step by step
+  EXPECT_TRUE(compare_skeletons(caterpillar(length, true), caterpillar(length, true)).has_same_structure);
+  EXPECT_FALSE(compare_skeletons(caterpillar(length, true), caterpillar(length, false)).has_same_structure);
 }
 
 TEST(Compare_skeletons, refuses_what_cannot_be_compared)

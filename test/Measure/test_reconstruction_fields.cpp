@@ -4,6 +4,7 @@
 // Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
 
 #include <CSCD/Measure/Isosurface_tracker.h>
+#include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -129,6 +131,66 @@ TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
               1e-4);
   EXPECT_GT(field({1e8, 0, 0}), 0);
   EXPECT_TRUE(std::isfinite(field({1e8, 0, 0})));
+}
+
+/// Edges and balls at random places in a cube.
+Indexed_skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
+{
+  std::mt19937 generator(5);
+  std::uniform_real_distribution<double> uniform;
+  Indexed_skeleton result;
+  for (Index i = 0; i < 2 * number_of_edges + number_of_balls; ++i) {
+    const double x = uniform(generator);
+    const double y = uniform(generator);
+    const Vector_3 step(uniform(generator), uniform(generator), uniform(generator));
+    const bool is_target = i % 2 == 1 && i < 2 * number_of_edges;
+    result.points.push_back(is_target ? Vector_3(result.points.back() + 0.03 * step) : Vector_3(x, y, step.x()));
+    result.radii.push_back(0.002 * uniform(generator));
+    if (is_target) {
+      result.edges.push_back({i - 1, i});
+    }
+  }
+  return result;
+}
+
+TEST(Convolution_field, of_very_many_edges_is_the_sum_of_its_parts)
+{
+  const Indexed_skeleton whole = random_skeleton(5000, 1000);
+  // In parts that are few enough to be summed edge by edge.
+  std::vector<Indexed_skeleton> skeletons(5);
+  for (Index v = 0; v < whole.points.size(); ++v) {
+    Indexed_skeleton& part = skeletons[v / 2 % 5];
+    part.points.push_back(whole.points[v]);
+    part.radii.push_back(whole.radii[v]);
+    if (v % 2 == 1 && v < 2 * whole.edges.size()) {
+      part.edges.push_back({Index(part.points.size() - 2), Index(part.points.size() - 1)});
+    }
+  }
+  const std::vector<Convolution_field> parts(skeletons.begin(), skeletons.end());
+  const Convolution_field field(whole);
+  for (int i = 0; i < 20; ++i) {
+    const Vector_3 point(0.05 * i, 0.5 + 0.02 * i, 0.4);
+    double sum = 0;
+    for (const Convolution_field& part : parts) {
+      sum += part.convolution(point);
+    }
+    EXPECT_NEAR(field.convolution(point), sum, 0.02 * sum) << i;
+  }
+}
+
+TEST(Round_cone_field, of_many_cones_is_the_least_of_their_distances)
+{
+  const Indexed_skeleton whole = random_skeleton(300, 100);
+  const Round_cone_field field(whole);
+  for (int i = 0; i < 50; ++i) {
+    const Vector_3 point(0.02 * i, 0.03 * i, 0.4);
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [u, v] : segment_ends(whole)) {
+      least = std::min(
+          least, Round_cone(whole.points[u], whole.points[v], whole.radii[u], whole.radii[v]).signed_distance(point));
+    }
+    EXPECT_EQ(field(point), least) << i;
+  }
 }
 
 TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)

@@ -167,4 +167,52 @@ TEST(is_scan_of_trees, tells_rods_from_a_torus)
   EXPECT_FALSE(CSCD::internal::is_scan_of_trees(forms_of(torus_points(30000, 0.05))));
 }
 
+/// Circles around the z axis, on a ball of radius 1, `ratio` times as far apart as their points are.
+std::vector<Vector_3> sliced_ball(std::size_t number, double ratio)
+{
+  const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
+  std::vector<Vector_3> points;
+  for (double latitude = -1.5; latitude < 1.5; latitude += ratio * spacing) {
+    const double step = spacing / std::cos(latitude);
+    for (double angle = 0; angle < 6.283185307179586; angle += step) {
+      points.emplace_back(std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle),
+                          std::sin(latitude));
+    }
+  }
+  return points;
+}
+
+TEST(is_scan_of_trees, does_not_take_slices_for_twigs)
+{
+  for (const double ratio : {3., 10., 20.}) {
+    const CSCD::Point_cloud cloud = CSCD::make_point_cloud(sliced_ball(20000, ratio), {});
+    EXPECT_FALSE(CSCD::internal::is_scan_of_trees(CSCD::internal::forms_of(cloud.points))) << ratio;
+  }
+  // What looks like twigs, laid flat.
+  CSCD::internal::Cloud_forms forms;
+  forms.along_curves = forms.in_space = 0.3;
+  forms.steepness = 0.3;
+  EXPECT_TRUE(CSCD::internal::is_scan_of_trees(forms));
+  forms.steepness = 0;
+  EXPECT_FALSE(CSCD::internal::is_scan_of_trees(forms));
+}
+
+TEST(lie_along_curves, knows_a_helix_from_a_body_in_slices)
+{
+  constexpr std::size_t number = 20000;
+  std::vector<Vector_3> helix;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double angle = 60 * double(i) / number;
+    helix.emplace_back(std::cos(angle), std::sin(angle), angle / 20);
+  }
+  EXPECT_TRUE(CSCD::internal::lie_along_curves(helix, 2 * 60. / number));
+  for (const double ratio : {1., 3., 10.}) {
+    const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
+    EXPECT_FALSE(CSCD::internal::lie_along_curves(sliced_ball(number, ratio), 2 * spacing)) << ratio;
+  }
+  EXPECT_FALSE(CSCD::internal::lie_along_curves(torus_points(2000, 0), 0.1));
+  // All in one place.
+  EXPECT_FALSE(CSCD::internal::lie_along_curves(std::vector<Vector_3>(100, Vector_3::Zero()), 0));
+}
+
 } // namespace

@@ -118,4 +118,35 @@ TEST(Descent, says_when_there_is_no_way)
   EXPECT_FALSE(descent(measures, surface.number_of_vertices() - 1, 0, path));
 }
 
+TEST(Descent, gives_up_when_its_budget_is_spent)
+{
+  const CSCD::test::Shape torus = CSCD::test::torus(3, 1, 24);
+  const Triangulated_surface surface = CSCD::test::to_surface_with_borders(torus);
+  const Tangent_frames<Triangulated_surface> frames(surface);
+  Descent<Tangent_frames<Triangulated_surface>> descent(frames);
+  std::mt19937_64 random(4);
+  const std::vector<double> distances =
+      CSCD::test::sampled(torus, [&](const Triple&) { return CSCD::test::random_signed_unit(random); });
+  const Cut_locus_indicators<Triangulated_surface> measures(frames, distances);
+  const auto count_found = [&] {
+    std::size_t number = 0;
+    for (Index v = 0; v < surface.number_of_vertices(); ++v) {
+      Edge_steps path;
+      number += descent(measures, v, 5, path) ? 1 : 0;
+    }
+    return number;
+  };
+  EXPECT_EQ(count_found(), surface.number_of_vertices());
+  EXPECT_FALSE(descent.is_exhausted());
+  descent.set_budget(20 * surface.number_of_vertices()); // a detour spreads over many vertices
+  const std::size_t number_of_minima = descent.number_of_minima();
+  const std::size_t number_found = count_found();
+  EXPECT_TRUE(descent.is_exhausted());
+  EXPECT_GT(number_found, 0u);
+  EXPECT_LT(number_found, surface.number_of_vertices());
+  EXPECT_GT(number_of_minima, 2 * (descent.number_of_minima() - number_of_minima));
+  descent.set_budget(1000000000);
+  EXPECT_EQ(count_found(), surface.number_of_vertices());
+}
+
 } // namespace

@@ -62,7 +62,11 @@ public:
   }
 
   /// Whether there were more cells than allowed, so that the surface is not complete.
-  bool is_too_large() const { return m_visited.size() > m_max_number_of_cells; }
+  bool is_too_large() const
+  {
+    constexpr std::size_t max_values_per_cell = 16; // a surface has about two; more are of lines that go on inside
+    return m_visited.size() > m_max_number_of_cells || m_values.size() > max_values_per_cell * m_max_number_of_cells;
+  }
 
   /// The surface, facing outwards; faces that are near each other have near numbers.
   Indexed_triangles release()
@@ -296,7 +300,9 @@ Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skel
 {
   for (;; cell_size *= 2) {
     Isosurface_tracker<Field> tracker(field, cell_size, maximum_number);
-    const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size);
+    constexpr std::size_t max_number_of_samples = 1 << 20; // as many as cells at most
+    const std::vector<Edge_sample> samples =
+        sample_edges(skeleton, bounded_spacing(skeleton, cell_size, max_number_of_samples));
     std::size_t number_unresolved = 0;
     for (const Edge_sample& sample : samples) {
       if (tracker.is_too_large()) {

@@ -53,6 +53,17 @@ inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, d
   return samples;
 }
 
+/// The distance at which samples of the edges of `skeleton` are at least `spacing` apart, and no more than
+/// `max_number`. \pre `spacing` is positive
+inline double bounded_spacing(const Indexed_skeleton& skeleton, double spacing, std::size_t max_number)
+{
+  double length = 0;
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    length += skeleton.length(edge);
+  }
+  return std::max(spacing, length / double(max_number));
+}
+
 /// What is measured by rays from a point across a skeleton.
 struct Ray_star
 {
@@ -157,11 +168,15 @@ private:
     const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
     std::size_t number_inside = 0;
     Means means;
+    const std::size_t step = neighbors.size() / max_number_of_stars + 1; // between the nodes from which rays are cast
     for (Index v = 0; v < neighbors.size(); ++v) {
       if (!is_inside(m_skeleton.points[v])) {
         continue;
       }
       ++number_inside;
+      if (v % step != 0) {
+        continue;
+      }
       if (const std::optional<Vector_3> direction = tangent(v, neighbors[v])) {
         means.add(cast_ray_star(m_queries, m_skeleton.points[v], *direction));
       }
@@ -174,7 +189,8 @@ private:
   void measure_length()
   {
     constexpr double spacing = 1. / 300; // of the samples, in diagonals: some ten of them in the radius of a thin limb
-    const std::vector<Edge_sample> samples = sample_edges(m_skeleton, spacing);
+    const std::vector<Edge_sample> samples =
+        sample_edges(m_skeleton, bounded_spacing(m_skeleton, spacing, max_number_of_stars));
     std::size_t number_inside = 0;
     Means means;
     for (const Edge_sample& sample : samples) {
@@ -189,6 +205,9 @@ private:
     m_result.deviation_by_length = means.mean(means.deviation);
     m_result.offset_by_length = means.mean(means.offset);
   }
+
+  /// Means over more would be no better, and take minutes. Skeletons of bodies have fewer nodes and samples.
+  static constexpr std::size_t max_number_of_stars = 1 << 16;
 
   const Solid_queries& m_queries;
   const Indexed_skeleton& m_skeleton;

@@ -6,6 +6,7 @@
 #ifndef CSCD_MEASURE_COMPARE_SKELETONS_IMPL_H
 #define CSCD_MEASURE_COMPARE_SKELETONS_IMPL_H
 
+#include <CSCD/Measure/Part_tree.h>
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/compare_skeletons.h>
@@ -23,9 +24,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -69,102 +68,202 @@ struct Branch_graph
   std::size_t number_of_closed_cycles = 0;
 };
 
-/// Labels the vertices of several branch graphs by their surroundings, farther with every refinement: the color
-/// refinement of B. Weisfeiler and A. Leman.
-class Branch_labels
+/// Divides the vertices of a graph into the coarsest classes such that the vertices of a class have equally many edges
+/// to each class: the color refinement of B. Weisfeiler and A. Leman. A class is split by the edges that lead to
+/// another one, and of its pieces all but the largest then split others: C. Berkholz, P. Bonsma and M. Grohe, Tight
+/// lower and upper bounds for the complexity of canonical colour refinement (2017). O((n + m) log n) for n vertices, m
+/// edges.
+class Color_refinement
 {
 public:
-  explicit Branch_labels(const Branch_graph& graph) : m_neighbors(graph.nodes.size())
+  /// \param neighbors of each vertex; the first classes are those of equal number of neighbors
+  explicit Color_refinement(const std::vector<std::vector<Index>>& neighbors)
+      : m_neighbors(neighbors), m_order(neighbors.size()), m_place(neighbors.size()), m_class(neighbors.size(), 0),
+        m_number_of_edges(neighbors.size(), 0), m_classes{{0, Index(neighbors.size())}}, m_to_do{0}, m_is_to_do{1}
   {
-    for (const auto& [u, v] : graph.edges) {
-      m_neighbors[u].push_back(v);
-      m_neighbors[v].push_back(u);
+    std::vector<Index> vertices(neighbors.size());
+    for (Index v = 0; v < neighbors.size(); ++v) {
+      m_order[v] = m_place[v] = vertices[v] = v;
+      m_number_of_edges[v] = Index(neighbors[v].size());
     }
-    m_labels.assign(graph.degrees.begin(), graph.degrees.end());
-  }
-
-  /// What a label stands for, and the label; shared by the graphs that are compared.
-  using Dictionary = std::map<std::vector<std::size_t>, std::size_t>;
-
-  /// Replaces the label of each vertex by one for its label and those of its neighbors.
-  void refine(Dictionary& dictionary)
-  {
-    std::vector<std::size_t> refined;
-    refined.reserve(m_labels.size());
-    for (std::size_t v = 0; v < m_labels.size(); ++v) {
-      std::vector<std::size_t> surroundings;
-      for (const Index w : m_neighbors[v]) {
-        surroundings.push_back(m_labels[w]);
-      }
-      std::sort(surroundings.begin(), surroundings.end());
-      surroundings.push_back(m_labels[v]);
-      refined.push_back(dictionary.try_emplace(std::move(surroundings), dictionary.size()).first->second);
+    split(vertices);
+    while (!m_to_do.empty()) {
+      const Index splitter = m_to_do.back();
+      m_to_do.pop_back();
+      m_is_to_do[splitter] = 0;
+      split_by(splitter);
     }
-    m_labels = std::move(refined);
   }
 
-  std::vector<std::size_t> sorted() const
-  {
-    std::vector<std::size_t> result = m_labels;
-    std::sort(result.begin(), result.end());
-    return result;
-  }
+  /// The class of each vertex.
+  const std::vector<Index>& classes() const { return m_class; }
+  std::size_t number_of_classes() const { return m_classes.size(); }
 
 private:
-  std::vector<std::vector<Index>> m_neighbors;
-  std::vector<std::size_t> m_labels;
+  struct Range
+  {
+    Index begin, end;
+  };
+
+  void split_by(Index splitter)
+  {
+    std::vector<Index> touched;
+    for (Index i = m_classes[splitter].begin; i < m_classes[splitter].end; ++i) {
+      for (const Index v : m_neighbors[m_order[i]]) {
+        if (m_number_of_edges[v]++ == 0) {
+          touched.push_back(v);
+        }
+      }
+    }
+    split(touched);
+  }
+
+  /// Splits the classes of the vertices by `m_number_of_edges`, which is 0 for others, and resets it.
+  void split(std::vector<Index>& vertices)
+  {
+    const auto key = [this](Index v) { return std::pair(m_class[v], m_number_of_edges[v]); };
+    std::sort(vertices.begin(), vertices.end(), [&](Index v, Index w) { return key(v) < key(w); });
+    for (std::size_t begin = 0; begin < vertices.size();) {
+      std::size_t end = begin;
+      const Index split_class = m_class[vertices[begin]];
+      while (end < vertices.size() && m_class[vertices[end]] == split_class) {
+        ++end;
+      }
+      split_class_of(vertices.data() + begin, vertices.data() + end);
+      begin = end;
+    }
+    for (const Index v : vertices) {
+      m_number_of_edges[v] = 0;
+    }
+  }
+
+  /// Gives each piece of a class but one a new number, from the end of its range on.
+  void split_class_of(const Index* begin, const Index* end)
+  {
+    const Index old = m_class[*begin];
+    std::vector<Index> pieces{old};
+    while (begin != end && m_number_of_edges[*begin] != m_number_of_edges[*(end - 1)]) {
+      end = move_last_piece(begin, end, old, pieces);
+    }
+    if (begin != end && Index(end - begin) < m_classes[old].end - m_classes[old].begin) {
+      move_last_piece(begin, end, old, pieces);
+    }
+    const bool was_to_do = m_is_to_do[old] != 0;
+    const Index largest = *std::max_element(pieces.begin(), pieces.end(), [this](Index a, Index b) {
+      return m_classes[a].end - m_classes[a].begin < m_classes[b].end - m_classes[b].begin;
+    });
+    for (const Index piece : pieces) {
+      if ((was_to_do || piece != largest) && m_is_to_do[piece] == 0) {
+        m_is_to_do[piece] = 1;
+        m_to_do.push_back(piece);
+      }
+    }
+  }
+
+  /// Makes a class of the vertices at the end that have equally many edges. \return where the others end
+  const Index* move_last_piece(const Index* begin, const Index* end, Index old, std::vector<Index>& pieces)
+  {
+    const Index number_of_edges = m_number_of_edges[*(end - 1)];
+    const auto number = Index(m_classes.size());
+    Range range{m_classes[old].end, m_classes[old].end};
+    while (end != begin && m_number_of_edges[*(end - 1)] == number_of_edges) {
+      const Index v = *--end;
+      const Index w = m_order[--range.begin];
+      std::swap(m_order[m_place[v]], m_order[range.begin]);
+      m_place[w] = m_place[v];
+      m_place[v] = range.begin;
+      m_class[v] = number;
+    }
+    m_classes[old].end = range.begin;
+    m_classes.push_back(range);
+    m_is_to_do.push_back(0);
+    pieces.push_back(number);
+    return end;
+  }
+
+  const std::vector<std::vector<Index>>& m_neighbors;
+  std::vector<Index> m_order; ///< the vertices, class by class
+  std::vector<Index> m_place; ///< of each vertex in `m_order`
+  std::vector<Index> m_class;
+  std::vector<Index> m_number_of_edges; ///< of each vertex to the class that splits
+  std::vector<Range> m_classes;         ///< in `m_order`
+  std::vector<Index> m_to_do;           ///< classes that may split others
+  std::vector<char> m_is_to_do;
 };
 
-/// Whether the branches of two skeletons are joined in the same way, by color refinement: that decides it for forests,
-/// and for graphs with cycles unless they are of a regularity that skeletons do not have. O(r n log n) for n nodes that
-/// do not have two edges and r refinements, no more than the farthest of them are branches apart.
+/// Whether the branches of two skeletons are joined in the same way, by color refinement of both at once: that decides
+/// it for forests, and for graphs with cycles unless they are of a regularity that skeletons do not have.
+/// O(n log n) for n nodes that do not have two edges and branches between them.
 inline bool have_same_structure(const Branch_graph& a, const Branch_graph& b)
 {
   if (a.nodes.size() != b.nodes.size() || a.edges.size() != b.edges.size() ||
       a.number_of_closed_cycles != b.number_of_closed_cycles) {
     return false;
   }
-  Branch_labels labels_of_a(a);
-  Branch_labels labels_of_b(b);
-  std::size_t number_of_labels = 0;
-  while (true) {
-    if (labels_of_a.sorted() != labels_of_b.sorted()) {
-      return false;
+  const auto number_of_nodes = Index(a.nodes.size());
+  std::vector<std::vector<Index>> neighbors(std::size_t(2) * number_of_nodes);
+  for (const Branch_graph* graph : {&a, &b}) {
+    const Index first = graph == &a ? 0 : number_of_nodes;
+    for (const auto& [u, v] : graph->edges) {
+      neighbors[first + u].push_back(first + v);
+      neighbors[first + v].push_back(first + u);
     }
-    Branch_labels::Dictionary dictionary;
-    labels_of_a.refine(dictionary);
-    labels_of_b.refine(dictionary);
-    if (dictionary.size() == number_of_labels) {
-      return labels_of_a.sorted() == labels_of_b.sorted();
-    }
-    number_of_labels = dictionary.size();
   }
+  const Color_refinement refinement(neighbors);
+  std::vector<std::ptrdiff_t> excess(refinement.number_of_classes(), 0); // of nodes of `a` in each class
+  for (Index v = 0; v < neighbors.size(); ++v) {
+    excess[refinement.classes()[v]] += v < number_of_nodes ? 1 : -1;
+  }
+  return std::all_of(excess.begin(), excess.end(), [](std::ptrdiff_t number) { return number == 0; });
 }
 
-/// Matches the indices 0 to m - 1 with 0 to n - 1, each at most once, nearest pairs first.
-/// O(m n) calls of `distance`, and O(p log p) for p pairs that are near enough.
-/// \param distance of two indices
+/// Matches the objects of two trees, each at most once, nearest pairs first, on ties those of least numbers. From any
+/// object the path to the nearest of the other side, from there back to the nearest, and so on, gets shorter with every
+/// step until two are the nearest of each other; these are matched, whatever the others do. So O(m + n) objects are
+/// searched for.
+/// \param distance `distance(i, j, most)` of object `i` of the first tree and `j` of the second if it is at most `most`,
+///        and else more than that
+/// \param bound_in_second `bound_in_second(i, node)` is at most the distance of `i` from each object of the node
+/// \param bound_in_first likewise, for objects of the second tree and nodes of the first
 /// \param match_distance maximum distance of a pair
-template <class Distance>
-Match_count match_greedily(std::size_t m, std::size_t n, const Distance& distance, double match_distance)
+template <class Tree, class Distance, class Bound1, class Bound2>
+Match_count match_nearest_first(Tree first, std::size_t m, Tree second, std::size_t n, const Distance& distance,
+                                const Bound1& bound_in_second, const Bound2& bound_in_first, double match_distance)
 {
-  std::vector<std::tuple<double, Index, Index>> pairs;
-  for (Index i = 0; i < m; ++i) {
-    for (Index j = 0; j < n; ++j) {
-      const double d = distance(i, j);
-      if (d <= match_distance) {
-        pairs.emplace_back(d, i, j);
-      }
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
   Match_count result{m, n, 0};
-  std::vector<char> is_first_taken(m, 0);
-  std::vector<char> is_second_taken(n, 0);
-  for (const auto& [d, i, j] : pairs) {
-    if (is_first_taken[i] == 0 && is_second_taken[j] == 0) {
-      is_first_taken[i] = is_second_taken[j] = 1;
-      ++result.number_matched;
+  std::vector<char> is_removed(m, 0);
+  std::vector<Index> path; // objects of the first and the second tree in turn
+  for (Index start = 0; start < m; ++start) {
+    while (is_removed[start] == 0) {
+      if (path.empty()) {
+        path.push_back(start);
+      }
+      const Index last = path.back();
+      const bool is_in_first = path.size() % 2 == 1;
+      typename Tree::Candidate best{match_distance, no_index};
+      if (path.size() > 1) { // the one before is near; that keeps the path from going in circles where others are too
+        const Index previous = path[path.size() - 2];
+        best = {is_in_first ? distance(last, previous, match_distance) : distance(previous, last, match_distance),
+                previous};
+      }
+      best = is_in_first ? second.minimize([&](Index node) { return bound_in_second(last, second.nodes()[node]); },
+                                           [&](Index j, double least) { return distance(last, j, least); }, best)
+                         : first.minimize([&](Index node) { return bound_in_first(last, first.nodes()[node]); },
+                                          [&](Index i, double least) { return distance(i, last, least); }, best);
+      if (best.object == no_index) {
+        first.remove(last);
+        is_removed[last] = 1;
+        path.pop_back();
+      } else if (path.size() > 1 && best.object == path[path.size() - 2]) {
+        const Index i = is_in_first ? last : best.object;
+        first.remove(i);
+        second.remove(is_in_first ? best.object : last);
+        is_removed[i] = 1;
+        ++result.number_matched;
+        path.resize(path.size() - 2);
+      } else {
+        path.push_back(best.object);
+      }
     }
   }
   return result;
@@ -174,36 +273,70 @@ Match_count match_greedily(std::size_t m, std::size_t n, const Distance& distanc
 class Branch_curve
 {
 public:
+  static constexpr std::size_t number_of_pieces = 4; // tell the curves around a hub apart, with few boxes
+  /// Over the samples of each piece of a curve, and the whole curve.
+  using Tree = Part_tree<number_of_pieces + 1>;
+
   /// \param path nodes of `skeleton`
-  Branch_curve(const Indexed_skeleton& skeleton, const std::vector<Index>& path)
-      : Branch_curve(sub_skeleton(skeleton, path))
+  /// \param number_of_samples for means, a multiple of `number_of_pieces`
+  Branch_curve(const Indexed_skeleton& skeleton, const std::vector<Index>& path, std::size_t number_of_samples)
+      : Branch_curve(sub_skeleton(skeleton, path), number_of_samples)
   {
   }
 
-  /// The greater one of the mean distances of each curve from the other; infinite where their bounding boxes are
-  /// farther apart than `match_distance`, since then no point is nearer.
-  double distance(const Branch_curve& other, double match_distance) const
+  /// The greater one of the mean distances of each curve from the other, if it is at most `max_distance`, and otherwise
+  /// infinity.
+  double distance(const Branch_curve& other, double max_distance) const
   {
-    if (m_box.distance(other.m_box) > match_distance) {
-      return std::numeric_limits<double>::infinity();
+    double result = std::numeric_limits<double>::infinity();
+    if (m_box.distance(other.m_box) <= max_distance) { // otherwise no point is nearer
+      result = mean_distance(other, max_distance);
     }
-    return std::max(mean_distance(other), other.mean_distance(*this));
+    return result <= max_distance ? std::max(result, other.mean_distance(*this, max_distance)) : result;
+  }
+
+  /// As an object of the tree.
+  Tree::Parts parts() const
+  {
+    Tree::Parts parts;
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      parts[i * number_of_pieces / m_samples.size()].extend(m_samples[i]);
+    }
+    parts.back() = m_box;
+    return parts;
+  }
+
+  /// No more than the distance from any of the curves of a node.
+  double bound(const Tree::Node& node) const
+  {
+    double from_node = 0;
+    for (std::size_t piece = 0; piece < number_of_pieces; ++piece) {
+      const Bounding_box& box = node.boxes[piece];
+      from_node += std::max(m_tree.nearest((box.min() + box.max()) / 2).distance - box.diagonal() / 2, 0.);
+    }
+    double to_node = 0;
+    for (const Vector_3& sample : m_samples) {
+      to_node += std::sqrt(node.boxes.back().squared_distance(sample));
+    }
+    return std::max(from_node / double(number_of_pieces), to_node / double(m_samples.size()));
   }
 
 private:
-  explicit Branch_curve(const Indexed_skeleton& curve) : m_tree(segment_tree(curve, curve.edges))
+  Branch_curve(const Indexed_skeleton& curve, std::size_t number_of_samples) : m_tree(segment_tree(curve, curve.edges))
   {
     double length = 0;
     for (const auto& edge : curve.edges) {
       length += curve.length(edge);
     }
-    constexpr double number_of_samples = 32; // for a mean that is compared with a bound
     if (length > 0) {
-      for (const Edge_sample& sample : sample_edges(curve, length / number_of_samples)) {
+      for (const Edge_sample& sample : sample_edges(curve, length / double(number_of_samples))) {
         m_samples.push_back(sample.point);
       }
-    } else {
-      m_samples.push_back(curve.points.front());
+    }
+    m_samples.resize(number_of_samples, curve.points.back()); // by rounding, one can be missing
+    if (std::lexicographical_compare(curve.points.back().begin(), curve.points.back().end(),
+                                     curve.points.front().begin(), curve.points.front().end())) {
+      std::reverse(m_samples.begin(), m_samples.end()); // so that the pieces of curves side by side are, too
     }
     for (const Vector_3& point : curve.points) {
       m_box.extend(point);
@@ -222,13 +355,17 @@ private:
     return curve;
   }
 
-  double mean_distance(const Branch_curve& other) const
+  /// \return infinity if it is more than `max_distance`
+  double mean_distance(const Branch_curve& other, double max_distance) const
   {
+    constexpr std::size_t stride = 13; // has no divisor in common with the number: soon somewhere far from a common end
+    const std::size_t number = m_samples.size();
+    const double max_sum = max_distance * double(number);
     double sum = 0;
-    for (const Vector_3& sample : m_samples) {
-      sum += other.m_tree.nearest(sample).distance;
+    for (std::size_t i = 0; i < number && sum <= max_sum; ++i) {
+      sum += other.m_tree.nearest(m_samples[i * stride % number]).distance;
     }
-    return sum / double(m_samples.size());
+    return sum <= max_sum ? sum / double(number) : std::numeric_limits<double>::infinity();
   }
 
   Segment_bvh m_tree;
@@ -244,8 +381,15 @@ public:
   explicit Compared_skeleton(Indexed_skeleton skeleton)
       : m_skeleton(std::move(skeleton)), m_graph(m_skeleton), m_tree(segment_tree(m_skeleton, segment_ends(m_skeleton)))
   {
+    constexpr std::size_t enough_samples = 32;             // of a branch, for a mean that is compared with a bound
+    constexpr std::size_t max_number_of_samples = 1 << 20; // of all branches, as long as each has some
+    const std::size_t number_of_samples = std::min(
+        enough_samples, std::max<std::size_t>(
+                            max_number_of_samples / (m_graph.branches.size() + 1) / Branch_curve::number_of_pieces, 1) *
+                            Branch_curve::number_of_pieces);
+    m_curves.reserve(m_graph.branches.size());
     for (const std::vector<Index>& branch : m_graph.branches) {
-      m_curves.emplace_back(m_skeleton, branch);
+      m_curves.emplace_back(m_skeleton, branch, number_of_samples);
     }
   }
 
@@ -266,8 +410,10 @@ public:
     }
     result.mean /= double(samples.size());
     result.fraction_matched = double(number_matched) / double(samples.size());
-    for (const Vector_3& point : m_skeleton.points) {
-      result.maximum = std::max(result.maximum, other.m_tree.nearest(point).distance);
+    if (!m_skeleton.edges.empty()) { // otherwise the samples are the nodes
+      for (const Vector_3& point : m_skeleton.points) {
+        result.maximum = std::max(result.maximum, other.m_tree.nearest(point).distance);
+      }
     }
     return result;
   }
@@ -276,18 +422,45 @@ public:
   Match_count match_nodes(const Compared_skeleton& other, const std::function<bool(std::size_t)>& is_chosen,
                           double match_distance) const
   {
+    using Tree = Part_tree<1>;
     const std::vector<Vector_3> mine = chosen_points(is_chosen);
     const std::vector<Vector_3> theirs = other.chosen_points(is_chosen);
-    return match_greedily(
-        mine.size(), theirs.size(), [&](Index i, Index j) { return (mine[i] - theirs[j]).norm(); }, match_distance);
+    const auto tree_of = [](const std::vector<Vector_3>& points) {
+      std::vector<Tree::Parts> parts(points.size());
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        parts[i][0].extend(points[i]);
+      }
+      return Tree(parts);
+    };
+    const auto bound = [](const std::vector<Vector_3>& points) {
+      return
+          [&points](Index i, const Tree::Node& node) { return std::sqrt(node.boxes[0].squared_distance(points[i])); };
+    };
+    return match_nearest_first(
+        tree_of(mine), mine.size(), tree_of(theirs), theirs.size(),
+        [&](Index i, Index j, double) { return (mine[i] - theirs[j]).norm(); }, bound(mine), bound(theirs),
+        match_distance);
   }
 
   /// Matches branches by the distances of their curves.
   Match_count match_branches(const Compared_skeleton& other, double match_distance) const
   {
-    return match_greedily(
-        m_curves.size(), other.m_curves.size(),
-        [&](Index i, Index j) { return m_curves[i].distance(other.m_curves[j], match_distance); }, match_distance);
+    using Tree = Branch_curve::Tree;
+    const auto tree_of = [](const std::vector<Branch_curve>& curves) {
+      std::vector<Tree::Parts> parts;
+      parts.reserve(curves.size());
+      for (const Branch_curve& curve : curves) {
+        parts.push_back(curve.parts());
+      }
+      return Tree(parts);
+    };
+    const auto bound = [](const std::vector<Branch_curve>& curves) {
+      return [&curves](Index i, const Tree::Node& node) { return curves[i].bound(node); };
+    };
+    return match_nearest_first(
+        tree_of(m_curves), m_curves.size(), tree_of(other.m_curves), other.m_curves.size(),
+        [&](Index i, Index j, double most) { return m_curves[i].distance(other.m_curves[j], most); }, bound(m_curves),
+        bound(other.m_curves), match_distance);
   }
 
 private:
@@ -295,7 +468,9 @@ private:
   std::vector<Vector_3> sample_by_length(double spacing) const
   {
     std::vector<Vector_3> samples;
-    for (const Edge_sample& sample : sample_edges(m_skeleton, spacing)) {
+    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would be no better
+    for (const Edge_sample& sample :
+         sample_edges(m_skeleton, bounded_spacing(m_skeleton, spacing, max_number_of_samples))) {
       samples.push_back(sample.point);
     }
     return samples.empty() ? m_skeleton.points : samples;

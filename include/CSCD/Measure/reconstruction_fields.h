@@ -6,8 +6,11 @@
 #ifndef CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
 #define CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
 
+#include <CSCD/Measure/Part_tree.h>
+#include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
@@ -17,7 +20,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -32,69 +36,29 @@ public:
   explicit Round_cone_field(const Indexed_skeleton& skeleton)
   {
     CGAL_precondition(skeleton.has_radii());
-    std::vector<char> has_edge(skeleton.number_of_nodes(), 0);
-    for (const std::array<Index, 2>& edge : skeleton.edges) {
-      add_cone(skeleton.points[edge[0]], skeleton.points[edge[1]], skeleton.radii[edge[0]], skeleton.radii[edge[1]]);
-      has_edge[edge[0]] = has_edge[edge[1]] = 1;
+    const std::vector<std::array<Index, 2>> ends = segment_ends(skeleton);
+    std::vector<Segment_bvh::Segment> segments;
+    std::vector<double> radii;
+    segments.reserve(ends.size());
+    radii.reserve(ends.size());
+    m_cones.reserve(ends.size());
+    for (const auto& [u, v] : ends) {
+      segments.push_back({skeleton.points[u], skeleton.points[v]});
+      radii.push_back(std::max(skeleton.radii[u], skeleton.radii[v]));
+      m_cones.emplace_back(skeleton.points[u], skeleton.points[v], skeleton.radii[u], skeleton.radii[v]);
     }
-    for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
-      if (!has_edge[v]) {
-        add_cone(skeleton.points[v], skeleton.points[v], skeleton.radii[v], skeleton.radii[v]);
-      }
-    }
+    m_tree = Segment_bvh(std::move(segments), radii);
   }
 
-  /// The signed distance of `point`; linear in the number of edges.
+  /// The signed distance of `point`; O(log n) where the cones are well spread.
   double operator()(const Vector_3& point) const
   {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Cone& cone : m_cones) {
-      least = std::min(least, signed_distance(cone, point));
-    }
-    return least;
+    return m_tree.least_value(point, [&](Index i) { return m_cones[i].signed_distance(point); });
   }
 
 private:
-  /// A ball is a cone of length zero.
-  struct Cone
-  {
-    Vector_3 source, direction;
-    double length, source_radius, target_radius;
-    double sine, cosine; // of the angle between the axis and the straight lines of the surface
-  };
-
-  void add_cone(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
-  {
-    const double length = (target - source).norm();
-    const double sine = length > 0 ? (source_radius - target_radius) / length : 1;
-    if (std::abs(sine) < 1) {
-      m_cones.push_back(
-          {source, (target - source) / length, length, source_radius, target_radius, sine, std::sqrt(1 - sine * sine)});
-    } else { // one ball holds the other
-      const bool is_source = source_radius >= target_radius;
-      const double radius = std::max(source_radius, target_radius);
-      m_cones.push_back({is_source ? source : target, Vector_3::Zero(), 0, radius, radius, 0, 1});
-    }
-  }
-
-  static double signed_distance(const Cone& cone, const Vector_3& point)
-  {
-    const Vector_3 to_point = point - cone.source;
-    const double x = to_point.dot(cone.direction);
-    const double y2 = std::max(to_point.squaredNorm() - x * x, 0.);
-    const double y = std::sqrt(y2);
-    // Coordinate along the straight line of the surface below the point, 0 where it leaves the first ball.
-    const double along = x * cone.cosine - y * cone.sine;
-    if (along <= 0) {
-      return std::sqrt(x * x + y2) - cone.source_radius;
-    }
-    if (along >= cone.length * cone.cosine) {
-      return std::sqrt((x - cone.length) * (x - cone.length) + y2) - cone.target_radius;
-    }
-    return x * cone.sine + y * cone.cosine - cone.source_radius;
-  }
-
-  std::vector<Cone> m_cones;
+  std::vector<Round_cone> m_cones;
+  Segment_bvh m_tree{{}};
 };
 
 /// The convolution of a skeleton with the inverse quartic kernel.
@@ -124,19 +88,26 @@ public:
       }
     }
     add_balls(skeleton, places);
+    if (m_edges.size() + m_balls.size() > max_number_summed) {
+      build_clusters();
+    }
   }
 
-  /// F at `point`; linear in the number of edges.
+  /// F at `point`. Linear in the number of edges up to some thousands; of more, those that are far and near each other
+  /// count as one place, which changes their part of F by some percent, and the cost is O(log n) where they are well
+  /// spread.
   double convolution(const Vector_3& point) const
   {
+    if (!m_clusters.empty()) {
+      return sum_of_clusters(point);
+    }
     double sum = 0;
     for (const Edge& edge : m_edges) {
       sum += integral(edge, point);
     }
     sum *= boost::math::double_constants::two_div_pi;
     for (const Ball& ball : m_balls) {
-      const double ratio = ball.radius * ball.radius / std::max((point - ball.center).squaredNorm(), min_square);
-      sum += ratio * ratio;
+      sum += value(ball, point);
     }
     return sum;
   }
@@ -160,6 +131,98 @@ private:
     Vector_3 center;
     double radius;
   };
+  /// The edges and balls of a node of the tree, seen from afar.
+  struct Cluster
+  {
+    Vector_3 center = Vector_3::Zero(); ///< of mass
+    double radius = 0;                  ///< of a ball around the center that holds them
+    double mass = 0;                    ///< F is about this over the fourth power of the distance
+  };
+
+  /// Above this, sums over all edges would take minutes. Skeletons of bodies have fewer.
+  static constexpr std::size_t max_number_summed = 4096;
+
+  static double value(const Ball& ball, const Vector_3& point)
+  {
+    const double ratio = ball.radius * ball.radius / std::max((point - ball.center).squaredNorm(), min_square);
+    return ratio * ratio;
+  }
+
+  /// The mass of an object of the tree, an edge or a ball, at its middle.
+  Cluster cluster_of(Index object) const
+  {
+    if (object >= m_edges.size()) {
+      const Ball& ball = m_balls[object - m_edges.size()];
+      return {ball.center, 0, ball.radius * ball.radius * ball.radius * ball.radius};
+    }
+    const Edge& edge = m_edges[object];
+    const double a = edge.source_radius;
+    const double b = edge.target_radius;
+    const double mean_cube = (a + b) * (a * a + b * b) / 4; // of the radius along the edge
+    return {edge.source + edge.length / 2 * edge.direction, 0,
+            boost::math::double_constants::two_div_pi * edge.length * mean_cube};
+  }
+
+  void build_clusters()
+  {
+    std::vector<Part_tree<2>::Parts> ends(m_edges.size() + m_balls.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const bool is_edge = i < m_edges.size();
+      const Vector_3& source = is_edge ? m_edges[i].source : m_balls[i - m_edges.size()].center;
+      ends[i][0].extend(source);
+      ends[i][1].extend(is_edge ? Vector_3(source + m_edges[i].length * m_edges[i].direction) : source);
+    }
+    m_tree = Part_tree<2>(ends);
+    m_clusters.resize(m_tree.nodes().size());
+    for (Index n = Index(m_clusters.size()); n-- > 0;) {
+      const auto& node = m_tree.nodes()[n];
+      Cluster& cluster = m_clusters[n]; // until here, centers were summed times masses
+      for (Index i = node.begin; node.second_child == no_index && i < node.end; ++i) {
+        const Cluster object = cluster_of(m_tree.objects()[i]);
+        cluster.center += object.mass * object.center;
+        cluster.mass += object.mass;
+      }
+      if (node.parent != no_index) {
+        m_clusters[node.parent].center += cluster.center;
+        m_clusters[node.parent].mass += cluster.mass;
+      }
+      Bounding_box box = node.boxes[0];
+      box.extend(node.boxes[1]);
+      cluster.center = cluster.mass > 0 ? Vector_3(cluster.center / cluster.mass) : box.min();
+      cluster.radius = (cluster.center - box.min()).cwiseMax(box.max() - cluster.center).norm();
+    }
+  }
+
+  double sum_of_clusters(const Vector_3& point) const
+  {
+    constexpr double far = 8; // in radii of the cluster: its part of F is right to some percent
+    double sum = 0;
+    double sum_of_edges = 0;
+    std::vector<Index> to_do{0};
+    while (!to_do.empty()) {
+      const Index n = to_do.back();
+      to_do.pop_back();
+      const Cluster& cluster = m_clusters[n];
+      const auto& node = m_tree.nodes()[n];
+      const double square = (point - cluster.center).squaredNorm();
+      if (square > far * far * cluster.radius * cluster.radius && square > min_square) {
+        sum += cluster.mass / (square * square);
+      } else if (node.second_child != no_index) {
+        to_do.push_back(node.second_child);
+        to_do.push_back(n + 1);
+      } else {
+        for (Index i = node.begin; i < node.end; ++i) {
+          const Index object = m_tree.objects()[i];
+          if (object < m_edges.size()) {
+            sum_of_edges += integral(m_edges[object], point);
+          } else {
+            sum += value(m_balls[object - m_edges.size()], point);
+          }
+        }
+      }
+    }
+    return sum + boost::math::double_constants::two_div_pi * sum_of_edges;
+  }
 
   /// Adds a ball for each place without an edge of any length, of the greatest radius of its nodes.
   void add_balls(const Indexed_skeleton& skeleton, Disjoint_sets& places)
@@ -238,6 +301,8 @@ private:
 
   std::vector<Edge> m_edges;
   std::vector<Ball> m_balls;
+  Part_tree<2> m_tree{{}};         ///< over edges and then balls, if there are many
+  std::vector<Cluster> m_clusters; ///< of the nodes of the tree
 };
 
 } // namespace CSCD::internal

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tells scans of trees from points on a body before a surface is made.
+// Tells scans of trees and curves from points on a body before a surface is made.
 
 #ifndef CSCD_RECONSTRUCTION_RECOGNIZE_TREE_SCAN_H
 #define CSCD_RECONSTRUCTION_RECOGNIZE_TREE_SCAN_H
@@ -51,7 +51,39 @@ struct Cloud_forms
 {
   double along_curves = 0; ///< long and thin
   double in_space = 0;     ///< as wide as high
+  double steepness = 0;    ///< the mean square of the sine between the curves and the plane that they are nearest to
 };
+
+/// The covariance of `offsets`, and their principal axes.
+/// \pre there are offsets
+inline Principal_axes axes_of(const std::vector<Vector_3>& offsets)
+{
+  Vector_3 mean = Vector_3::Zero();
+  Moment_matrix moments{};
+  for (const Vector_3& offset : offsets) {
+    mean += offset / double(offsets.size());
+    moments += Moment_matrix::product(offset, offset) / double(offsets.size());
+  }
+  return principal_axes(moments - Moment_matrix::product(mean, mean));
+}
+
+/// The offsets of `points` from every so many of `centers`, which are among them by number, up to `radius` and in units
+/// of it. Linear in what it returns and the number of points.
+/// \param number of centers, about
+inline std::vector<std::vector<Vector_3>> offsets_around(const std::vector<Vector_3>& points,
+                                                         const std::vector<Index>& centers, std::size_t number,
+                                                         double radius)
+{
+  Point_grid grid(radius);
+  for (std::size_t i = 0; i < centers.size(); i += std::max<std::size_t>(1, centers.size() / number)) {
+    grid.insert(points[centers[i]]);
+  }
+  std::vector<std::vector<Vector_3>> offsets(grid.size());
+  for (const Vector_3& point : points) {
+    grid.for_each_near(point, [&](Index i, double) { offsets[i].push_back((point - grid.point(i)) / radius); });
+  }
+  return offsets;
+}
 
 /// Looks at balls of twice the radius by which about 7000 of `points` would remain, or a quarter of them. Linear.
 /// \pre the extent of the points is about 1
@@ -64,48 +96,68 @@ inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
   constexpr double high_part = 0.25;    // of the third to the second
   const double number = std::min(number_of_balls, double(points.size()) / 4);
   const double radius = std::sqrt(packing_density * estimate_area(points) / number);
-  const std::vector<Index> balls = thin(points, radius);
-  Point_grid grid(2 * radius);
-  for (std::size_t i = 0; i < balls.size(); i += std::max<std::size_t>(1, balls.size() / probes)) {
-    grid.insert(points[balls[i]]);
-  }
-  std::vector<std::vector<Vector_3>> offsets(grid.size());
-  for (const Vector_3& point : points) {
-    grid.for_each_near(point, [&](Index i, double) { offsets[i].push_back((point - grid.point(i)) / radius); });
-  }
   Cloud_forms result;
+  Moment_matrix directions{};
   double number_of_forms = 0;
-  for (const std::vector<Vector_3>& ball : offsets) {
+  double number_of_curves = 0;
+  for (const std::vector<Vector_3>& ball : offsets_around(points, thin(points, radius), probes, 2 * radius)) {
     if (ball.size() < min_points) {
       continue;
     }
-    Vector_3 mean = Vector_3::Zero();
-    Moment_matrix moments{};
-    for (const Vector_3& offset : ball) {
-      mean += offset / double(ball.size());
-      moments += Moment_matrix::product(offset, offset) / double(ball.size());
-    }
-    const std::array<double, 3> variances = principal_axes(moments - Moment_matrix::product(mean, mean)).values;
-    const bool is_thin = variances[1] < thin_part * variances[2];
+    const Principal_axes axes = axes_of(ball);
+    const bool is_thin = axes.values[1] < thin_part * axes.values[2];
     number_of_forms += 1;
-    result.along_curves += is_thin ? 1 : 0;
-    result.in_space += !is_thin && variances[0] > high_part * variances[1] ? 1 : 0;
+    if (is_thin) {
+      number_of_curves += 1;
+      directions += Moment_matrix::product(axes.vectors[2], axes.vectors[2]);
+    }
+    result.in_space += !is_thin && axes.values[0] > high_part * axes.values[1] ? 1 : 0;
   }
-  return number_of_forms > 0 ? Cloud_forms{result.along_curves / number_of_forms, result.in_space / number_of_forms}
-                             : result;
+  if (number_of_forms > 0) {
+    result.along_curves = number_of_curves / number_of_forms;
+    result.in_space /= number_of_forms;
+  }
+  if (number_of_curves > 0) {
+    result.steepness = principal_axes(directions).values[0] / number_of_curves;
+  }
+  return result;
 }
 
 /// Whether points sample trees or other thin things: twigs look like curves, and leaves fill space. Of three scans of
 /// trees, and of trees that are known, a tenth to a quarter of the balls look like curves and two fifths or more like
 /// curves or space; of 20,000 points and more on bodies at most a thirtieth look like curves. If all do, it is a body
-/// that was scanned line by line.
+/// that was scanned line by line; if all are parallel to one plane, a body that was sliced.
 inline bool is_scan_of_trees(const Cloud_forms& forms)
 {
   constexpr double min_along_curves = 0.08;
   constexpr double max_along_curves = 0.6;
   constexpr double min_of_both = 0.3;
-  return forms.along_curves > min_along_curves && forms.along_curves < max_along_curves &&
-         forms.along_curves + forms.in_space > min_of_both;
+  constexpr double min_steepness = 0.02; // twigs in all directions have 0.33; slices, without noise, 0
+  return forms.steepness > min_steepness && forms.along_curves > min_along_curves &&
+         forms.along_curves < max_along_curves && forms.along_curves + forms.in_space > min_of_both;
+}
+
+/// Whether points are along curves that are far from each other, so that they sample no surface: around nearly all of
+/// them, within some 25 times their distance on the curve, they are no wider than noise. Lines of a scanner that are
+/// ten times as far apart as their points are beside each other there, and a tube is wider. Linear.
+/// \param spacing mean distance of six neighbors, which is twice the distance along a curve
+inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing)
+{
+  constexpr double ball_radius = 12; // in spacings
+  constexpr double max_width = 0.75; // standard deviation across, in spacings
+  constexpr std::size_t probes = 300;
+  constexpr std::size_t min_points = 8; // fewer show no form
+  constexpr double min_part = 0.9;      // of the balls
+  if (!(spacing > 0)) {
+    return false;
+  }
+  const double radius = ball_radius * spacing;
+  const double max_variance = max_width * max_width / (ball_radius * ball_radius);
+  const std::vector<std::vector<Vector_3>> balls = offsets_around(points, thin(points, radius), probes, radius);
+  const auto is_curve = [&](const std::vector<Vector_3>& ball) {
+    return ball.size() >= min_points && axes_of(ball).values[1] < max_variance;
+  };
+  return double(std::count_if(balls.begin(), balls.end(), is_curve)) > min_part * double(balls.size());
 }
 
 } // namespace CSCD::internal

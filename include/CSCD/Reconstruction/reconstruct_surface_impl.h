@@ -9,6 +9,7 @@
 #include <CSCD/Reconstruction/Fragment_joining.h>
 #include <CSCD/Reconstruction/Handle_repair.h>
 #include <CSCD/Reconstruction/advance_front.h>
+#include <CSCD/Reconstruction/recognize_tree_scan.h>
 #include <CSCD/Reconstruction/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Cloud_sampling.h>
@@ -54,8 +55,14 @@ public:
     m_result.report.number_of_outliers = m_sampling.number_of_outliers();
   }
 
+  /// \throw Surface_error if the points do not sample a surface
   Reconstructed_surface operator()()
   {
+    // A triangulation of points along curves can be of quadratic size.
+    if (lie_along_curves(m_cloud.points, m_sampling.spacing())) {
+      throw Surface_error("the points do not sample a surface: they lie along curves; sample the surface more densely "
+                          "between them");
+    }
     triangulate();
     join_fragments();
     close();

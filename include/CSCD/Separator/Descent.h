@@ -63,14 +63,23 @@ public:
   {
   }
 
+  /// Lets the paths from now on cost about as much as `number_of_steps` steps in all.
+  void set_budget(std::size_t number_of_steps) { m_budget = number_of_steps; }
+  /// Whether the budget is spent; paths then end at once.
+  bool is_exhausted() const { return m_budget == 0; }
+
   /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
   /// edges; O(m log m) for the m vertices around a minimum that is no source.
-  /// \return false, with steps to somewhere, if `source` is not connected with `vertex`
+  /// \return false, with steps to somewhere, if `source` is not connected with `vertex` or the budget is spent
   template <class Measures>
   bool operator()(const Measures& measures, Index vertex, Index source, Edge_steps& path)
   {
     const std::size_t begin = path.size();
     while (vertex != source) {
+      spend(1);
+      if (is_exhausted()) {
+        return false;
+      }
       Edge_step best;
       double min_distance = measures.distance(vertex);
       m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
@@ -97,6 +106,11 @@ public:
   std::size_t number_of_minima() const { return m_number_of_minima; }
 
 private:
+  /// What a vertex costs that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
+  static constexpr std::size_t steps_per_spread_vertex = 16;
+
+  void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }
+
   Edge_step step_from(Index vertex, Index neighbor, Index halfedge) const
   {
     const auto& triangulation = m_frames.triangulation();
@@ -113,7 +127,8 @@ private:
     m_front.reach(vertex, 0);
     Index found = no_index;
     m_front.spread([&](Index at, float way) {
-      if (found != no_index) {
+      spend(steps_per_spread_vertex);
+      if (found != no_index || is_exhausted()) {
         return;
       }
       if (at == source || measures.distance(at) < record) {
@@ -144,6 +159,7 @@ private:
     std::reverse(m_detour.begin(), m_detour.end());
     for (const Edge_step& step : m_detour) {
       const Index end = end_of(triangulation, step);
+      spend(path.size() - begin);
       const auto meets = [&](const Edge_step& earlier) { return begin_of(triangulation, earlier) == end; };
       const auto first = path.begin() + std::ptrdiff_t(begin);
       const auto meeting = std::find_if(first, path.end(), meets);
@@ -160,6 +176,7 @@ private:
   std::vector<Edge_step> m_step_to; ///< the step by which the front came to a vertex
   Edge_steps m_detour;
   std::size_t m_number_of_minima = 0;
+  std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
 };
 
 } // namespace CSCD::internal

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -68,7 +69,11 @@ public:
       : m_triangles(triangles), m_pairing(pairing), m_components(components),
         m_budget(triangles.points.size() * maximum_growth + free_vertices)
   {
-    set_bounds();
+    const std::vector<std::size_t> genus = genus_of_components();
+    // Halving all edges of a surface of genus g takes this many vertices more than of a sphere.
+    constexpr std::size_t midpoints_per_handle = 6;
+    m_budget += midpoints_per_handle * std::accumulate(genus.begin(), genus.end(), std::size_t(0));
+    set_bounds(genus);
   }
 
   /// Refines and returns the number of inserted vertices.
@@ -85,7 +90,9 @@ public:
 private:
   /// Vertices that sample a body well enough for fronts and loops.
   static constexpr double target_size = 2000;
-  /// The longest edge allowed, relative to the square root of the area that each of `target_size` vertices has.
+  /// Vertices that sample a handle well enough: with fewer, there is no room for a loop around each of many struts.
+  static constexpr double target_size_of_handle = 32;
+  /// The longest edge allowed, relative to the square root of the area that each of these vertices has.
   /// An even triangulation has edges of 1.07; the factor keeps clear of uneven ones and of the halving of edges.
   static constexpr double edge_factor = 2.2;
   /// Inserted vertices are at most this many times those of the input, and these more.
@@ -106,13 +113,32 @@ private:
     return squared_distance(origin(h), target(h)) > m_squared_bound[m_components.component[h / 3]];
   }
 
-  void set_bounds()
+  std::vector<std::size_t> genus_of_components() const
   {
-    const double size = std::min(target_size, double(m_budget) / m_components.number());
-    for (const Surface_components::Measure& measure : m_components.measures) {
+    std::vector<std::size_t> number_of_vertices(m_components.number(), 0);
+    std::vector<std::size_t> number_of_faces(m_components.number(), 0);
+    std::vector<char> is_counted(m_triangles.points.size(), 0);
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      const Index component = m_components.component[h / 3];
+      number_of_faces[component] += h % 3 == 0 ? 1 : 0;
+      number_of_vertices[component] += std::exchange(is_counted[origin(h)], 1) == 0 ? 1 : 0;
+    }
+    std::vector<std::size_t> genus(m_components.number());
+    for (std::size_t i = 0; i < genus.size(); ++i) {
+      genus[i] = genus_of_closed_surface(1, number_of_vertices[i], number_of_faces[i]);
+    }
+    return genus;
+  }
+
+  void set_bounds(const std::vector<std::size_t>& genus)
+  {
+    for (std::size_t i = 0; i < genus.size(); ++i) {
+      const double size = std::min(std::max(target_size, target_size_of_handle * double(genus[i])),
+                                   double(m_budget) / double(m_components.number()));
       // A component without area cannot be sampled: its edges count as short.
-      m_squared_bound.push_back(measure.area > min_area ? measure.area * edge_factor * edge_factor / size
-                                                        : std::numeric_limits<double>::max());
+      const double area = m_components.measures[i].area;
+      m_squared_bound.push_back(area > min_area ? area * edge_factor * edge_factor / size
+                                                : std::numeric_limits<double>::max());
     }
   }
 
@@ -204,10 +230,10 @@ private:
   std::vector<Index> m_midpoint;       // of every halfedge's edge
 };
 
-/// Splits edges of `triangles` that are long relative to the area of their component, so that about 2000 vertices or
-/// more sample each; a surface that is sampled so already stays as it is. The shape does not change.
-/// Inserted vertices are appended; hole-filling faces stay bridging. Vertices grow at most to 4 n + 20000, faces
-/// accordingly. O(n) for each round of halving. \return the number of inserted vertices
+/// Splits edges of `triangles` that are long relative to the area of their component, so that about 2000 vertices, and
+/// 32 for each handle, or more sample it; a surface that is sampled so already stays as it is. The shape does not
+/// change. Inserted vertices are appended; hole-filling faces stay bridging. Vertices grow at most to 4 n + 6 g + 20000
+/// for genus g, faces accordingly. O(n) for each round of halving. \return the number of inserted vertices
 /// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its faces,
 ///      and are kept so
 inline std::size_t refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing,
