@@ -8,6 +8,11 @@ add_library(cscd_warnings INTERFACE)
 target_compile_options(
   cscd_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Werror)
 
+set(CSCD_PROGRAM_FLAGS
+    ""
+    CACHE STRING "Options of the compiler for examples and benchmarks alone: -O0 where their speed does not matter")
+mark_as_advanced(CSCD_PROGRAM_FLAGS)
+
 # cscd_add_program(<name> <source>... [LIBRARIES <library>...] [FOLDER <folder under bin>])
 # adds an executable that uses CSCD::compiled and goes to the folder bin of the build.
 function(cscd_add_program name)
