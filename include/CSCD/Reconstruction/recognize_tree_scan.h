@@ -146,9 +146,10 @@ inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing
   constexpr double ball_radius = 12; // in spacings
   constexpr double max_width = 0.75; // standard deviation across, in spacings
   constexpr std::size_t probes = 300;
-  constexpr std::size_t min_points = 8; // fewer show no form
-  constexpr double min_part = 0.9;      // of the balls
-  if (!(spacing > 0)) {
+  constexpr std::size_t min_points = 8;    // fewer show no form
+  constexpr double min_part = 0.9;         // of the balls
+  constexpr std::size_t min_number = 1000; // fewer are triangulated soon, whatever their form
+  if (points.size() < min_number || !(spacing > 0)) {
     return false;
   }
   const double radius = ball_radius * spacing;

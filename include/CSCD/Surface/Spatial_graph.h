@@ -47,17 +47,26 @@ public:
 
   /// \name As of a SurfaceTriangulation, but for faces
   /// @{
+
+  /// The vertices have numbers from 0.
   Index number_of_vertices() const { return Index(m_points.size()); }
+  /// Two for each edge, with numbers from 0.
   Index number_of_halfedges() const { return Index(m_halfedges.number_of_values()); }
+  /// The vertex at which the halfedge begins.
   Index origin(Index halfedge) const { return target(twin(halfedge)); }
+  /// The vertex at which the halfedge ends.
   Index target(Index halfedge) const { return m_halfedges.values()[halfedge].target; }
+  /// The other halfedge of the edge.
   Index twin(Index halfedge) const { return m_halfedges.values()[halfedge].twin; }
+  /// The halfedges that begin at the vertex.
   Halfedge_range outgoing(Index vertex) const
   {
     const Index begin = m_halfedges.begin(vertex);
     return {boost::counting_iterator<Index>(begin), boost::counting_iterator<Index>(begin + m_halfedges.size(vertex))};
   }
+  /// Of the vertices.
   const std::vector<Vector_3>& points() const { return m_points; }
+  /// Of the edge, in the unit of the points.
   double length(Index halfedge) const { return m_halfedges.values()[halfedge].length; }
   /// What a vertex counts for in means: on an evenly sampled surface, about twice the area that belongs to it.
   double vertex_area(Index vertex) const { return m_area[vertex]; }

@@ -1228,8 +1228,10 @@ class Panel {
           `fill="${color_of_node(node, detail.degree, this.coloring).getStyle()}"/>`]);
     });
     parts.sort((a, b) => b[0] - a[0]);
-    return `<svg xmlns="http://www.w3.org/2000/svg" width="${view.width}" height="${view.height}" ` +
-      `stroke-width="${round(width)}" stroke-linecap="round">\n${parts.map(part => part[1]).join('\n')}\n</svg>\n`;
+    const holder = document.createElement('div');
+    holder.innerHTML = `<svg width="${view.width}" height="${view.height}" stroke-width="${round(width)}" ` +
+      `stroke-linecap="round">\n${parts.map(part => part[1]).join('\n')}\n</svg>`;
+    return new XMLSerializer().serializeToString(holder.firstChild) + '\n'; // with the name space
   }
 
   // What apply_address() reads, of everything that can be chosen.
