@@ -34,7 +34,10 @@ struct Rig_joint
 };
 
 /// The name of a joint in files, as `branch_3_node_17`.
-std::string name(const Rig_joint& joint);
+inline std::string name(const Rig_joint& joint)
+{
+  return "branch_" + std::to_string(joint.branch) + "_node_" + std::to_string(joint.node);
+}
 
 /// How strongly a joint moves a vertex.
 struct Rig_influence

@@ -22,17 +22,10 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD {
-
-CSCD_INLINE std::string name(const Rig_joint& joint)
-{
-  return "branch_" + std::to_string(joint.branch) + "_node_" + std::to_string(joint.node);
-}
-
 namespace internal {
 
 /// Chooses the nodes of a rooted skeleton at which joints are.

@@ -46,7 +46,7 @@ public:
       fail();
     }
     if (!m_is_base64) {
-      const std::string result(m_text.substr(0, size));
+      std::string result(m_text.substr(0, size));
       m_text.remove_prefix(size);
       return result;
     }
