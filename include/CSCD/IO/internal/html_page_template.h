@@ -374,9 +374,11 @@ function branch_count(model, is_edge_shown, is_node_shown, degree) {
 
 // Of every edge: the threshold of the slider from which on it is hidden; infinite where it never is.
 function significance_of_edges(model) {
-  const levels = new Float64Array(model.counts.edges).fill(Infinity);
-  prune(model, new Uint8Array(model.counts.edges).fill(1), 'significance', Infinity, levels);
-  return levels;
+  if (!model.significance) {
+    model.significance = new Float64Array(model.counts.edges).fill(Infinity);
+    prune(model, new Uint8Array(model.counts.edges).fill(1), 'significance', Infinity, model.significance);
+  }
+  return model.significance;
 }
 
 function length_of_edge(model, edge) {
@@ -850,6 +852,7 @@ class View {
     this.points = model.positions.length > 0 ? model.positions : model.node_positions;
     this.box = box_of(this.points);
     this.unit = model.frame[3];
+    this.projected = new THREE.Vector3();
     this.turn = 0;
     this.margin_left = 0;
     this.stale = true;
@@ -954,7 +957,7 @@ class View {
 
   // Where a node is in the window, in pixels, and its depth: nearer is less, in sight is below 1.
   project(model, node) {
-    const p = new THREE.Vector3().fromArray(model.node_positions, 3 * node).project(this.camera);
+    const p = this.projected.fromArray(model.node_positions, 3 * node).project(this.camera);
     return {x: (p.x + 1) / 2 * this.width, y: (1 - p.y) / 2 * this.height, depth: p.z};
   }
 
@@ -1103,7 +1106,7 @@ class Panel {
     canvas.addEventListener('pointerup', event => {
       const shake = 5; // pixels
       if (pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < shake)
-        this.choose(this.node_at(event.clientX, event.clientY, event.pointerType === 'touch' ? 24 : 9));
+        this.choose(this.node_or_end_at(event.clientX, event.clientY, event.pointerType === 'touch' ? 24 : 9));
       pressed = null;
     });
   }
@@ -1149,21 +1152,29 @@ class Panel {
     this.view.stale = true;
   }
 
-  // The shown node or edge's end nearest to a place of the window, within reach, in pixels; else null. An edge is
-  // reached anywhere along it.
-  node_at(x, y, reach) {
+  // The shown node nearest to a place of the window, within reach, in pixels; else null.
+  node_at(x, y, reach, places = this.places()) {
     if (!this.state.nodes && !this.state.skeleton) return null;
     let best = null, nearest = reach;
-    const places = this.places();
-    const meet = (node, distance) => { if (distance < nearest) { nearest = distance; best = node; } };
-    places.forEach((place, node) => { if (place) meet(node, Math.hypot(place.x - x, place.y - y)); });
-    if (best !== null) return best;
+    places.forEach((place, node) => {
+      const distance = place ? Math.hypot(place.x - x, place.y - y) : Infinity;
+      if (distance < nearest) { nearest = distance; best = node; }
+    });
+    return best;
+  }
+
+  // The same; where there is none, the nearer end of the shown edge nearest to the place.
+  node_or_end_at(x, y, reach) {
+    const places = this.places(), node = this.node_at(x, y, reach, places);
+    if (node !== null || !this.state.skeleton) return node;
+    let best = null, nearest = reach;
     this.detail.is_edge_shown.forEach((is_shown, edge) => {
       const [a, b] = [0, 1].map(end => places[this.model.edges[2 * edge + end]]);
       if (!is_shown || !a || !b) return;
       const u = [b.x - a.x, b.y - a.y], square = u[0] ** 2 + u[1] ** 2;
       const part = square > 0 ? Math.min(1, Math.max(0, ((x - a.x) * u[0] + (y - a.y) * u[1]) / square)) : 0;
-      meet(this.model.edges[2 * edge + (part < .5 ? 0 : 1)], Math.hypot(a.x + part * u[0] - x, a.y + part * u[1] - y));
+      const distance = Math.hypot(a.x + part * u[0] - x, a.y + part * u[1] - y);
+      if (distance < nearest) { nearest = distance; best = this.model.edges[2 * edge + (part < .5 ? 0 : 1)]; }
     });
     return best;
   }
