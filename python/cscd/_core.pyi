@@ -14,6 +14,8 @@ class SkeletonizeOptions:
     target: str
     shortening: str
     shape: str
+    domain: str
+    neighbors: int
     root: str
     detail: float | None
     seed: int
@@ -62,5 +64,6 @@ def skeletonize(
     V: npt.NDArray[np.float64],
     F: npt.NDArray[np.int64] | None,
     normals: npt.NDArray[np.float64] | None,
+    edges: npt.NDArray[np.int64] | None,
     options: SkeletonizeOptions,
 ) -> Skeleton: ...
