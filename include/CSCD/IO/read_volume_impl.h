@@ -631,10 +631,10 @@ public:
   {
     Volume_header result;
     result.order = m_order;
+    const int dimension = number<std::int16_t>(40);
     for (std::size_t axis = 0; axis < 7; ++axis) {
-      const int extent =
-          axis < std::size_t(std::max<int>(number<std::int16_t>(40), 0)) ? number<std::int16_t>(42 + 2 * axis) : 1;
-      if (extent < 1 || (axis >= 3 && extent > 1)) {
+      const int extent = int(axis) < dimension ? number<std::int16_t>(42 + 2 * axis) : 1;
+      if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
         fail_in_volume(m_filename, "'dim' in the header tells no volume of one value a voxel",
                        "write it as one of three dimensions");
       }
