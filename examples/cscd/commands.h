@@ -7,6 +7,7 @@
 #define CSCD_PROGRAM_COMMANDS_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -55,6 +56,16 @@ struct Swc_arguments
   double scale = 1;                      ///< of coordinates and radii
 };
 
+/// Which voxels of a volume are of a body, and how they are connected.
+struct Volume_options
+{
+  std::optional<std::uint32_t> label; ///< of the body; without it and the others all voxels that are not 0 are of it
+  std::optional<double> threshold;    ///< voxels of at least this value are of the body
+  bool has_all_labels = false;        ///< each label is a body of its own
+  unsigned int connectivity = 26;     ///< or 6: how many neighbors a voxel is joined to
+  bool keeps_cavities = false;        ///< as surfaces that get skeletons of their own
+};
+
 /// What to skeletonize, how, and where the results go.
 struct Skeletonize_options
 {
@@ -72,6 +83,7 @@ struct Skeletonize_options
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
+  Volume_options volume;
   Fragment_options fragments;
   Swc_arguments swc;
   std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty

@@ -244,6 +244,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                 {"input", options.input},
                 {"domain", !options.domain.empty() ? options.domain
                            : result.is_of_points   ? "points"
+                           : result.volume         ? "volume"
                                                    : "mesh"},
                 {"method", options.method},
                 {"seed", options.seed},
@@ -261,6 +262,13 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
+  }
+  if (result.volume) {
+    document["volume"] = {{"label", result.volume->label},
+                          {"connectivity", options.volume.connectivity},
+                          {"number_of_voxels", result.volume->number_of_voxels},
+                          {"number_of_cavities", result.volume->number_of_cavities},
+                          {"are_cavities_kept", options.volume.keeps_cavities}};
   }
   if (report.reconstruction) {
     document["reconstruction"] = reconstruction_part(*report.reconstruction);
@@ -292,8 +300,13 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   }
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
-  out << printable(options.input) << ": "
-      << (result.is_of_points
+  out << printable(options.input) << ": ";
+  if (result.volume) {
+    out << "label " << result.volume->label << ", " << counted(result.volume->number_of_voxels, "voxel") << ", "
+        << counted(result.volume->number_of_cavities, "cavity", "cavities")
+        << (options.volume.keeps_cavities ? " kept, " : " filled, ");
+  }
+  out << (result.is_of_points
               ? counted(report.number_of_input_vertices, "point") + (result.has_normals ? " with normals" : "")
               : counted(report.number_of_input_vertices, "vertex", "vertices"))
       << ", " << counted(report.number_of_surface_components, "component");
