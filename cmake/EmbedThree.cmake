@@ -15,6 +15,17 @@ find_path(
   NO_DEFAULT_PATH)
 mark_as_advanced(CSCD_THREE_JS_DIR)
 
+option(CSCD_FETCH_THREE_JS "Fetch three.js by npm where it is not found" OFF)
+mark_as_advanced(CSCD_FETCH_THREE_JS)
+if(CSCD_FETCH_THREE_JS AND NOT CSCD_THREE_JS_DIR)
+  find_program(CSCD_NPM npm REQUIRED)
+  mark_as_advanced(CSCD_NPM)
+  set(cscd_npm_folder "${PROJECT_BINARY_DIR}/npm")
+  execute_process(COMMAND "${CSCD_NPM}" install --no-audit --no-fund --prefix "${cscd_npm_folder}" three@0.111.0
+                  COMMAND_ERROR_IS_FATAL ANY TIMEOUT 120 OUTPUT_QUIET)
+  set_property(CACHE CSCD_THREE_JS_DIR PROPERTY VALUE "${cscd_npm_folder}/node_modules/three")
+endif()
+
 # Minified files come without the notice that their licence asks for.
 set(cscd_three_js_notice
     [[
@@ -90,7 +101,8 @@ std::string three_js_source();
   @ONLY)
 cscd_write_three_js_source("${cscd_three_js_folder}/three_js_source.cpp")
 if(NOT CSCD_THREE_JS_DIR)
-  message(STATUS "three.js not found (package libjs-three): programs cannot write the viewer page")
+  message(STATUS "three.js not found (package libjs-three, or -DCSCD_FETCH_THREE_JS=ON): programs cannot write the viewer "
+                 "page")
 endif()
 
 add_library(cscd_three_js STATIC "${cscd_three_js_folder}/three_js_source.cpp")

@@ -160,6 +160,21 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Policies&
   return result;
 }
 
+/// As `run_skeletonization()` with the policies that are not those of the local method. The page that computes has none
+/// of them: it would be too large.
+template <class Traits, class Policies, class AnySkeleton>
+Skeletonization_result
+run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const Policies& policies,
+                 [[maybe_unused]] const Skeletonize_options& options, [[maybe_unused]] Progress_visitor& visitor,
+                 [[maybe_unused]] AnySkeleton& skeleton)
+{
+#ifdef CSCD_LOCAL_METHOD_ONLY
+  throw Usage_error("--method, --as: only the local method is built into this");
+#else
+  return run_skeletonization(traits, policies, options, visitor, skeleton);
+#endif
+}
+
 /// Skeletonizes the mesh of `input`.
 Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
@@ -169,7 +184,7 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method
-          ? run_skeletonization(traits, published_policies(options), options, visitor, skeleton)
+          ? run_other_method(traits, published_policies(options), options, visitor, skeleton)
           : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
   return result;
@@ -193,7 +208,7 @@ Skeletonization_result compute_graph_skeleton(const Input& input, const Skeleton
   }
   const Traits traits(graph, CSCD::internal::Bundled_point_map<Graph>{&graph});
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result = run_skeletonization(traits, CSCD::Graph_policies(), options, visitor, skeleton);
+  Skeletonization_result result = run_other_method(traits, CSCD::Graph_policies(), options, visitor, skeleton);
   result.separators.clear(); // sets of vertices, no curves
   result.skeleton = convert_skeleton(skeleton);
   return result;
@@ -207,7 +222,7 @@ Skeletonization_result compute_published_point_skeleton(Input& input, const Skel
   const Numbered_points points(input.points, input.normals);
   const auto traits = points.make_traits<Traits>();
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result = run_skeletonization(traits, published_policies(options), options, visitor, skeleton);
+  Skeletonization_result result = run_other_method(traits, published_policies(options), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   input.mesh = points.make_mesh(traits);

@@ -260,6 +260,8 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
   });
 }
 
+} // namespace
+
 void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
 {
   CSCD::File_group files;
@@ -310,8 +312,6 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     say(options.input, "the skeleton is not written; name a file by --output or --html");
   }
 }
-
-} // namespace
 
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
 {

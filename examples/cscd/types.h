@@ -108,6 +108,10 @@ void check_method(const Skeletonize_options& options);
 /// \throw Usage_error if the options do not apply to this input; `CSCD::Input_error` if it cannot be skeletonized
 Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar);
 
+/// Writes the files that `options` name, which appear together, and a summary unless it is to be quiet.
+/// \throw `CSCD::File_error`; `CSCD::Input_error` if a file cannot hold this
+void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options);
+
 /// Writes the viewer page.
 /// \param name of the input, without its folder, which means nothing to whom the page is given
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);

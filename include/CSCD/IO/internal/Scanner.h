@@ -11,11 +11,13 @@
 
 #include <boost/endian/conversion.hpp>
 
+#include <cctype>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -70,6 +72,37 @@ inline std::string read_content(const std::string& filename)
     throw File_error(filename + ": cannot be read to its end; check the disk or the connection");
   }
   return content;
+}
+
+/// As `std::from_chars()`, which not every standard library has for floating-point numbers; where it is
+/// missing, an underflow gives 0, and the locale of C has to be "C".
+inline std::from_chars_result number_from_chars(const char* first, const char* last, double& value)
+{
+#ifdef __cpp_lib_to_chars
+  return std::from_chars(first, last, value);
+#else
+  const auto belongs = [&](const char* at) {
+    const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(*at)));
+    return (lower != 'x' && std::isalnum(static_cast<unsigned char>(*at)) != 0) || *at == '.' ||
+           (*at == '-' && at == first) || ((*at == '-' || *at == '+') && (at[-1] == 'e' || at[-1] == 'E'));
+  };
+  const char* end = first;
+  while (end != last && belongs(end)) {
+    ++end;
+  }
+  const std::string text(first, end);
+  char* text_end = nullptr;
+  const double number = std::strtod(text.c_str(), &text_end);
+  if (text_end == text.c_str()) {
+    return {first, std::errc::invalid_argument};
+  }
+  const bool is_out_of_range = std::isinf(number) && text.find_first_of("0123456789") != std::string::npos;
+  if (is_out_of_range) {
+    return {first + (text_end - text.c_str()), std::errc::result_out_of_range};
+  }
+  value = number;
+  return {first + (text_end - text.c_str()), std::errc()};
+#endif
 }
 
 /// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks.
@@ -137,7 +170,7 @@ public:
   {
     double value = 0;
     const bool has_plus = m_at != m_end && *m_at == '+';
-    return std::from_chars(m_at + (has_plus ? 1 : 0), m_end, value).ec != std::errc::invalid_argument;
+    return number_from_chars(m_at + (has_plus ? 1 : 0), m_end, value).ec != std::errc::invalid_argument;
   }
 
   /// Whether `text` is next.
@@ -167,7 +200,7 @@ public:
   {
     skip_plus();
     double value = 0;
-    const std::from_chars_result result = std::from_chars(m_at, m_end, value);
+    const std::from_chars_result result = number_from_chars(m_at, m_end, value);
     if (result.ec == std::errc::result_out_of_range && is_underflow(m_at, result.ptr)) {
       value = 0;
     } else if (result.ec != std::errc() || (result.ptr != m_end && !is_blank(*result.ptr))) {

@@ -1099,7 +1099,7 @@ class Panel {
     this.set_clip(element('clip').value);
     element('png').addEventListener('click', () => this.save_png());
     element('svg').addEventListener('click', () => this.save(new Blob([this.svg()], {type: 'image/svg+xml'}), 'svg'));
-    element('link').addEventListener('click', () => location.replace('#' + this.address()));
+    element('link').addEventListener('click', () => { location.hash = this.address(); });
     const canvas = this.view.element;
     let pressed = null; // where; a drag is no click
     canvas.addEventListener('pointerdown', event => { pressed = [event.clientX, event.clientY]; });

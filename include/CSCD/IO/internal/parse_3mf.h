@@ -128,7 +128,7 @@ private:
   double number(std::string_view text) const
   {
     double value = 0;
-    const std::from_chars_result result = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::from_chars_result result = number_from_chars(text.data(), text.data() + text.size(), value);
     if (result.ec != std::errc() || !std::isfinite(value)) {
       m_xml.fail("a coordinate or a matrix of the model is not made of finite numbers");
     }

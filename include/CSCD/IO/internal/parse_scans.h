@@ -200,7 +200,7 @@ private:
     }
     scanner.skip_character('+');
     double value = 0;
-    const std::from_chars_result result = std::from_chars(scanner.rest().data(), field.data() + field.size(), value);
+    const std::from_chars_result result = number_from_chars(scanner.rest().data(), field.data() + field.size(), value);
     const bool is_all = result.ptr == field.data() + field.size() && result.ec == std::errc();
     return is_all ? std::optional<double>(value) : std::nullopt;
   }
