@@ -33,8 +33,8 @@
 namespace CSCD {
 
 /// The adapter of the surface of voxels to a `Triangulated_solid`; a model of `SkeletonizationTraits`.
-/// \tparam Point_ constructible from three coordinates
-template <class Point_>
+/// \tparam OutputPoint constructible from three coordinates
+template <class OutputPoint>
 class Voxel_surface_traits
 {
 public:
@@ -42,7 +42,7 @@ public:
   /// @{
 
   /// The points of skeletons, in the coordinates of the volume.
-  using Point = Point_;
+  using Point = OutputPoint;
   /// What identifies a vertex of the input: its number among the points of the voxel surface.
   using Input_descriptor = std::size_t;
   /// The surface on which the pipeline runs.

@@ -96,7 +96,7 @@ bool is_closed_manifold(const Voxel_surface& surface)
          find_pinched_vertex(surface.triangles, surface.pairing) == CSCD::no_index;
 }
 
-int euler_number(const Voxel_surface& surface)
+int euler_number_of_surface(const Voxel_surface& surface)
 {
   return int(surface.triangles.points.size()) - int(surface.triangles.faces.size() / 2);
 }
@@ -118,7 +118,8 @@ TEST(Voxel_surface, has_the_topology_of_random_voxels)
     for (const Voxel_connectivity connectivity : {Voxel_connectivity::six, Voxel_connectivity::twenty_six}) {
       for (const Voxel_surface& surface : make_voxel_surfaces(volume, voxel_settings(connectivity))) {
         ASSERT_TRUE(is_closed_manifold(surface)) << round;
-        ASSERT_EQ(euler_number(surface), 2 * euler_number_of_voxels(volume, surface.label, connectivity)) << round;
+        ASSERT_EQ(euler_number_of_surface(surface), 2 * euler_number_of_voxels(volume, surface.label, connectivity))
+            << round;
         ASSERT_EQ(surface.number_of_voxels,
                   std::size_t(std::count(volume.labels.begin(), volume.labels.end(), surface.label)));
       }
@@ -144,9 +145,9 @@ TEST(Voxel_surface, fills_cavities_or_keeps_them)
   const Voxel_surface kept = make_voxel_surfaces(volume, voxel_settings(Voxel_connectivity::six)).front();
   const Voxel_surface filled = make_voxel_surfaces(volume, voxel_settings(Voxel_connectivity::six, true)).front();
   EXPECT_EQ(kept.number_of_cavities, 1U);
-  EXPECT_EQ(euler_number(kept), 4);
+  EXPECT_EQ(euler_number_of_surface(kept), 4);
   EXPECT_EQ(filled.number_of_cavities, 1U);
-  EXPECT_EQ(euler_number(filled), 2);
+  EXPECT_EQ(euler_number_of_surface(filled), 2);
   EXPECT_TRUE(is_closed_manifold(filled));
   EXPECT_GT(volume_inside(filled), volume_inside(kept));
 }

@@ -49,6 +49,7 @@ public:
   /// \throw File_error if the file cannot be read, its header is malformed, tells sizes that its data cannot have, or
   ///        axes that are not finite or do not span the space, or its format needs what this was built without
   Volume_reader(const std::string& filename, const Voxel_selection& selection);
+  /// Takes over the file of `other`.
   Volume_reader(Volume_reader&& other) noexcept;
   ~Volume_reader();
 

@@ -17,6 +17,7 @@
 #include <CGAL/assertions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
 #include <boost/endian/conversion.hpp>
@@ -101,7 +102,13 @@ struct Volume_file
   Volume_grid grid;
 };
 
-#ifdef CSCD_WITH_ZLIB
+#ifndef CSCD_WITH_ZLIB
+[[noreturn]] inline void fail_without_zlib(const std::string& filename)
+{
+  fail_in_volume(filename, "is compressed, and this was built without zlib",
+                 "install zlib1g-dev and build again, or write the file without compression");
+}
+#else
 /// Decompresses what zlib or gzip has compressed, piece by piece.
 class Inflating_stream
 {
@@ -240,8 +247,7 @@ public:
         left -= part;
       }
 #else
-      fail_in_volume(filename, "is compressed, and this was built without zlib",
-                     "install zlib1g-dev and build again, or write the file without compression");
+      fail_without_zlib(filename);
 #endif
     }
     m_bytes.resize(grid.slice_size() * header.type.size);
@@ -358,6 +364,21 @@ public:
     return result;
   }
 
+  /// Three numbers. \throw File_error if there are not exactly three, all finite
+  Vector_3 vector(const std::string& text, const std::string& name) const
+  {
+    const std::vector<double> values = numbers(text, name, 3);
+    return {values[0], values[1], values[2]};
+  }
+
+  /// The vectors of three axes, one after the other. \throw File_error if there are not exactly nine numbers, all
+  /// finite
+  std::array<Vector_3, 3> axes(const std::string& text, const std::string& name) const
+  {
+    const std::vector<double> v = numbers(text, name, 9);
+    return {Vector_3(v[0], v[1], v[2]), Vector_3(v[3], v[4], v[5]), Vector_3(v[6], v[7], v[8])};
+  }
+
   /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
   std::vector<std::size_t> counts(const std::string& text, const std::string& name, std::size_t count) const
   {
@@ -395,21 +416,23 @@ private:
   std::map<std::string, std::string> m_values;
 };
 
-/// The place of a file that a header names.
-inline std::string data_filename(const std::string& header_filename, const std::string& name)
+/// Finds the data that a header names.
+/// \param position of the data in the file with the header, if they are there
+/// \param name of the file with the data, relative to that of the header, or empty
+inline void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
 {
-  return (std::filesystem::path(header_filename).parent_path() / name).string(); // an absolute name stays
+  if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
+    fail_in_volume(filename, "the data are in several files, which is not read", "write them into one");
+  }
+  header.data_filename =
+      name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
+  header.data_begin = name.empty() ? position : 0;
 }
 
 /// Reads the byte skip, line skip and the rest that NRRD says of where data are.
 inline void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
 {
-  const std::string data_file = lines.value({"datafile"});
-  header.data_filename = data_file.empty() ? filename : data_filename(filename, data_file);
-  header.data_begin = data_file.empty() ? lines.position() : 0;
-  if (data_file.find('%') != std::string::npos || boost::algorithm::starts_with(data_file, "LIST")) {
-    fail_in_volume(filename, "the data are in several files, which is not read", "write them into one");
-  }
+  find_data(filename, lines.value({"datafile"}), lines.position(), header);
   std::size_t number_of_lines = lines.count("lineskip", 0);
   if (number_of_lines > 0) {
     std::ifstream in(header.data_filename, std::ios::binary);
@@ -426,78 +449,49 @@ inline void find_nrrd_data(const std::string& filename, const Line_header& lines
   }
 }
 
-/// The type of numbers that NRRD calls by one of many names.
-inline Number_type nrrd_type(const std::string& filename, const std::string& name)
+/// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
+inline Number_type nrrd_type(const std::string& filename, const std::string& its_name)
 {
-  static const std::map<std::string, Number_type> types{{"signed char", {'i', 1}},
-                                                        {"int8", {'i', 1}},
-                                                        {"int8_t", {'i', 1}},
-                                                        {"uchar", {'u', 1}},
-                                                        {"unsigned char", {'u', 1}},
-                                                        {"uint8", {'u', 1}},
-                                                        {"uint8_t", {'u', 1}},
-                                                        {"short", {'i', 2}},
-                                                        {"short int", {'i', 2}},
-                                                        {"signed short", {'i', 2}},
-                                                        {"signed short int", {'i', 2}},
-                                                        {"int16", {'i', 2}},
-                                                        {"int16_t", {'i', 2}},
-                                                        {"ushort", {'u', 2}},
-                                                        {"unsigned short", {'u', 2}},
-                                                        {"unsigned short int", {'u', 2}},
-                                                        {"uint16", {'u', 2}},
-                                                        {"uint16_t", {'u', 2}},
-                                                        {"int", {'i', 4}},
-                                                        {"signed int", {'i', 4}},
-                                                        {"int32", {'i', 4}},
-                                                        {"int32_t", {'i', 4}},
-                                                        {"uint", {'u', 4}},
-                                                        {"unsigned int", {'u', 4}},
-                                                        {"uint32", {'u', 4}},
-                                                        {"uint32_t", {'u', 4}},
-                                                        {"longlong", {'i', 8}},
-                                                        {"long long", {'i', 8}},
-                                                        {"long long int", {'i', 8}},
-                                                        {"signed long long", {'i', 8}},
-                                                        {"signed long long int", {'i', 8}},
-                                                        {"int64", {'i', 8}},
-                                                        {"int64_t", {'i', 8}},
-                                                        {"ulonglong", {'u', 8}},
-                                                        {"unsigned long long", {'u', 8}},
-                                                        {"unsigned long long int", {'u', 8}},
-                                                        {"uint64", {'u', 8}},
-                                                        {"uint64_t", {'u', 8}},
-                                                        {"float", {'f', 4}},
-                                                        {"double", {'f', 8}}};
-  const auto found = types.find(boost::algorithm::to_lower_copy(name, std::locale::classic()));
-  if (found == types.end()) {
-    fail_in_volume(filename, "'" + name.substr(0, 40) + "' is no type of numbers that volumes have",
+  std::string name = boost::algorithm::to_lower_copy(its_name, std::locale::classic());
+  boost::algorithm::erase_all(name, " ");
+  const bool has_no_sign = boost::algorithm::starts_with(name, "u");
+  for (const char* const prefix : {"unsigned", "signed", "u"}) {
+    if (boost::algorithm::starts_with(name, prefix)) {
+      name.erase(0, std::string_view(prefix).size());
+      break;
+    }
+  }
+  static const std::map<std::string, std::size_t> sizes{
+      {"char", 1}, {"int8", 1},  {"int8_t", 1},  {"short", 2},    {"shortint", 2},    {"int16", 2}, {"int16_t", 2},
+      {"int", 4},  {"int32", 4}, {"int32_t", 4}, {"longlong", 8}, {"longlongint", 8}, {"int64", 8}, {"int64_t", 8}};
+  if (const auto found = sizes.find(name); found != sizes.end()) {
+    return {has_no_sign ? 'u' : 'i', found->second};
+  }
+  if (name != "float" && name != "double") {
+    fail_in_volume(filename, "'" + its_name.substr(0, 40) + "' is no type of numbers that volumes have",
                    "write the volume with one from int8 to uint64, float or double");
   }
-  return found->second;
+  return {'f', name == "float" ? sizeof(float) : sizeof(double)};
+}
+
+inline void scale_axes(Volume_grid& grid, const Vector_3& spacing)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    grid.axes[axis] *= spacing[axis];
+  }
 }
 
 /// Reads the axes of NRRD: directions in space or spacings.
 inline void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
 {
-  if (std::string directions = lines.value({"spacedirections"}); !directions.empty()) {
-    const std::vector<double> numbers = lines.numbers(directions, "space directions", 9);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      grid.axes[axis] = {numbers[3 * axis], numbers[3 * axis + 1], numbers[3 * axis + 2]};
-    }
-    if (const std::string origin = lines.value({"spaceorigin"}); !origin.empty()) {
-      const std::vector<double> its_numbers = lines.numbers(origin, "space origin", 3);
-      grid.origin = {its_numbers[0], its_numbers[1], its_numbers[2]};
-    }
-  } else if (const std::string spacings = lines.value({"spacings"}); !spacings.empty()) {
-    const std::vector<double> numbers = lines.numbers(spacings, "spacings", 3);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      grid.axes[axis] = grid.axes[axis] * numbers[axis];
-    }
-    if (const std::string mins = lines.value({"axismins"}); !mins.empty()) {
-      const std::vector<double> its_numbers = lines.numbers(mins, "axis mins", 3);
-      grid.origin = {its_numbers[0], its_numbers[1], its_numbers[2]};
-    }
+  const std::string directions = lines.value({"spacedirections"});
+  if (const std::string spacings = lines.value({"spacings"}); directions.empty() && !spacings.empty()) {
+    scale_axes(grid, lines.vector(spacings, "spacings"));
+  } else if (!directions.empty()) {
+    grid.axes = lines.axes(directions, "space directions");
+  }
+  if (const std::string origin = lines.value({directions.empty() ? "axismins" : "spaceorigin"}); !origin.empty()) {
+    grid.origin = lines.vector(origin, "space origin");
   }
 }
 
@@ -579,28 +573,17 @@ inline Volume_header read_meta_image_header(const std::string& filename)
                                                                             : boost::endian::order::little;
   header.is_compressed = is_true({"compresseddata"});
   if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {
-    const std::vector<double> numbers = lines.numbers(matrix, "TransformMatrix", 9);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      header.grid.axes[axis] = {numbers[3 * axis], numbers[3 * axis + 1], numbers[3 * axis + 2]};
-    }
+    header.grid.axes = lines.axes(matrix, "TransformMatrix");
   }
   if (const std::string spacing = lines.value({"elementspacing", "elementsize"}); !spacing.empty()) {
-    const std::vector<double> numbers = lines.numbers(spacing, "ElementSpacing", 3);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      header.grid.axes[axis] = header.grid.axes[axis] * numbers[axis];
-    }
+    scale_axes(header.grid, lines.vector(spacing, "ElementSpacing"));
   }
   if (const std::string offset = lines.value({"offset", "origin", "position"}); !offset.empty()) {
-    const std::vector<double> numbers = lines.numbers(offset, "Offset", 3);
-    header.grid.origin = {numbers[0], numbers[1], numbers[2]};
+    header.grid.origin = lines.vector(offset, "Offset");
   }
   const std::string data = lines.value({"elementdatafile"});
-  if (data == "LIST" || data.find('%') != std::string::npos) {
-    fail_in_volume(filename, "the data are in several files, which is not read", "write them into one");
-  }
   const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
-  header.data_filename = is_local ? filename : data_filename(filename, data);
-  header.data_begin = is_local ? lines.position() : 0;
+  find_data(filename, is_local ? "" : data, lines.position(), header);
   if (lines.value({"headersize"}) == "-1") {
     header.is_data_at_end = true;
   } else {
@@ -709,7 +692,6 @@ private:
       }
       return;
     }
-    const double spacings[] = {number<float>(80), number<float>(84), number<float>(88)};
     if (number<std::int16_t>(252) > 0) {
       const double b = number<float>(256);
       const double c = number<float>(260);
@@ -721,9 +703,7 @@ private:
       grid.axes[2] *= number<float>(76) < 0 ? -1 : 1;
       grid.origin = {number<float>(268), number<float>(272), number<float>(276)};
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      grid.axes[axis] *= spacings[axis];
-    }
+    scale_axes(grid, {number<float>(80), number<float>(84), number<float>(88)});
   }
 
   std::string m_bytes;
@@ -743,8 +723,7 @@ inline Volume_header read_nifti_header(const std::string& filename)
 #ifdef CSCD_WITH_ZLIB
     Inflating_stream(in, filename).read(bytes.data(), bytes.size());
 #else
-    fail_in_volume(filename, "is compressed, and this was built without zlib",
-                   "install zlib1g-dev and build again, or write the file without compression");
+    fail_without_zlib(filename);
 #endif
   } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
     fail_in_volume(filename, "is shorter than a header of NIfTI-1", "check what the file is");

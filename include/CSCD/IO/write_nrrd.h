@@ -131,7 +131,8 @@ inline void write_node_volume(std::ostream& out, Volume_reader& reader, const st
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const auto found = labels[i] == 0 ? surface_of_label.end() : surface_of_label.find(labels[i]);
       const bool has_node = found != surface_of_label.end();
-      const Vector_3 point = grid.point({double(i % grid.size[0]), double(i / grid.size[0]), double(z)});
+      const std::size_t y = i / grid.size[0];
+      const Vector_3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
       labels[i] = has_node ? node_of_vertex[found->second][searches[found->second].nearest(point)] : 0;
     }
     internal::write_nrrd_labels(out, labels);
