@@ -245,6 +245,18 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
       ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
   command
+      ->add_option("--cut-locus", options.cut_locus,
+                   "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
+      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
+  command->add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
+      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
+  command->add_flag("--literal", options.is_literal,
+                    "published method: as printed, with the tree, sources one by one, overlap by crossings");
+  command->add_flag("--intrinsic", options.is_intrinsic,
+                    "published method: not only distances but also targets and loops on the intrinsic triangulation");
+  command->add_flag("--multiscale", options.is_multiscale,
+                    "published method: distances on coarse levels of a mesh; several times as fast on large ones");
+  command
       ->add_option(
           "--shape", options.shape,
           "what points sample: the surface of a body, or trees and other thin shapes; auto decides by the points")

@@ -33,6 +33,12 @@ inline constexpr const char* euclidean_target = "euclidean";
 inline constexpr const char* geodesic_target = "geodesic";
 inline constexpr const char* flip_shortening = "flips";
 inline constexpr const char* variational_shortening = "variational";
+inline constexpr const char* points_cut_locus = "points";
+inline constexpr const char* tree_cut_locus = "tree";
+inline constexpr const char* default_weight = "balance-roundness";
+inline constexpr const char* balance_weight = "balance";
+inline constexpr const char* shortness_weight = "shortness";
+inline constexpr const char* no_weight = "none";
 inline constexpr const char* automatic_shape = "auto";
 inline constexpr const char* surface_shape = "surface";
 inline constexpr const char* tree_shape = "tree";
@@ -77,6 +83,11 @@ struct Skeletonize_options
   unsigned int number_of_neighbors = 0; ///< to which points of a graph are joined; 0 for the default
   std::string target;                   ///< of the published method: which cut point; `euclidean_target` if empty
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
+  std::string cut_locus;               ///< of the published method: what targets are chosen from
+  std::string weight;                  ///< of the published method: which separators are preferred
+  bool is_literal = false;             ///< of the published method: as printed where the default differs
+  bool is_intrinsic = false;           ///< of the published method: all on the intrinsic triangulation
+  bool is_multiscale = false;          ///< of the published method: distances on coarse levels
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only

@@ -397,6 +397,17 @@ void check_method(const Skeletonize_options& options)
   if (!is_published && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
+  for (const auto& [is_given, option] :
+       {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
+        std::pair(options.is_literal, "--literal"), std::pair(options.is_intrinsic, "--intrinsic"),
+        std::pair(options.is_multiscale, "--multiscale")}) {
+    if (!is_published && is_given) {
+      throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
+    }
+  }
+  if (options.is_intrinsic && (options.is_multiscale || options.shortening == variational_shortening)) {
+    throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
+  }
   if (is_published && options.detail) {
     throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
   }
@@ -412,6 +423,10 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   }
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
+  }
+  if (input.is_point_set && (options.is_multiscale || options.is_intrinsic)) {
+    throw Usage_error(std::string(options.is_multiscale ? "--multiscale" : "--intrinsic") +
+                      ": is for meshes only, not for points; leave the option out");
   }
   Skeletonization_result result;
   try {

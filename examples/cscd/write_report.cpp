@@ -259,6 +259,13 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
     document["shortening"] = !options.shortening.empty() ? options.shortening
                              : result.is_of_points       ? variational_shortening
                                                          : flip_shortening;
+    document["literal"] = options.is_literal;
+    document["intrinsic"] = options.is_intrinsic;
+    document["multiscale"] = options.is_multiscale;
+    document["cut_locus"] = !options.cut_locus.empty() ? options.cut_locus
+                            : options.is_literal       ? tree_cut_locus
+                                                       : points_cut_locus;
+    document["weight"] = options.weight.empty() ? default_weight : options.weight;
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);

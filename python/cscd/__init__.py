@@ -275,6 +275,11 @@ def skeletonize(
     root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
+    cut_locus: str | None = None,
+    weight: str | None = None,
+    literal: bool = False,
+    intrinsic: bool = False,
+    multiscale: bool = False,
     separators: int = 0,
     min_component: int = 0,
     join: bool = False,
@@ -300,6 +305,12 @@ def skeletonize(
     target: published method: whether loops close at the cut point nearest in space, "euclidean", or along the surface,
         "geodesic"
     shortening: published method: how loops are shortened, by "flips" or "variational"
+    cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
+    weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
+        "shortness" or "none"
+    literal: published method: as printed where the default differs
+    intrinsic: published method: not only distances but also targets and loops on the intrinsic triangulation
+    multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
     separators: greatest number of points from which separators are sought; 0 lets the method decide
     min_component: leave out components of fewer vertices or points, but for the largest
     join: join components into one by the shortest straight edges
@@ -316,6 +327,8 @@ def skeletonize(
         ("shape", shape, ("auto", "surface", "tree")),
         ("target", target, ("euclidean", "geodesic")),
         ("shortening", shortening, ("flips", "variational")),
+        ("cut_locus", cut_locus, ("points", "tree")),
+        ("weight", weight, ("balance-roundness", "balance", "shortness", "none")),
     ):
         if value is not None:
             _check_choice(name, value, choices)
@@ -338,6 +351,9 @@ def skeletonize(
     if root is not None:
         is_rule = isinstance(root, str)
         options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
+    options.literal = literal
+    options.intrinsic = intrinsic
+    options.multiscale = multiscale
     options.detail = detail
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)

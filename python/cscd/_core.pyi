@@ -13,6 +13,11 @@ class SkeletonizeOptions:
     method: str
     target: str
     shortening: str
+    cut_locus: str
+    weight: str
+    literal: bool
+    intrinsic: bool
+    multiscale: bool
     shape: str
     domain: str
     neighbors: int

@@ -223,6 +223,13 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
   expect_refusal("skeletonize torus.off --target geodesic", 1, {"--target", "published"});
   expect_refusal("skeletonize torus.off --shortening flips", 1, {"--shortening", "published"});
+  expect_refusal("skeletonize torus.off --cut-locus tree", 1, {"--cut-locus", "published"});
+  expect_refusal("skeletonize torus.off --weight none", 1, {"--weight", "published"});
+  expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
+  expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
+  expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
+  expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
+                 {"--intrinsic", "--multiscale"});
   expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
@@ -886,6 +893,29 @@ TEST_F(Cscd, knows_the_published_method)
   EXPECT_TRUE(is_graph_of_a_cycle(flow));
   EXPECT_NE(flips, flow);
   EXPECT_EQ(flips, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
+}
+
+TEST_F(Cscd, knows_variants_of_the_published_method)
+{
+  m_folder.write("torus.off", off(torus()));
+  const std::string command = "skeletonize torus.off --method published --separators 32 --report r.json -o - ";
+  const std::string plain = run(command).out;
+  const auto report = [this] { return nlohmann::json::parse(content("r.json")); };
+  EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_EQ("balance-roundness", report().at("weight"));
+  EXPECT_EQ(plain, run(command + "--cut-locus points --weight balance-roundness").out);
+  const std::string literal = run(command + "--literal --weight none").out;
+  EXPECT_TRUE(is_graph_of_a_cycle(literal));
+  EXPECT_NE(plain, literal);
+  EXPECT_EQ(true, report().at("literal"));
+  EXPECT_EQ("tree", report().at("cut_locus"));
+  EXPECT_EQ("none", report().at("weight"));
+  EXPECT_NE(literal, run(command + "--literal --weight shortness --cut-locus points").out);
+  EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--intrinsic").out));
+  EXPECT_EQ(true, report().at("intrinsic"));
+  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));
+  EXPECT_EQ(true, report().at("multiscale"));
 }
 
 TEST_F(Cscd, writes_a_page_with_all_in_it)
