@@ -40,6 +40,8 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize cloud.xyz -o cloud.graph          points are made a surface first
   cscd skeletonize oak.xyz --shape tree -o oak.swc --report oak.json     a scan of a tree
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
+  cscd skeletonize vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
+  cscd skeletonize labels.nrrd --all-labels -o cell.swc     cell_1.swc, cell_2.swc and so on
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 
@@ -82,7 +84,8 @@ constexpr const char* batch_examples =
 
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh .3mf; points: .xyz .pwn .pts .txt
-.csv .asc .pcd .las, or .ply .off .vtp .vtk without faces. What has to be repaired is named on standard error.
+.csv .asc .pcd .las, or .ply .off .vtp .vtk without faces; volumes, by cscd skeletonize alone: .nrrd .nhdr .nii .nii.gz
+.mha .mhd .tif .tiff. What has to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
 Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
 Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc .vtp.
@@ -189,10 +192,32 @@ void add_root_and_swc(CLI::App& command, std::string& root, cscd::Swc_arguments&
       ->type_name("S");
 }
 
+void add_volume(CLI::App& command, cscd::Volume_options& options)
+{
+  command.add_option("--label", options.label, "of a volume: the voxels with this label are the body")
+      ->check(check_count)
+      ->type_name("L");
+  command.add_flag("--all-labels", options.has_all_labels,
+                   "of a volume: each label is a body with files of its own, whose names get _L before the ending");
+  command
+      .add_option("--threshold", options.threshold,
+                  "of a volume: voxels of at least this value are the body; by default all that are not 0")
+      ->type_name("T");
+  command
+      .add_option("--connectivity", options.connectivity,
+                  "of a volume: the number of neighbors to which voxels of a body are joined; with 26 those of the "
+                  "background have 6, and with 6 they have 26")
+      ->check(CLI::IsMember({6, 26}))
+      ->capture_default_str();
+  command.add_flag("--keep-cavities", options.keeps_cavities,
+                   "of a volume: the surfaces of cavities get skeletons, too, instead of being filled");
+}
+
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 {
   CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh or a point set");
-  command->add_option("INPUT", options.input, "file of a mesh or of points, or - for standard input")->required();
+  command->add_option("INPUT", options.input, "file of a mesh, of points or of a volume, or - for standard input")
+      ->required();
   command
       ->add_option("-o,--output", options.outputs,
                    "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
@@ -220,6 +245,18 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
       ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
   command
+      ->add_option("--cut-locus", options.cut_locus,
+                   "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
+      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
+  command->add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
+      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
+  command->add_flag("--literal", options.is_literal,
+                    "published method: as printed, with the tree, sources one by one, overlap by crossings");
+  command->add_flag("--intrinsic", options.is_intrinsic,
+                    "published method: not only distances but also targets and loops on the intrinsic triangulation");
+  command->add_flag("--multiscale", options.is_multiscale,
+                    "published method: distances on coarse levels of a mesh; several times as fast on large ones");
+  command
       ->add_option(
           "--shape", options.shape,
           "what points sample: the surface of a body, or trees and other thin shapes; auto decides by the points")
@@ -241,6 +278,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
           "published method")
       ->check(check_count)
       ->type_name("N");
+  add_volume(*command, options.volume);
   add_fragments(*command, options.fragments, "vertices or points");
   add_root_and_swc(*command, options.root, options.swc);
   command->add_option("--branches", options.branches, "file for the table of branches as CSV, or -")

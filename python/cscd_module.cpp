@@ -23,6 +23,7 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
@@ -63,7 +64,7 @@ struct Source
   cscd::Input input; ///< of a mesh, it has kept the points of the arrays
 
   /// What messages call the input.
-  const char* name() const { return input.is_point_set ? "points" : "mesh"; }
+  const char* name() const { return input.graph ? "graph" : input.is_point_set ? "points" : "mesh"; }
 };
 
 std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string& name)
@@ -82,23 +83,52 @@ std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string
   return result;
 }
 
-CSCD::internal::Polygon_soup to_soup(const Coordinates& points, const Corners& corners)
+/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row.
+template <class AddVertex, class EndRow>
+void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices,
+                     const AddVertex& add_vertex, const EndRow& end_row)
+{
+  const auto value = rows.unchecked<2>();
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+    for (py::ssize_t j = 0; j < rows.shape(1); ++j) {
+      if (value(i, j) < 0 || value(i, j) >= number_of_vertices) {
+        throw CSCD::Input_error(name + ": row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
+                                ", and V has rows 0 to " + std::to_string(number_of_vertices - 1));
+      }
+      add_vertex(static_cast<Index>(value(i, j)));
+    }
+    end_row();
+  }
+}
+
+CSCD::internal::Polygon_soup to_soup(const Coordinates& points, const std::optional<Corners>& corners)
 {
   CSCD::internal::Polygon_soup result;
   result.points = to_points(points, "V");
-  result.corners.reserve(std::size_t(corners.size()));
-  const auto value = corners.unchecked<2>();
-  for (py::ssize_t i = 0; i < corners.shape(0); ++i) {
-    for (py::ssize_t j = 0; j < corners.shape(1); ++j) {
-      if (value(i, j) < 0 || value(i, j) >= points.shape(0)) {
-        throw CSCD::Input_error("F: row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
-                                ", and V has rows 0 to " + std::to_string(points.shape(0) - 1));
-      }
-      result.corners.push_back(static_cast<Index>(value(i, j)));
-    }
-    result.end_polygon();
+  if (corners) {
+    result.corners.reserve(std::size_t(corners->size()));
+    for_each_vertex(
+        *corners, "F", points.shape(0), [&result](Index vertex) { result.corners.push_back(vertex); },
+        [&result] { result.end_polygon(); });
   }
   return result;
+}
+
+/// The graph of `edges`, of the sides of faces, or of each point and its neighbors.
+cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& corners,
+                       const std::optional<Corners>& edges, unsigned int number_of_neighbors)
+{
+  std::vector<std::array<Index, 2>> ends;
+  if (edges) {
+    std::vector<Index> row;
+    for_each_vertex(
+        *edges, "edges", points.shape(0), [&row](Index vertex) { row.push_back(vertex); },
+        [&] {
+          ends.push_back({row[0], row[1]});
+          row.clear();
+        });
+  }
+  return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
 /// Makes the mesh of `source` from polygons, repaired as the program repairs them.
@@ -163,7 +193,8 @@ private:
 };
 
 Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
-                           const std::optional<Coordinates>& normals, cscd::Skeletonize_options& options)
+                           const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
+                           cscd::Skeletonize_options& options)
 {
   cscd::check_method(options);
   if (const std::string fault = options.root.empty() ? "" : cscd::check_root(options.root); !fault.empty()) {
@@ -171,8 +202,10 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
   }
   const auto source = std::make_shared<Source>();
   std::optional<CSCD::internal::Polygon_soup> soup;
-  if (corners) {
-    soup = to_soup(points, *corners);
+  if (options.domain == cscd::graph_domain) {
+    source->input = make_graph(points, corners, edges, options.number_of_neighbors);
+  } else if (corners) {
+    soup = to_soup(points, corners);
   } else {
     make_point_set(points, normals, *source);
   }
@@ -257,7 +290,14 @@ void define_options(py::module_& module)
       .def_readwrite("method", &Skeletonize_options::method)
       .def_readwrite("target", &Skeletonize_options::target)
       .def_readwrite("shortening", &Skeletonize_options::shortening)
+      .def_readwrite("cut_locus", &Skeletonize_options::cut_locus)
+      .def_readwrite("weight", &Skeletonize_options::weight)
+      .def_readwrite("literal", &Skeletonize_options::is_literal)
+      .def_readwrite("intrinsic", &Skeletonize_options::is_intrinsic)
+      .def_readwrite("multiscale", &Skeletonize_options::is_multiscale)
       .def_readwrite("shape", &Skeletonize_options::shape)
+      .def_readwrite("domain", &Skeletonize_options::domain)
+      .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)
       .def_readwrite("detail", &Skeletonize_options::detail)
       .def_readwrite("seed", &Skeletonize_options::seed)
@@ -300,6 +340,7 @@ void register_usage_error()
       }
     } catch (const cscd::Usage_error& error) {
       std::string message = error.what();
+      boost::algorithm::replace_all(message, "--as graph", "domain=\"graph\"");
       for (std::size_t at = message.find("--"); at != std::string::npos; at = message.find("--", at)) {
         message.erase(at, 2);
       }
@@ -342,5 +383,5 @@ PYBIND11_MODULE(_core, module)
         }
         return result;
       });
-  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "options"_a);
+  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

@@ -44,15 +44,12 @@ build_preset()
   cmake --build --preset "$preset" --parallel "$jobs" "$@"
 }
 
-# The options of the cache are written out: an earlier run of examples/run.sh may have left them off. Benchmarks are
-# not run here, and examples are small: both are compiled without optimization.
-step "configure" configure release -DCSCD_BUILD_TESTS=ON -DCSCD_BUILD_EXAMPLES=ON -DCSCD_BUILD_BENCHMARKS=ON \
-  -DCSCD_PROGRAM_FLAGS=-O0 -DCSCD_BUILD_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
-step "format" cmake --build --preset release --target format_check
-step "order of includes" ctest --preset release --tests-regex '^includes_point_down'
-step "build" cmake --build --preset release --parallel "$jobs"
-step "fast tests" ctest --preset release --parallel "$jobs" --label-exclude 'slow|python'
-step "Python module" ctest --preset release --label-regex python
+step "configure" configure checked
+step "format" cmake --build --preset checked --target format_check
+step "order of includes" ctest --preset checked --tests-regex '^includes_point_down'
+step "build" cmake --build --preset checked --parallel "$jobs"
+step "fast tests" ctest --preset checked --parallel "$jobs" --label-exclude 'slow|python'
+step "Python module" ctest --preset checked --label-regex python
 
 # clang-tidy reads one file, and takes as long as the builds for both sanitizers.
 output_of_tidy=$(mktemp)
@@ -75,7 +72,7 @@ finish_tidy()
 }
 step "clang-tidy, what was left of it" finish_tidy
 jobs=$(number_of_jobs)
-step "slow tests" ctest --preset release --parallel "$jobs" --label-regex slow
+step "slow tests" ctest --preset checked --parallel "$jobs" --label-regex slow
 
 echo "Seconds of each step, $SECONDS in all:"
 printf '%s\n' "${summary[@]}"

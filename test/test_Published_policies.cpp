@@ -27,8 +27,10 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/tags.h>
 
+#include <boost/range/iterator_range.hpp>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <string>
@@ -156,6 +158,126 @@ TEST(Published_policies, work_with_the_variational_shortening)
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(report.number_of_junctions, 1u);
   EXPECT_GT(report.number_of_separators, number_of_sources / 2);
+}
+
+/// The number of tips of a tube with a limb, by `settings`.
+std::size_t count_tips_of_limbs(const CSCD::Field_search_settings& settings)
+{
+  Skeleton skeleton;
+  return skeletonize(CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2)), skeleton, 0, 1, Policies(settings), 64)
+      .number_of_tips;
+}
+
+void expect_two_cycles_of_two_handles(const CSCD::Field_search_settings& settings)
+{
+  Skeleton skeleton;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::double_torus(0.2));
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings), 64);
+  EXPECT_EQ(report.betti_number, 2u);
+  EXPECT_EQ(report.number_of_sources, 64u);
+  for (const std::string& violation : CSCD::test::violated_invariants(mesh, skeleton, report)) {
+    ADD_FAILURE() << violation;
+  }
+}
+
+TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
+{
+  CSCD::Field_search_settings settings;
+  settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
+  EXPECT_EQ(count_tips_of_limbs(settings), 3u);
+  expect_two_cycles_of_two_handles(settings);
+  settings.cut_locus_policy = CSCD::Growing_policy();
+  expect_two_cycles_of_two_handles(settings);
+}
+
+TEST(Published_policies, work_on_the_intrinsic_triangulation)
+{
+  CSCD::Field_search_settings settings;
+  settings.is_intrinsic = true;
+  EXPECT_EQ(count_tips_of_limbs(settings), 3u);
+  settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
+  expect_two_cycles_of_two_handles(settings);
+}
+
+TEST(Published_policies, find_no_target_where_no_vertex_passes_the_thresholds)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
+  Skeleton skeleton;
+  CSCD::Field_search_settings settings;
+  settings.laplacian_threshold = -100;
+  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings), few_sources);
+  EXPECT_EQ(report.number_of_sources_without_cut, few_sources);
+  settings.laplacian_threshold.reset();
+  settings.angle_threshold = 4; // more than the greatest angle
+  EXPECT_EQ(skeletonize(mesh, skeleton, 0, 1, Policies(settings), few_sources).number_of_separators, 0u);
+}
+
+/// Fewer separators overlap, so that more are packed and there may be more tips.
+TEST(Published_policies, work_as_printed)
+{
+  CSCD::Field_search_settings settings = CSCD::Field_search_settings::literal();
+  for (const CSCD::Weight_rule rule : {CSCD::Weight_rule::balance_and_roundness, CSCD::Weight_rule::none}) {
+    settings.weight_rule = rule;
+    EXPECT_GE(count_tips_of_limbs(settings), 3u);
+    expect_two_cycles_of_two_handles(settings);
+  }
+}
+
+TEST(Published_policies, pack_the_shortest_first_where_length_is_the_weight)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tapered_tube(8, 0.3, 1.5, 32));
+  const Traits traits(mesh);
+  const auto length_of_first = [&](CSCD::Weight_rule rule) {
+    CSCD::Field_search_settings settings;
+    settings.weight_rule = rule;
+    const Policies policies(settings);
+    Skeletonization skeletonization(traits, policies);
+    skeletonization.set_maximum_number_of_sources(number_of_sources);
+    skeletonization.find_separators();
+    skeletonization.pack_separators();
+    return skeletonization.separators()[skeletonization.packed_separators().front()].length;
+  };
+  EXPECT_LT(length_of_first(CSCD::Weight_rule::shortness), length_of_first(CSCD::Weight_rule::none));
+}
+
+class Multiscale_search : public testing::Test
+{
+protected:
+  /// Of enough vertices for two levels.
+  Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 80));
+  CSCD::Field_search_settings m_settings;
+  Skeleton m_skeleton;
+
+  Skeletonization_report run(bool is_multiscale, unsigned number_of_threads = 1)
+  {
+    m_settings.is_multiscale = is_multiscale;
+    return skeletonize<CGAL::Parallel_if_available_tag>(m_mesh, m_skeleton, 0, number_of_threads, Policies(m_settings),
+                                                        64);
+  }
+};
+
+TEST_F(Multiscale_search, finds_what_a_search_on_the_surface_finds)
+{
+  const Skeletonization_report expected = run(false);
+  const Skeletonization_report report = run(true);
+  EXPECT_GT(report.number_of_levels, 1u);
+  EXPECT_EQ(report.betti_number, 1u);
+  EXPECT_GT(report.number_of_separators, expected.number_of_separators * 9 / 10);
+  for (const auto node : boost::make_iterator_range(vertices(m_skeleton))) {
+    const Point& p = m_skeleton[node].point;
+    // The centroid of a short sector of a torus of radii 3 and 1.
+    EXPECT_NEAR(std::hypot(p.x(), p.y()), 3 + 1. / 6, 0.1);
+    EXPECT_NEAR(p.z(), 0, 0.1);
+  }
+}
+
+TEST_F(Multiscale_search, answers_the_same_for_any_number_of_threads)
+{
+  const CSCD::test::Allow_threads allow(2);
+  run(true);
+  const Plain_skeleton expected = CSCD::test::plain(m_mesh, m_skeleton);
+  run(true, 2);
+  EXPECT_TRUE(CSCD::test::plain(m_mesh, m_skeleton) == expected);
 }
 
 TEST(Published_policies, draw_as_many_sources_as_published_unless_told_otherwise)

@@ -7,6 +7,7 @@
 #define CSCD_PROGRAM_COMMANDS_H
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,12 @@ inline constexpr const char* euclidean_target = "euclidean";
 inline constexpr const char* geodesic_target = "geodesic";
 inline constexpr const char* flip_shortening = "flips";
 inline constexpr const char* variational_shortening = "variational";
+inline constexpr const char* points_cut_locus = "points";
+inline constexpr const char* tree_cut_locus = "tree";
+inline constexpr const char* default_weight = "balance-roundness";
+inline constexpr const char* balance_weight = "balance";
+inline constexpr const char* shortness_weight = "shortness";
+inline constexpr const char* no_weight = "none";
 inline constexpr const char* automatic_shape = "auto";
 inline constexpr const char* surface_shape = "surface";
 inline constexpr const char* tree_shape = "tree";
@@ -55,6 +62,16 @@ struct Swc_arguments
   double scale = 1;                      ///< of coordinates and radii
 };
 
+/// Which voxels of a volume are of a body, and how they are connected.
+struct Volume_options
+{
+  std::optional<std::uint32_t> label; ///< of the body; without it and the others all voxels that are not 0 are of it
+  std::optional<double> threshold;    ///< voxels of at least this value are of the body
+  bool has_all_labels = false;        ///< each label is a body of its own
+  unsigned int connectivity = 26;     ///< or 6: how many neighbors a voxel is joined to
+  bool keeps_cavities = false;        ///< as surfaces that get skeletons of their own
+};
+
 /// What to skeletonize, how, and where the results go.
 struct Skeletonize_options
 {
@@ -66,12 +83,18 @@ struct Skeletonize_options
   unsigned int number_of_neighbors = 0; ///< to which points of a graph are joined; 0 for the default
   std::string target;                   ///< of the published method: which cut point; `euclidean_target` if empty
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
+  std::string cut_locus;               ///< of the published method: what targets are chosen from
+  std::string weight;                  ///< of the published method: which separators are preferred
+  bool is_literal = false;             ///< of the published method: as printed where the default differs
+  bool is_intrinsic = false;           ///< of the published method: all on the intrinsic triangulation
+  bool is_multiscale = false;          ///< of the published method: distances on coarse levels
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
   std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
+  Volume_options volume;
   Fragment_options fragments;
   Swc_arguments swc;
   std::string branches;       ///< file name for the table of branches, `standard_stream`, or empty

@@ -129,9 +129,30 @@ CSCD::Local_policies local_policies(const Skeletonize_options& options)
   return policies;
 }
 
-CSCD::Published_policies published_policies(const Skeletonize_options& options)
+CSCD::Weight_rule weight_rule(const Skeletonize_options& options)
+{
+  return options.weight == balance_weight     ? CSCD::Weight_rule::balance
+         : options.weight == shortness_weight ? CSCD::Weight_rule::shortness
+         : options.weight == no_weight        ? CSCD::Weight_rule::none
+                                              : CSCD::Weight_rule::balance_and_roundness;
+}
+
+CSCD::Published_policies published_policies(const Skeletonize_options& options, bool is_of_points)
 {
   CSCD::Field_search_settings settings;
+  if (options.is_literal) {
+    settings = CSCD::Field_search_settings::literal();
+  }
+  if (is_of_points) {
+    settings.overlap_rule = CSCD::Overlap_rule::nearest_vertex;
+  }
+  if (!options.cut_locus.empty()) {
+    settings.cut_locus_rule =
+        options.cut_locus == tree_cut_locus ? CSCD::Cut_locus_rule::tree : CSCD::Cut_locus_rule::points;
+  }
+  settings.weight_rule = weight_rule(options);
+  settings.is_multiscale = options.is_multiscale;
+  settings.is_intrinsic = options.is_intrinsic;
   settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
                                                            : CSCD::Target_rule::nearest_in_space;
   if (!options.shortening.empty()) {
@@ -184,7 +205,7 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method
-          ? run_other_method(traits, published_policies(options), options, visitor, skeleton)
+          ? run_other_method(traits, published_policies(options, false), options, visitor, skeleton)
           : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
   return result;
@@ -222,7 +243,8 @@ Skeletonization_result compute_published_point_skeleton(Input& input, const Skel
   const Numbered_points points(input.points, input.normals);
   const auto traits = points.make_traits<Traits>();
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result = run_other_method(traits, published_policies(options), options, visitor, skeleton);
+  Skeletonization_result result =
+      run_other_method(traits, published_policies(options, true), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   input.mesh = points.make_mesh(traits);

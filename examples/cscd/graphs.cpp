@@ -23,6 +23,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cscd {
 
@@ -86,6 +87,37 @@ bool has_edges(const std::string& content, const std::string& ending)
 
 } // namespace
 
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::internal::Polygon_soup& soup,
+                                            std::vector<std::array<CSCD::Index, 2>> edges,
+                                            unsigned int number_of_neighbors)
+{
+  Graph graph;
+  graph.points = soup.points;
+  graph.edges = std::move(edges);
+  add_sides(soup, graph);
+  if (graph.edges.empty()) {
+    const CSCD::Index number = number_of_neighbors > 0 ? number_of_neighbors : CSCD::default_number_of_neighbors;
+    for (const CSCD::Spatial_graph::Edge& edge : CSCD::neighbor_edges(graph.points, number)) {
+      graph.edges.push_back({edge.source, edge.target});
+    }
+  }
+  return graph;
+}
+
+Input make_input(CSCD::internal::Indexed_skeleton graph)
+{
+  Input input;
+  input.as_read.points = graph.points;
+  input.is_point_set = true;
+  input.points.reserve(graph.points.size());
+  for (const CSCD::Vector_3& point : graph.points) {
+    input.points.emplace_back(point.x(), point.y(), point.z());
+    input.mesh.add_vertex(input.points.back());
+  }
+  input.graph = std::move(graph);
+  return input;
+}
+
 Input read_graph(const Skeletonize_options& options)
 {
   const std::string name = name_of(options.input);
@@ -99,7 +131,6 @@ Input read_graph(const Skeletonize_options& options)
       options.format.empty() ? options.input : "." + options.format, std::locale::classic());
   const auto ends_with = [&lower](const char* ending) { return boost::algorithm::ends_with(lower, ending); };
   const std::string ending = lower.substr(std::min(lower.find_last_of('.'), lower.size()));
-  Input input;
   Graph graph;
   std::istringstream in(content);
   if (ending == ".edges") {
@@ -110,26 +141,13 @@ Input read_graph(const Skeletonize_options& options)
   }
   if (graph.points.empty() || (ending == ".obj" && has_statement(content, "f "))) {
     std::istringstream again(content);
-    input.as_read = CSCD::internal::read_polygons_or_points(again, lower, name);
-    graph.points = input.as_read.points;
-    add_sides(input.as_read, graph);
-    if (graph.edges.empty()) {
-      const CSCD::Index number =
-          options.number_of_neighbors > 0 ? options.number_of_neighbors : CSCD::default_number_of_neighbors;
-      for (const CSCD::Spatial_graph::Edge& edge : CSCD::neighbor_edges(graph.points, number)) {
-        graph.edges.push_back({edge.source, edge.target});
-      }
-    }
+    CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(again, lower, name);
+    graph = make_graph(soup, std::move(graph.edges), options.number_of_neighbors);
+    Input input = make_input(std::move(graph));
+    input.as_read = std::move(soup);
+    return input;
   }
-  input.as_read.points = graph.points;
-  input.is_point_set = true;
-  input.points.reserve(graph.points.size());
-  for (const CSCD::Vector_3& point : graph.points) {
-    input.points.emplace_back(point.x(), point.y(), point.z());
-    input.mesh.add_vertex(input.points.back());
-  }
-  input.graph = std::move(graph);
-  return input;
+  return make_input(std::move(graph));
 }
 
 } // namespace cscd

@@ -10,6 +10,7 @@
 #include "roots.h"
 #include "three_js_source.h"
 #include "types.h"
+#include "volumes.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_points.h>
@@ -117,7 +118,7 @@ void check_outputs(const Skeletonize_options& options)
 {
   std::vector<std::string> skeletons;
   for (const std::string& output : options.outputs) {
-    if (is_rig(output)) {
+    if (is_rig(output) || is_node_volume(output)) {
       check_is_not_input(output, options.input, "--output");
     } else {
       skeletons.push_back(output);
@@ -143,6 +144,7 @@ std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& o
 void check_options(const Skeletonize_options& options)
 {
   check_method(options);
+  check_volume_options(options);
   check_outputs(options);
   if (number_of_results_on_standard_output(options) > 1) {
     throw Usage_error("only one of the results can go to standard output; name files for the others");
@@ -303,7 +305,7 @@ void write_results(const Input& input, const Skeletonization_result& result, con
   }
   const auto others = other_outputs(options);
   const bool is_nothing_written =
-      options.outputs.empty() && std::all_of(others.begin(), others.end(), [](const auto& file) {
+      options.outputs.empty() && !result.volume && std::all_of(others.begin(), others.end(), [](const auto& file) {
         return file.second.empty() || file.first == "--report";
       });
   if (is_nothing_written) {
@@ -395,6 +397,17 @@ void check_method(const Skeletonize_options& options)
   if (!is_published && !options.shortening.empty()) {
     throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
   }
+  for (const auto& [is_given, option] :
+       {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
+        std::pair(options.is_literal, "--literal"), std::pair(options.is_intrinsic, "--intrinsic"),
+        std::pair(options.is_multiscale, "--multiscale")}) {
+    if (!is_published && is_given) {
+      throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
+    }
+  }
+  if (options.is_intrinsic && (options.is_multiscale || options.shortening == variational_shortening)) {
+    throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
+  }
   if (is_published && options.detail) {
     throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
   }
@@ -411,10 +424,15 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
+  if (input.is_point_set && (options.is_multiscale || options.is_intrinsic)) {
+    throw Usage_error(std::string(options.is_multiscale ? "--multiscale" : "--intrinsic") +
+                      ": is for meshes only, not for points; leave the option out");
+  }
   Skeletonization_result result;
   try {
     result = compute_skeleton(input, options, bar);
     result.has_normals = !input.normals.empty();
+    result.volume = input.volume;
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
   }
@@ -456,25 +474,37 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 }
 
+/// Skeletonizes `input` and writes what is to be written.
+Skeletonization_result skeletonize_and_write(Input& input, const Skeletonize_options& options)
+{
+  std::optional<Progress_bar> bar;
+  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
+    bar.emplace(std::cerr);
+  }
+  Skeletonization_result result = skeletonize_input(input, options, bar ? &*bar : nullptr);
+  bar.reset(); // messages follow
+  if (!options.is_quiet) {
+    const std::string label = result.volume ? "label " + std::to_string(result.volume->label) + ": " : "";
+    for (const std::string& warning : result.warnings()) {
+      say(options.input, label + warning);
+    }
+  }
+  write_results(input, result, options);
+  return result;
+}
+
 } // namespace
 
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
+  if (is_volume(options)) {
+    skeletonize_volume(options, skeletonize_and_write);
+    return;
+  }
   const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
   Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
-  std::optional<Progress_bar> bar;
-  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
-    bar.emplace(std::cerr);
-  }
-  const Skeletonization_result result = skeletonize_input(input, options, bar ? &*bar : nullptr);
-  bar.reset(); // messages follow
-  if (!options.is_quiet) {
-    for (const std::string& warning : result.warnings()) {
-      say(options.input, warning);
-    }
-  }
-  write_results(input, result, options);
+  skeletonize_and_write(input, options);
 }
 
 } // namespace cscd

@@ -14,10 +14,12 @@
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <array>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -42,6 +44,7 @@ struct Input
   std::vector<Point> points;
   std::vector<Vector> normals;                           ///< of the points, or empty
   std::optional<CSCD::internal::Indexed_skeleton> graph; ///< if it is taken for one: its vertices are the points
+  std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
   CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
 };
@@ -63,6 +66,15 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`
 Input read_graph(const Skeletonize_options& options);
+
+/// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
+/// \param number_of_neighbors 0 for the default
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::internal::Polygon_soup& soup,
+                                            std::vector<std::array<CSCD::Index, 2>> edges,
+                                            unsigned int number_of_neighbors);
+
+/// The input that is this graph.
+Input make_input(CSCD::internal::Indexed_skeleton graph);
 
 /// What an input is called in messages.
 std::string name_of(const std::string& input);

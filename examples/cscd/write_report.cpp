@@ -244,6 +244,7 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
                 {"input", options.input},
                 {"domain", !options.domain.empty() ? options.domain
                            : result.is_of_points   ? "points"
+                           : result.volume         ? "volume"
                                                    : "mesh"},
                 {"method", options.method},
                 {"seed", options.seed},
@@ -258,9 +259,23 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
     document["shortening"] = !options.shortening.empty() ? options.shortening
                              : result.is_of_points       ? variational_shortening
                                                          : flip_shortening;
+    document["literal"] = options.is_literal;
+    document["intrinsic"] = options.is_intrinsic;
+    document["multiscale"] = options.is_multiscale;
+    document["cut_locus"] = !options.cut_locus.empty() ? options.cut_locus
+                            : options.is_literal       ? tree_cut_locus
+                                                       : points_cut_locus;
+    document["weight"] = options.weight.empty() ? default_weight : options.weight;
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);
+  }
+  if (result.volume) {
+    document["volume"] = {{"label", result.volume->label},
+                          {"connectivity", options.volume.connectivity},
+                          {"number_of_voxels", result.volume->number_of_voxels},
+                          {"number_of_cavities", result.volume->number_of_cavities},
+                          {"are_cavities_kept", options.volume.keeps_cavities}};
   }
   if (report.reconstruction) {
     document["reconstruction"] = reconstruction_part(*report.reconstruction);
@@ -292,8 +307,13 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
   }
   const CSCD::Skeletonization_report& report = result.report;
   constexpr int digits = 3; // of the time
-  out << printable(options.input) << ": "
-      << (result.is_of_points
+  out << printable(options.input) << ": ";
+  if (result.volume) {
+    out << "label " << result.volume->label << ", " << counted(result.volume->number_of_voxels, "voxel") << ", "
+        << counted(result.volume->number_of_cavities, "cavity", "cavities")
+        << (options.volume.keeps_cavities ? " kept, " : " filled, ");
+  }
+  out << (result.is_of_points
               ? counted(report.number_of_input_vertices, "point") + (result.has_normals ? " with normals" : "")
               : counted(report.number_of_input_vertices, "vertex", "vertices"))
       << ", " << counted(report.number_of_surface_components, "component");

@@ -16,6 +16,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -31,6 +32,14 @@ struct Opening
   double radius = 0;
 };
 
+/// A body in a volume.
+struct Volume_body
+{
+  std::uint32_t label = 0;
+  std::size_t number_of_voxels = 0;
+  std::size_t number_of_cavities = 0;
+};
+
 /// What is known of a run besides the skeleton.
 struct Run_report
 {
@@ -41,6 +50,7 @@ struct Run_report
   std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty if there are none
   CSCD::Skeleton_branches branches;
   std::vector<Opening> openings;
+  std::optional<Volume_body> volume;                    ///< if the surface is that of voxels
   std::vector<CSCD::Tree_measures> trees;               ///< the objects of a scan of trees
   std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
 

@@ -37,7 +37,8 @@ public:
   /// The number of sources of the published experiments.
   static constexpr std::size_t default_number_of_sources = 3000;
 
-  /// \param settings how targets are chosen and loops are shortened
+  /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
+  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources, or `default_number_of_sources` where that has no bound.
@@ -75,7 +76,7 @@ Published_policies::Packing Published_policies::pack_separators(const Surface& s
                                                                 const std::vector<Separator>& separators,
                                                                 Skeletonization_report& report) const
 {
-  return Packing(surface, separators, report);
+  return Packing(surface, separators, m_settings, report);
 }
 
 template <class Surface>

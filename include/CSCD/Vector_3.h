@@ -188,6 +188,16 @@ constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
   return a.x() != b.x() ? a.x() < b.x() : a.y() != b.y() ? a.y() < b.y() : a.z() < b.z();
 }
 
+namespace internal {
+
+/// The area of the triangle of three points.
+inline double triangle_area(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  return (b - a).cross(c - a).norm() / 2;
+}
+
+} // namespace internal
+
 /// Index of a vertex, halfedge, face, separator or piece.
 using Index = std::uint32_t;
 

@@ -239,6 +239,15 @@ def _rows(name: str, values: npt.ArrayLike) -> FloatArray:
     return rows
 
 
+def _edges(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
+    edges = np.asarray(values)
+    if edges.ndim != 2 or edges.shape[1] != 2:
+        raise ValueError(f"edges: has the shape {edges.shape}; rows of two indices of vertices are needed")
+    if edges.dtype.kind not in "iu":
+        raise ValueError(f"edges: holds {edges.dtype}; indices of vertices are integers")
+    return np.ascontiguousarray(edges, dtype=np.int64)
+
+
 def _faces(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
     faces = np.asarray(values)
     if faces.ndim != 2 or faces.shape[1] < 3:
@@ -255,6 +264,9 @@ def skeletonize(
     F: npt.ArrayLike | None = None,
     *,
     normals: npt.ArrayLike | None = None,
+    edges: npt.ArrayLike | None = None,
+    domain: str | None = None,
+    neighbors: int = 0,
     method: str = "local",
     detail: float | None = None,
     seed: int = 0,
@@ -263,6 +275,11 @@ def skeletonize(
     root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
+    cut_locus: str | None = None,
+    weight: str | None = None,
+    literal: bool = False,
+    intrinsic: bool = False,
+    multiscale: bool = False,
     separators: int = 0,
     min_component: int = 0,
     join: bool = False,
@@ -273,6 +290,10 @@ def skeletonize(
     F: faces, a row of three or more indices of vertices each, counterclockwise seen from outside. What is no oriented
         manifold is repaired: `repairs` says how
     normals: of the points, a row each; estimated if not given
+    edges: of a graph, a row of two indices of vertices each
+    domain: "graph" to take the input for a graph, which edges do by themselves: of the sides of faces too, or of each
+        point and its neighbors. What is no manifold, or no surface at all, gets a skeleton so
+    neighbors: of a graph of points: to how many of its neighbors each is joined; 0 lets the program decide
     method: the algorithms, "local", those of CSCD, or "published", those of the paper, much slower
     detail: how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5
     seed: of the random choice of sources
@@ -284,6 +305,12 @@ def skeletonize(
     target: published method: whether loops close at the cut point nearest in space, "euclidean", or along the surface,
         "geodesic"
     shortening: published method: how loops are shortened, by "flips" or "variational"
+    cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
+    weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
+        "shortness" or "none"
+    literal: published method: as printed where the default differs
+    intrinsic: published method: not only distances but also targets and loops on the intrinsic triangulation
+    multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
     separators: greatest number of points from which separators are sought; 0 lets the method decide
     min_component: leave out components of fewer vertices or points, but for the largest
     join: join components into one by the shortest straight edges
@@ -300,13 +327,23 @@ def skeletonize(
         ("shape", shape, ("auto", "surface", "tree")),
         ("target", target, ("euclidean", "geodesic")),
         ("shortening", shortening, ("flips", "variational")),
+        ("cut_locus", cut_locus, ("points", "tree")),
+        ("weight", weight, ("balance-roundness", "balance", "shortness", "none")),
     ):
         if value is not None:
             _check_choice(name, value, choices)
             setattr(options, name, value)
+    ends = None if edges is None else _edges(edges)
+    if domain is not None:
+        _check_choice("domain", domain, ("graph",))
+    if domain is not None or ends is not None:
+        options.domain = "graph"
+    options.neighbors = _count("neighbors", neighbors)
     directions = None
     if normals is not None:
         directions = _rows("normals", normals)
+        if options.domain:
+            raise ValueError("normals: graphs have none; leave out normals")
         if faces is not None:
             raise ValueError("normals: the normals of a mesh are those of its faces; leave out normals")
         if len(directions) != len(points):
@@ -314,10 +351,13 @@ def skeletonize(
     if root is not None:
         is_rule = isinstance(root, str)
         options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
+    options.literal = literal
+    options.intrinsic = intrinsic
+    options.multiscale = multiscale
     options.detail = detail
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)
     options.separators = _count("separators", separators)
     options.min_component = _count("min_component", min_component)
     options.join = join
-    return Skeleton(_core.skeletonize(points, faces, directions, options))
+    return Skeleton(_core.skeletonize(points, faces, directions, ends, options))

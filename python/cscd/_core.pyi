@@ -13,7 +13,14 @@ class SkeletonizeOptions:
     method: str
     target: str
     shortening: str
+    cut_locus: str
+    weight: str
+    literal: bool
+    intrinsic: bool
+    multiscale: bool
     shape: str
+    domain: str
+    neighbors: int
     root: str
     detail: float | None
     seed: int
@@ -62,5 +69,6 @@ def skeletonize(
     V: npt.NDArray[np.float64],
     F: npt.NDArray[np.int64] | None,
     normals: npt.NDArray[np.float64] | None,
+    edges: npt.NDArray[np.int64] | None,
     options: SkeletonizeOptions,
 ) -> Skeleton: ...

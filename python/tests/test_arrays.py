@@ -3,6 +3,7 @@
 """Arrays in and out: what the module gives for shapes whose skeletons are known."""
 
 import gc
+import re
 import threading
 import time
 
@@ -71,6 +72,35 @@ def test_integers_lists_and_columns_are_taken(ring):
     V, F = shapes.torus()
     same = cscd.skeletonize(np.asfortranarray(V), F.astype(np.uint32).tolist())
     assert np.array_equal(same.nodes, ring.nodes)
+
+
+def test_a_mesh_taken_for_a_graph_keeps_its_cycle():
+    V, F = shapes.torus()
+    sides = np.unique(np.sort(F[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
+    of_faces = cscd.skeletonize(V, F, domain="graph")
+    of_edges = cscd.skeletonize(V, edges=sides)
+    for skeleton in (of_faces, of_edges):
+        assert len(skeleton.nodes) == len(skeleton.edges) > 10
+        np.testing.assert_allclose(np.hypot(skeleton.nodes[:, 0], skeleton.nodes[:, 1]), 3, atol=0.3)
+        assert skeleton.vertex_to_node.shape == (len(V),) and skeleton.vertex_to_node.min() >= 0
+        assert skeleton.report["method"] == "graph"
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        ({"edges": [[0, 1, 2]]}, "edges: has the shape"),
+        ({"edges": [[0.0, 1.0]]}, "edges: holds float64"),
+        ({"edges": [[0, 7]]}, "edges: row 0 names vertex 7"),
+        ({"domain": "volume"}, "domain: volume not in"),
+        ({"neighbors": 5}, 'neighbors: joins points to a graph; add domain="graph"'),
+        ({"domain": "graph", "normals": np.zeros((3, 3))}, "normals: graphs have none"),
+        ({"domain": "graph", "method": "published"}, "method: graphs have no surface"),
+    ],
+)
+def test_what_is_wrong_with_a_graph_is_said(arguments, message):
+    with pytest.raises(ValueError, match=re.escape(message)):
+        cscd.skeletonize(np.eye(3), **arguments)
 
 
 def test_a_soup_is_repaired_and_numbered_as_it_came(ring):

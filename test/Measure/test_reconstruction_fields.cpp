@@ -289,6 +289,18 @@ TEST(Triangulate_field, says_what_is_too_thin)
   EXPECT_NEAR(0.5, Surface_facts(s, 0.05).unresolved_fraction, 0.05);
 }
 
+TEST(Triangulate_field, nodes_without_edges_count_as_edges_do)
+{
+  Indexed_skeleton nodes;
+  nodes.points.assign(100'000, CSCD::Vector_3::Zero());
+  Indexed_skeleton path = nodes;
+  for (Index v = 1; v < path.number_of_nodes(); ++v) {
+    path.edges.push_back({v - 1, v});
+  }
+  EXPECT_EQ(CSCD::internal::max_number_of_cells(nodes), CSCD::internal::max_number_of_cells(path));
+  EXPECT_LT(CSCD::internal::max_number_of_cells(path), CSCD::internal::max_number_of_cells(Indexed_skeleton()));
+}
+
 TEST(Triangulate_field, coarsens_the_lattice_where_radii_are_huge)
 {
   const Indexed_skeleton s = segment({0, 0, 0}, {1, 0, 0}, 2, 2);

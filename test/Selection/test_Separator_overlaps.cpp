@@ -136,6 +136,56 @@ TEST_F(Separator_overlaps_test, tell_a_curve_that_crosses_itself)
   EXPECT_TRUE(overlaps.crosses_itself(1));
 }
 
+TEST_F(Separator_overlaps_test, as_crossings_are_what_an_arrangement_refuses)
+{
+  std::vector<Separator> separators;
+  for (int i = 0; i < 60; ++i) {
+    separators.push_back(tube_section(m_tube, 1 + 8. * (i * 37 % 60) / 60, {1, 0.4 * (i % 5 - 2), 0.3 * (i % 3 - 1)}));
+  }
+  const Separator_overlaps near(m_tube, separators);
+  const Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
+  std::size_t number_of_near_pairs = 0;
+  std::size_t number_of_meeting_pairs = 0;
+  for (Index i = 0; i < separators.size(); ++i) {
+    number_of_near_pairs += near.others(i).size();
+    for (Index j = 0; j < separators.size(); ++j) {
+      if (j == i) {
+        continue;
+      }
+      const bool is_found = std::binary_search(meeting.others(i).begin(), meeting.others(i).end(), j);
+      number_of_meeting_pairs += is_found ? 1 : 0;
+      CSCD::internal::Separator_arrangement arrangement(m_tube);
+      ASSERT_TRUE(arrangement.insert(i, separators[i].crossings));
+      EXPECT_TRUE(is_found || arrangement.insert(j, separators[j].crossings)) << i << ' ' << j;
+    }
+  }
+  EXPECT_GT(number_of_meeting_pairs, 100u);
+  EXPECT_LT(number_of_meeting_pairs, number_of_near_pairs);
+}
+
+TEST_F(Separator_overlaps_test, as_crossings_are_none_of_curves_side_by_side)
+{
+  const std::vector<Separator> separators{tube_section(m_tube, 5.02), tube_section(m_tube, 5.04),
+                                          tube_section(m_tube, 5.02)};
+  const Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
+  EXPECT_EQ(Indices(meeting.others(0).begin(), meeting.others(0).end()), Indices{2}) << "what coincides overlaps";
+  EXPECT_TRUE(meeting.others(1).empty());
+  EXPECT_EQ(others(separators, 1), (Indices{0, 2}));
+}
+
+TEST(Do_segments_meet, in_all_cases_of_two_segments)
+{
+  using CSCD::internal::do_segments_meet;
+  EXPECT_TRUE(do_segments_meet({1, 0}, {0, 0.5}, {0, 0}, {0.6, 0.4})) << "across";
+  EXPECT_FALSE(do_segments_meet({1, 0}, {0, 0.5}, {0, 0}, {0.2, 0.1})) << "one ends before the other";
+  EXPECT_TRUE(do_segments_meet({1, 0}, {0, 0}, {0.3, 0}, {0, 0.4})) << "with an end on the other";
+  EXPECT_TRUE(do_segments_meet({1, 0}, {0, 0}, {1, 0}, {0, 1})) << "at a vertex";
+  EXPECT_FALSE(do_segments_meet({0.5, 0}, {0, 0.5}, {0.6, 0}, {0, 0.6})) << "parallel";
+  EXPECT_TRUE(do_segments_meet({0.5, 0}, {0, 0.5}, {0.4, 0.1}, {0.1, 0.4})) << "on one line, one in the other";
+  EXPECT_TRUE(do_segments_meet({0.5, 0}, {0.3, 0}, {0.3, 0}, {0.1, 0})) << "on one line, end to end";
+  EXPECT_FALSE(do_segments_meet({0.5, 0}, {0.3, 0}, {0.2, 0}, {0.1, 0})) << "on one line, apart";
+}
+
 class Pack_by_overlap_test : public testing::Test
 {
 protected:

@@ -446,7 +446,7 @@ TEST(Edge_flip_shortening, takes_nothing_off_pinned_vertices)
               Shortening_outcome::collapsed);
     EXPECT_NEAR(path.length, length(surface, curve), 1e-12);
     EXPECT_EQ(path.points.size(), curve.size());
-    const Locality_ball ball(surface, surface.point(loop.front()), curve);
+    const Locality_ball ball(surface, surface.points(), surface.point(loop.front()), curve);
     const Shortening_outcome outcome = shorten(curve, true, ball, path);
     const Shortening_outcome free_outcome = shorten(curve, true, free_path);
     ASSERT_NE(outcome, Shortening_outcome::unfinished);

@@ -81,7 +81,7 @@ TEST_F(Branch_in_capsule, centering_leaves_a_centered_branch_and_all_ends_in_pla
 TEST_F(Branch_in_capsule, folds_are_dropped)
 {
   Skeleton_builder builder = branch({{1, 0, 0}, {2, 0, 0}, {3, 0.1, 0}, {2.6, -0.1, 0}, {4, 0, 0}, {5, 0, 0}});
-  CSCD::internal::drop_folds(*m_solid, builder);
+  CSCD::internal::Branch_straightening(*m_solid, builder).drop_folds();
   builder.compact();
   ASSERT_EQ(builder.size(), 5u);
   for (Index node = 1; node + 1 < builder.size(); ++node) {
@@ -94,14 +94,42 @@ TEST_F(Branch_in_capsule, folds_are_dropped)
 TEST_F(Branch_in_capsule, straight_branches_and_cycles_of_three_nodes_stay)
 {
   Skeleton_builder straight = branch({{1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}});
-  CSCD::internal::drop_folds(*m_solid, straight);
+  CSCD::internal::Branch_straightening(*m_solid, straight).drop_folds();
   straight.compact();
   EXPECT_EQ(straight.size(), 4u);
   Skeleton_builder cycle = branch({{2, 0, 0}, {3, 0, 0}, {2.5, 0.2, 0}});
   cycle.add_edge(2, 0);
-  CSCD::internal::drop_folds(*m_solid, cycle);
+  CSCD::internal::Branch_straightening(*m_solid, cycle).drop_folds();
   cycle.compact();
   EXPECT_EQ(cycle.size(), 3u);
+}
+
+TEST_F(Branch_in_capsule, nodes_that_own_little_go_until_the_others_own_enough)
+{
+  Skeleton_builder dense = branch({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}, {1.9, 0, 0}, {2.2, 0, 0}, {2.5, 0, 0}});
+  CSCD::internal::Branch_straightening(*m_solid, dense).drop_scarce_nodes({5, 5, 5, 5, 5, 5});
+  dense.compact();
+  EXPECT_EQ(dense.size(), 3u) << "with what its neighbors owned, one owns enough";
+  Skeleton_builder rich = branch({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}});
+  CSCD::internal::Branch_straightening(*m_solid, rich).drop_scarce_nodes({0, 100, 0});
+  rich.compact();
+  EXPECT_EQ(rich.size(), 3u);
+  Skeleton_builder spaced = branch({{1, 0, 0}, {2.5, 0, 0}, {4, 0, 0}});
+  CSCD::internal::Branch_straightening(*m_solid, spaced).drop_scarce_nodes({0, 0, 0});
+  spaced.compact();
+  EXPECT_EQ(spaced.size(), 3u) << "a long edge would be left";
+}
+
+TEST_F(Branch_in_capsule, sharp_turns_become_blunt)
+{
+  Skeleton_builder builder = branch({{1, 0, 0}, {2, 0, 0}, {1.9, 0.5, 0}, {3, 0.1, 0}, {4, 0, 0}});
+  CSCD::internal::Branch_straightening(*m_solid, builder).blunt_turns();
+  ASSERT_EQ(builder.size(), 5u);
+  for (Index node = 1; node + 1 < builder.size(); ++node) {
+    const Vector_3 in = builder[node].position - builder[node - 1].position;
+    const Vector_3 out = builder[node + 1].position - builder[node].position;
+    EXPECT_GE(in.dot(out), 0) << node;
+  }
 }
 
 } // namespace

@@ -223,6 +223,13 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
   expect_refusal("skeletonize torus.off --target geodesic", 1, {"--target", "published"});
   expect_refusal("skeletonize torus.off --shortening flips", 1, {"--shortening", "published"});
+  expect_refusal("skeletonize torus.off --cut-locus tree", 1, {"--cut-locus", "published"});
+  expect_refusal("skeletonize torus.off --weight none", 1, {"--weight", "published"});
+  expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
+  expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
+  expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
+  expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
+                 {"--intrinsic", "--multiscale"});
   expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
@@ -888,6 +895,29 @@ TEST_F(Cscd, knows_the_published_method)
   EXPECT_EQ(flips, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
 }
 
+TEST_F(Cscd, knows_variants_of_the_published_method)
+{
+  m_folder.write("torus.off", off(torus()));
+  const std::string command = "skeletonize torus.off --method published --separators 32 --report r.json -o - ";
+  const std::string plain = run(command).out;
+  const auto report = [this] { return nlohmann::json::parse(content("r.json")); };
+  EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_EQ("balance-roundness", report().at("weight"));
+  EXPECT_EQ(plain, run(command + "--cut-locus points --weight balance-roundness").out);
+  const std::string literal = run(command + "--literal --weight none").out;
+  EXPECT_TRUE(is_graph_of_a_cycle(literal));
+  EXPECT_NE(plain, literal);
+  EXPECT_EQ(true, report().at("literal"));
+  EXPECT_EQ("tree", report().at("cut_locus"));
+  EXPECT_EQ("none", report().at("weight"));
+  EXPECT_NE(literal, run(command + "--literal --weight shortness --cut-locus points").out);
+  EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--intrinsic").out));
+  EXPECT_EQ(true, report().at("intrinsic"));
+  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));
+  EXPECT_EQ(true, report().at("multiscale"));
+}
+
 TEST_F(Cscd, writes_a_page_with_all_in_it)
 {
   std::filesystem::create_directory(m_folder.path() / "meshes");
@@ -1005,6 +1035,50 @@ TEST_F(Cscd, lists_of_edges_are_graphs)
   expect_refusal("skeletonize nan.edges --as graph", 2, {"not finite"});
   expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "no surface"});
   expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
+}
+
+TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
+{
+  // Two bars of 12 x 2 x 2 voxels, which share a voxel's edge, and a ring of label 5.
+  std::string volume = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 14 6 7\nspacings: 1 1 2\nencoding: raw\n\n";
+  for (int z = 0; z < 7; ++z) {
+    for (int y = 0; y < 6; ++y) {
+      for (int x = 0; x < 14; ++x) {
+        const bool is_in_ring = z >= 5 && !(x > 1 && x < 12 && y > 1 && y < 4);
+        const bool is_in_bar = x >= 1 && x < 13 && ((y < 2 && z < 2) || (y >= 2 && y < 4 && z >= 2 && z < 4));
+        volume += char(is_in_ring ? 5 : is_in_bar ? 2 : 0);
+      }
+    }
+  }
+  m_folder.write("v.nrrd", volume);
+  const Outcome outcome = run("skeletonize v.nrrd --all-labels -o a.b.graph -o nodes.nrrd --report r.json");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_NE(std::string::npos, outcome.out.find("label 5, 128 voxels, 0 cavities filled"));
+  EXPECT_TRUE(is_graph_of_a_cycle(content("a.b_5.graph")));
+  const nlohmann::json joined = nlohmann::json::parse(content("r_2.json"));
+  EXPECT_EQ(joined["domain"], "volume");
+  EXPECT_EQ(joined["number_of_skeleton_components"], 1);
+  EXPECT_EQ(joined["volume"]["number_of_voxels"], 96);
+  const std::string nodes = content("nodes.nrrd");
+  const std::string data = nodes.substr(nodes.find("\n\n") + 2);
+  ASSERT_EQ(data.size(), 14u * 6 * 7 * 4);
+  for (std::size_t i = 0; i < 14u * 6 * 7; ++i) {
+    EXPECT_EQ(data[4 * i] != 0, volume[volume.size() - 14u * 6 * 7 + i] != 0) << i;
+  }
+  EXPECT_EQ(0, run("skeletonize v.nrrd --label 2 --connectivity 6 -q --report apart.json").status);
+  EXPECT_EQ(nlohmann::json::parse(content("apart.json"))["number_of_skeleton_components"], 2);
+  EXPECT_EQ(0, run("skeletonize v.nrrd --threshold 3 -q -o t.graph").status);
+  EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
+
+  expect_refusal("skeletonize v.nrrd --label 3 -o x.graph", 2, {"v.nrrd", "no voxel"});
+  expect_refusal("skeletonize v.nrrd --label 2 --threshold 3", 1, {"exclude"});
+  expect_refusal("skeletonize v.nrrd --all-labels -o -", 1, {"standard output"});
+  expect_refusal("skeletonize v.nrrd --connectivity 18", 1, {"--connectivity"});
+  expect_refusal("skeletonize v.nrrd --as graph", 1, {"--as"});
+  expect_refusal("skeletonize v.nrrd -o v.nrrd", 1, {"is the input"});
+  m_folder.write("torus.off", off(torus()));
+  expect_refusal("skeletonize torus.off --label 2", 1, {"--label", "volumes"});
+  expect_refusal("skeletonize torus.off -o torus.nrrd", 1, {"volumes"});
 }
 
 TEST_F(Cscd, evaluates_what_it_made_in_all_formats)

@@ -9,7 +9,6 @@
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
-#include <CSCD/Application/match_skeletons_impl.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Vector_3.h>
@@ -128,8 +127,8 @@ CSCD_INLINE Shape_description describe_shape(const Skeletonized_surface& surface
   areas.reserve(surface.triangles.faces.size());
   double area = 0;
   for (const auto& [a, b, c] : surface.triangles.faces) {
-    const Vector_3& origin = surface.triangles.points[a];
-    areas.push_back((surface.triangles.points[b] - origin).cross(surface.triangles.points[c] - origin).norm() / 2);
+    const auto& points = surface.triangles.points;
+    areas.push_back(triangle_area(points[a], points[b], points[c]));
     area += areas.back();
   }
   const double unit = std::sqrt(area);

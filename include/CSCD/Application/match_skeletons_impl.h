@@ -23,38 +23,6 @@
 
 namespace CSCD::internal {
 
-/// Distances along a skeleton from some of its nodes.
-struct Skeleton_distances
-{
-  /// To a node in another component.
-  static constexpr double unreachable = std::numeric_limits<double>::infinity();
-
-  std::vector<double> distance;
-  std::vector<Index> previous; ///< the next node on the way to those
-};
-
-/// \param neighbors of the nodes of `skeleton`
-inline Skeleton_distances distances_along(const Indexed_skeleton& skeleton,
-                                          const std::vector<std::vector<Index>>& neighbors,
-                                          const std::vector<Index>& starts)
-{
-  const std::size_t n = skeleton.number_of_nodes();
-  Skeleton_distances result{std::vector<double>(n, Skeleton_distances::unreachable), std::vector<Index>(n, no_index)};
-  Dijkstra_search front(n);
-  for (const Index start : starts) {
-    front.reach(start, 0);
-  }
-  front.spread([&](Index node, float distance) {
-    result.distance[node] = distance;
-    for (const Index next : neighbors[node]) {
-      if (front.reach(next, distance + float(skeleton.length({node, next})))) {
-        result.previous[next] = node;
-      }
-    }
-  });
-  return result;
-}
-
 /// The main limbs of a skeleton.
 class Skeleton_limbs
 {
@@ -374,8 +342,8 @@ CSCD_INLINE std::vector<std::size_t> labels_of_nodes(const Skeletonized_surface&
   std::vector<std::map<std::size_t, double>> areas(surface.skeleton.number_of_nodes());
   for (std::size_t f = 0; f < labels.size(); ++f) {
     const auto& [a, b, c] = surface.triangles.faces[f];
-    const Vector_3& origin = surface.triangles.points[a];
-    const double area = (surface.triangles.points[b] - origin).cross(surface.triangles.points[c] - origin).norm();
+    const auto& points = surface.triangles.points;
+    const double area = triangle_area(points[a], points[b], points[c]);
     for (const Index v : {a, b, c}) {
       areas[surface.node[v]][labels[f]] += area;
     }

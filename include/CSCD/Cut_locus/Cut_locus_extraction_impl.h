@@ -22,8 +22,6 @@
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/build_point_complex.h>
 
-#include <variant>
-
 namespace CSCD::internal {
 
 /// A triangulated surface, for `Cut_locus_extraction`: the cut locus is found on its intrinsic Delaunay triangulation.
@@ -34,7 +32,6 @@ public:
   using Indicators = Cut_locus_indicators<Triangulation>;
   using Point = Face_point;
   using Location = Face_point;
-  static constexpr bool has_closed_loops = true;
 
   Surface_cut_locus_backend(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
       : m_surface(std::move(triangles), std::move(pairing)), m_surface_frames(m_surface), m_walk(m_surface_frames),
@@ -101,7 +98,6 @@ public:
   using Indicators = Point_cut_locus_indicators;
   using Point = Cloud_point;
   using Location = Index;
-  static constexpr bool has_closed_loops = false;
 
   explicit Point_cut_locus_backend(const Point_cloud& cloud)
       : m_complex(build_point_complex(cloud)), m_frames(m_complex), m_cover(m_complex),
@@ -155,8 +151,8 @@ public:
     }
     const auto basis = m_backend.make_basis();
     const Indicators indicators(basis, distances);
-    const Org_tree tree(indicators, loop_vertices(indicators, sources));
-    collect_curves(indicators, find_tree(indicators, tree, sources, settings));
+    const Org_tree tree(indicators, find_loop_vertices(indicators, sources));
+    collect_curves(indicators, find_cut_tree(indicators, tree, sources, settings));
     m_backend.with_smoothing_domain(indicators, [&](const auto& domain) {
       Cut_locus_smoothing<std::decay_t<decltype(domain)>> smoothing(domain);
       smoothing(m_points, m_result.edges, settings.number_of_iterations);
@@ -169,31 +165,6 @@ public:
 
 private:
   using Indicators = typename Backend::Indicators;
-
-  static std::vector<char> loop_vertices(const Indicators& indicators,
-                                         [[maybe_unused]] const std::vector<Index>& sources)
-  {
-    if constexpr (Backend::has_closed_loops) {
-      return find_loop_vertices(indicators, sources);
-    } else {
-      return std::vector<char>(indicators.distances().size(), 0);
-    }
-  }
-
-  static Cut_tree find_tree(const Indicators& indicators, const Org_tree& tree,
-                            [[maybe_unused]] const std::vector<Index>& sources, const Cut_locus_settings& settings)
-  {
-    const auto close = [&]([[maybe_unused]] Cut_tree& cut) {
-      if constexpr (Backend::has_closed_loops) {
-        close_loops(indicators, sources, cut);
-      }
-    };
-    return std::visit(
-        [&](const auto& policy) {
-          return filter_org_tree(indicators, tree, settings.criterion, policy, settings.minimum_branch_length, close);
-        },
-        settings.policy);
-  }
 
   /// Turns vertices of the tree into points, and what joins them into curves.
   void collect_curves(const Indicators& indicators, const Cut_tree& cut)

@@ -64,7 +64,7 @@ public:
   /// Whether there were more cells than allowed, so that the surface is not complete.
   bool is_too_large() const
   {
-    constexpr std::size_t max_values_per_cell = 16; // a surface has about two; more are of lines that go on inside
+    constexpr std::size_t max_values_per_cell = 4; // a surface has about two; more are of lines that go on inside
     return m_visited.size() > m_max_number_of_cells || m_values.size() > max_values_per_cell * m_max_number_of_cells;
   }
 
@@ -281,13 +281,14 @@ struct Field_surface
 };
 
 /// The greatest number of cells for a skeleton: what is built on a million of them takes a gigabyte; and the field is
-/// evaluated about twice for each cell, each time over all edges, which should not take minutes.
+/// evaluated about twice for each cell, each time over all edges and nodes without any, which should not take minutes.
 inline std::size_t max_number_of_cells(const Indexed_skeleton& skeleton)
 {
   constexpr std::size_t max_cells = std::size_t(1) << 20;
   constexpr std::size_t min_cells = std::size_t(1) << 12;
   constexpr std::size_t max_cells_times_edges = std::size_t(1) << 27;
-  return std::clamp(max_cells_times_edges / (skeleton.edges.size() + 1), min_cells, max_cells);
+  const std::size_t number = std::max(skeleton.edges.size() + 1, skeleton.number_of_nodes());
+  return std::clamp(max_cells_times_edges / number, min_cells, max_cells);
 }
 
 /// Triangulates the zero set of `field` on a lattice, seeded along `skeleton`.

@@ -202,11 +202,9 @@ public:
     Vector_3 moment = Vector_3::Zero();
     double area = 0;
     for (const auto& [a, b, c] : m_triangles.faces) {
-      const Vector_3& origin_point = m_triangles.points[a];
-      const Vector_3 second = m_triangles.points[b] - origin_point;
-      const Vector_3 third = m_triangles.points[c] - origin_point;
-      centers.push_back(origin_point + (second + third) / 3);
-      areas.push_back(second.cross(third).norm() / 2);
+      const auto& points = m_triangles.points;
+      centers.push_back((points[a] + points[b] + points[c]) / 3);
+      areas.push_back(triangle_area(points[a], points[b], points[c]));
       moment += areas.back() * centers.back();
       area += areas.back();
     }

@@ -7,6 +7,7 @@
 #define CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 
 #include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
@@ -129,9 +130,13 @@ public:
     tunnel ///< the curve does not span the body
   };
 
-  explicit Balance_and_roundness(const Surface& surface) : m_surface(surface), m_sides(surface.triangulation()) {}
+  explicit Balance_and_roundness(const Surface& surface, Weight_rule rule = Weight_rule::balance_and_roundness)
+      : m_surface(surface), m_rule(rule), m_sides(surface.triangulation())
+  {
+  }
 
-  /// Judges `separator` and sets `weight`, in (0, 1] for a good one and 0 for others.
+  /// Judges `separator` and sets `weight`, above 0 for a good one and 0 for others; but for `shortness` it is at
+  /// most 1.
   Verdict operator()(const Separator& separator, double& weight)
   {
     weight = 0;
@@ -147,10 +152,8 @@ public:
     if (span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
       return Verdict::tunnel;
     }
-    const double balance = std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area);
-    const double isoperimetric_quotient =
-        std::min(1., 4 * boost::math::double_constants::pi * separator.area / squared_length);
-    weight = balance * std::sqrt(isoperimetric_quotient);
+    weight = weight_of_good(separator,
+                            std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area));
     return Verdict::good;
   }
 
@@ -162,7 +165,23 @@ private:
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
   static constexpr double min_inside_share = 0.7;
 
+  double weight_of_good(const Separator& separator, double balance) const
+  {
+    switch (m_rule) {
+    case Weight_rule::none:
+      return 1;
+    case Weight_rule::shortness:
+      return 1 / separator.length; // coordinates are those of a surface of unit area
+    case Weight_rule::balance:
+      return balance;
+    default:
+      return balance * std::sqrt(std::min(1., 4 * boost::math::double_constants::pi * separator.area /
+                                                  (separator.length * separator.length)));
+    }
+  }
+
   const Surface& m_surface;
+  Weight_rule m_rule;
   Sides m_sides;
   std::vector<Vector_3> m_points;
 };

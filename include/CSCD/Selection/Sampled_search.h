@@ -8,10 +8,16 @@
 
 #include <CSCD/Geodesic/Heat_method.h>
 #include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Cut_loop_finder.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Field_separator_finder.h>
+#include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 
@@ -24,9 +30,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -100,6 +108,274 @@ private:
   boost::random::mt19937 m_generator;
 };
 
+/// Sources whose distances are solved for together, and what is found from them.
+struct Source_group
+{
+  std::vector<Index> sources; ///< vertices of the finest surface
+  std::vector<Field_search_result> results;
+  std::vector<float> distance; ///< for each vertex, from the nearest of the sources
+
+  void set_distance(std::size_t number_of_vertices)
+  {
+    results.resize(sources.size());
+    distance.assign(number_of_vertices, std::numeric_limits<float>::infinity());
+  }
+};
+
+/// Fills a group for its sources. One object serves one thread.
+using Group_search = std::function<void(Source_group&)>;
+
+/// Searches on the surface itself.
+/// \tparam Space a `Field_search_space`
+template <class Space>
+class Field_group_search
+{
+public:
+  /// \param space is referred to
+  explicit Field_group_search(const Space& space) : m_space(space), m_finder(space.make_finder()) {}
+
+  void operator()(Source_group& group)
+  {
+    m_source_sets.clear();
+    for (const Index source : group.sources) {
+      m_source_sets.push_back({Geodesic_source::at_vertex(source)});
+    }
+    m_space.heat_method()(m_source_sets, m_fields, m_workspace);
+    group.set_distance(m_fields.front().distances.size());
+    for (std::size_t i = 0; i < group.sources.size(); ++i) {
+      const std::vector<double>& distances = m_fields[i].distances;
+      for (std::size_t vertex = 0; vertex < distances.size(); ++vertex) {
+        group.distance[vertex] = std::min(group.distance[vertex], float(distances[vertex]));
+      }
+      m_finder(group.sources[i], distances, group.results[i]);
+    }
+  }
+
+private:
+  const Space& m_space;
+  Heat_method::Workspace m_workspace;
+  std::vector<std::vector<Geodesic_source>> m_source_sets;
+  std::vector<Heat_field> m_fields;
+  typename Space::Finder m_finder;
+};
+
+/// The levels of detail on which distances are computed (supplement, K.2), prepared once, shared by all threads. Of
+/// several levels the finest has none.
+class Multiscale_search_space
+{
+public:
+  using Level_space = Field_search_space<Triangulated_surface>;
+
+  /// \param levels is referred to and must outlive this object
+  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings)
+      : m_levels(levels), m_shortening(levels.finest().surface, settings.shortening_rule)
+  {
+    for (Index level = finest_level(); level < levels.size(); ++level) {
+      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
+    }
+  }
+
+  const Surface_levels& levels() const { return m_levels; }
+  /// The finest level that has distances.
+  Index finest_level() const { return std::min<Index>(1, m_levels.top()); }
+  /// \pre `level` is not below `finest_level()`
+  const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
+  Separator_shortening make_shortening() const { return m_shortening.make_shortening(); }
+
+private:
+  const Surface_levels& m_levels;
+  Loop_shortening_space<Triangulated_surface> m_shortening; ///< on the finest level
+  std::vector<std::unique_ptr<const Level_space>> m_spaces;
+};
+
+/// Searches on the coarsest level from points in its faces. Where the loop has too few edges there, or there is none,
+/// it searches again on the next finer level. What is found is carried to the finest level, by shortest paths between
+/// its vertices, and shortened there: only once, since each shortening may let it slide.
+class Multiscale_group_search
+{
+public:
+  /// \param space is referred to
+  explicit Multiscale_group_search(const Multiscale_search_space& space)
+      : m_space(space), m_levels(space.levels()), m_projection(m_levels), m_shorten(space.make_shortening())
+  {
+    for (Index level = space.finest_level(); level < m_levels.size(); ++level) {
+      m_finders.push_back(std::make_unique<Finder>(space[level]));
+    }
+  }
+
+  void operator()(Source_group& group)
+  {
+    group.set_distance(m_levels.finest().surface.number_of_vertices());
+    m_pending.resize(group.sources.size());
+    std::iota(m_pending.begin(), m_pending.end(), std::size_t(0));
+    for (Index level = m_levels.top(); !m_pending.empty(); --level) {
+      search_level(level, group);
+    }
+  }
+
+private:
+  /// The least length of a loop in mean edge lengths of the level that it is found on, but for the finest of these.
+  /// Chosen on armadillo and warrior: with 8 or 16 errors are the same.
+  static constexpr double min_edges_of_loop = 12;
+
+  struct Finder
+  {
+    explicit Finder(const Multiscale_search_space::Level_space& space) : find(space.make_finder()) {}
+    Multiscale_search_space::Level_space::Finder find;
+    Heat_method::Workspace workspace;
+  };
+
+  /// A source on a level: in a face, and the corner of it that is nearest by barycentric coordinates.
+  struct Level_source
+  {
+    Geodesic_source source;
+    Index vertex;
+    Vector_3 point;
+  };
+
+  /// Searches from the pending sources, and leaves those pending that need a finer level.
+  void search_level(Index level, Source_group& group)
+  {
+    const auto& space = m_space[level];
+    Finder& finder = *m_finders[level - m_space.finest_level()];
+    m_level_sources.clear();
+    m_source_sets.clear();
+    for (const std::size_t i : m_pending) {
+      m_level_sources.push_back(source_on_level(m_levels[level], group.sources[i]));
+      m_source_sets.push_back({m_level_sources.back().source});
+    }
+    space.heat_method()(m_source_sets, m_fields, finder.workspace);
+    if (level == m_levels.top()) {
+      take_distances(group);
+    }
+    std::vector<std::size_t> refused;
+    for (std::size_t k = 0; k < m_pending.size(); ++k) {
+      Field_search_result& result = group.results[m_pending[k]];
+      const Cut_loop& loop =
+          finder.find.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_fields[k].distances);
+      const bool is_found = loop.outcome == Cut_loop_outcome::found;
+      if (level > m_space.finest_level() &&
+          !(is_found && 2 * loop.distance >= min_edges_of_loop * space.mean_edge_length())) {
+        refused.push_back(m_pending[k]);
+        continue;
+      }
+      result.loop = loop.outcome;
+      result.outcome = Search_outcome::no_cut;
+      result.shortening = Shortening_outcome::collapsed;
+      if (is_found) {
+        m_halfedges = finder.find.halfedges(loop);
+        shorten_on_finest(level, group.sources[m_pending[k]], result);
+      }
+    }
+    m_pending.swap(refused);
+  }
+
+  void take_distances(Source_group& group) const
+  {
+    for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
+      const Index level_vertex = m_levels.coarsest().from_finest(vertex);
+      for (std::size_t i = 0; i < group.sources.size(); ++i) {
+        group.distance[vertex] = std::min(group.distance[vertex], float(m_fields[i].distances[level_vertex]));
+      }
+    }
+  }
+
+  /// The point nearest to the finest vertex `source` on the faces around the vertex that represents it.
+  Level_source source_on_level(const Surface_level& level, Index source) const
+  {
+    const Index center = level.from_finest(source);
+    const Vector_3& point = m_levels.finest().surface.point(source);
+    Level_source best{Geodesic_source::at_vertex(center), center, level.surface.point(center)};
+    double min_distance = (best.point - point).squaredNorm();
+    for (const Index halfedge : level.surface.outgoing(center)) {
+      const Index face = Triangulated_surface::face(halfedge);
+      const std::optional<std::array<double, 3>> weights = weights_in_face(level.surface, face, point);
+      if (!weights) {
+        continue;
+      }
+      Vector_3 candidate = Vector_3::Zero();
+      for (Index k = 0; k < 3; ++k) {
+        candidate += (*weights)[k] * level.surface.point(level.surface.origin(3 * face + k));
+      }
+      const double distance = (candidate - point).squaredNorm();
+      if (distance < min_distance) {
+        min_distance = distance;
+        const auto corner = Index(std::max_element(weights->begin(), weights->end()) - weights->begin());
+        best = {Geodesic_source::in_face(level.surface, face, *weights), level.surface.origin(3 * face + corner),
+                candidate};
+      }
+    }
+    return best;
+  }
+
+  /// The barycentric coordinates of the foot of `point` on the plane of `face`, those below 0 set to 0; none where the
+  /// face has no area.
+  static std::optional<std::array<double, 3>> weights_in_face(const Triangulated_surface& surface, Index face,
+                                                              const Vector_3& point)
+  {
+    const Vector_3 normal = surface.face_vector(face);
+    const double squared_norm = normal.squaredNorm();
+    if (surface.is_hole_filling(face) || !(squared_norm > 0)) {
+      return std::nullopt;
+    }
+    std::array<double, 3> weights{};
+    double sum = 0;
+    for (Index k = 0; k < 3; ++k) {
+      const Vector_3 from = surface.point(surface.origin(3 * face + (k + 1) % 3)) - point;
+      const Vector_3 to = surface.point(surface.origin(3 * face + (k + 2) % 3)) - point;
+      weights[k] = std::max(0., from.cross(to).dot(normal) / squared_norm);
+      sum += weights[k];
+    }
+    for (double& weight : weights) {
+      weight /= sum; // the coordinates of the foot add up to 1, so that those that are left are at least that
+    }
+    return weights;
+  }
+
+  /// Makes the separator of the loop along `m_halfedges`, those of `level`.
+  void shorten_on_finest(Index level, Index source, Field_search_result& result)
+  {
+    result.separator.source = source;
+    result.separator.level = level;
+    if (level == 0 || carry_to_finest(m_levels[level])) {
+      result.shortening = m_shorten(m_halfedges, source, result.separator);
+    }
+    result.outcome =
+        result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;
+  }
+
+  /// Replaces the halfedges of `level` by those of the finest level. \return false if they make no closed curve there
+  bool carry_to_finest(const Surface_level& level)
+  {
+    m_loop.clear();
+    for (const Index halfedge : m_halfedges) {
+      m_loop.push_back(level.surface.origin(halfedge));
+    }
+    if (!m_projection(level, m_loop, m_fine_loop)) {
+      return false;
+    }
+    m_halfedges.clear();
+    for (std::size_t i = 0; i < m_fine_loop.size(); ++i) {
+      m_halfedges.push_back(
+          m_levels.finest().surface.find_halfedge(m_fine_loop[i], m_fine_loop[(i + 1) % m_fine_loop.size()]));
+    }
+    return std::count(m_halfedges.begin(), m_halfedges.end(), no_index) == 0;
+  }
+
+  const Multiscale_search_space& m_space;
+  const Surface_levels& m_levels;
+  std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
+  Loop_projection m_projection;
+  Separator_shortening m_shorten;
+  std::vector<std::size_t> m_pending; ///< places in the group
+  std::vector<Level_source> m_level_sources;
+  std::vector<std::vector<Geodesic_source>> m_source_sets;
+  std::vector<Heat_field> m_fields;
+  Vertex_loop m_loop;
+  Vertex_loop m_fine_loop;
+  std::vector<Index> m_halfedges;
+};
+
 /// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
 /// method gives the distance field of each, and that its separator.
 ///
@@ -110,10 +386,13 @@ template <class Surface>
 class Sampled_search
 {
 public:
+  /// \pre `field_settings.is_multiscale` and `is_intrinsic` only if `surface` is a `Triangulated_solid`
   Sampled_search(const Surface& surface, const Search_settings& settings, const Field_search_settings& field_settings)
-      : m_space(surface.triangulation(), field_settings),
-        m_sampling(areas(surface.triangulation()), settings.random_seed),
-        m_for_each([this] { return std::make_unique<Worker>(m_space); }, settings.number_of_threads)
+      : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_method::batch_size),
+        m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
+        m_make_search(make_search_factory(surface, field_settings)),
+        m_sampling(shares(surface.triangulation(), field_settings.sampling_rule), settings.random_seed),
+        m_for_each([this] { return std::make_unique<Group_search>(m_make_search()); }, settings.number_of_threads)
   {
   }
 
@@ -125,81 +404,84 @@ public:
     report.number_of_threads = m_for_each.number_of_threads();
     std::vector<Separator> separators;
     while (report.number_of_sources < number_of_sources) {
-      m_sampling.draw(std::min(round_size, number_of_sources - report.number_of_sources), m_sources);
+      m_sampling.draw(std::min(m_round_size, number_of_sources - report.number_of_sources), m_sources);
       if (m_sources.empty()) {
         break;
       }
       search_round();
-      take_results(separators, report);
+      for (Index group = 0; group < number_of_groups(); ++group) {
+        take_results(m_groups[group], separators, report);
+      }
       progress(double(report.number_of_sources) / double(number_of_sources));
     }
     return separators;
   }
 
 private:
-  static constexpr std::size_t group_size = Heat_method::batch_size;
+  /// So many that those which need a finer level fill batches there.
+  static constexpr std::size_t multiscale_group_size = 4 * Heat_method::batch_size;
+  /// A round is enough for a few threads, and little against the number of all sources.
   static constexpr std::size_t max_groups = 4;
-  /// Sources of a round: enough for a few threads, and few against the number of all.
-  static constexpr std::size_t round_size = group_size * max_groups;
 
   using Triangulation = std::decay_t<decltype(std::declval<const Surface&>().triangulation())>;
-  using Space = Field_search_space<Triangulation>;
 
-  struct Worker
-  {
-    explicit Worker(const Space& space) : finder(space.make_finder()) {}
-
-    Heat_method::Workspace workspace;
-    std::vector<std::vector<Geodesic_source>> source_sets;
-    std::vector<Heat_field> fields;
-    typename Space::Finder finder;
-  };
-
-  static std::vector<double> areas(const Triangulation& surface)
+  /// The probability of each vertex before its distance is known.
+  static std::vector<double> shares(const Triangulation& surface, Sampling_rule rule)
   {
     std::vector<double> result(surface.number_of_vertices());
     for (Index vertex = 0; vertex < result.size(); ++vertex) {
-      result[vertex] = double(surface.vertex_area(vertex));
+      const auto area = double(surface.vertex_area(vertex));
+      result[vertex] = rule == Sampling_rule::one_by_one && area > 0 ? 1 : area;
     }
     return result;
   }
 
-  std::size_t end_of_group(Index group) const { return std::min((group + 1) * group_size, m_sources.size()); }
+  /// Prepares what all threads share. \return a function that makes the search of a thread
+  static std::function<Group_search()> make_search_factory(const Surface& surface,
+                                                           const Field_search_settings& settings)
+  {
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      if (settings.is_multiscale) {
+        return share<Multiscale_search_space, Multiscale_group_search>(surface.levels(), settings);
+      }
+      if (settings.is_intrinsic) {
+        using Space = Intrinsic_search_space<Triangulated_surface>;
+        return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
+      }
+    }
+    CGAL_precondition(!settings.is_multiscale && !settings.is_intrinsic);
+    using Space = Field_search_space<Triangulation>;
+    return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
+  }
+
+  template <class Space, class Search, class Domain>
+  static std::function<Group_search()> share(const Domain& domain, const Field_search_settings& settings)
+  {
+    return [space = std::make_shared<const Space>(domain, settings)]() -> Group_search {
+      return [search = std::make_shared<Search>(*space)](Source_group& group) { (*search)(group); };
+    };
+  }
+
+  Index number_of_groups() const { return Index((m_sources.size() + m_group_size - 1) / m_group_size); }
 
   void search_round()
   {
-    const auto number_of_groups = Index((m_sources.size() + group_size - 1) / group_size);
-    m_for_each(number_of_groups,
-               [this](Index group, std::unique_ptr<Worker>& worker) { search_group(group, *worker); });
-    for (Index group = 0; group < number_of_groups; ++group) {
-      m_sampling.add_source([&](Index vertex) { return m_distance[group][vertex]; });
+    for (Index group = 0; group < number_of_groups(); ++group) {
+      const auto begin = m_sources.begin() + std::ptrdiff_t(group * m_group_size);
+      const auto size = std::min(std::ptrdiff_t(m_group_size), m_sources.end() - begin);
+      m_groups[group].sources.assign(begin, begin + size);
+    }
+    m_for_each(number_of_groups(),
+               [this](Index group, std::unique_ptr<Group_search>& search) { (*search)(m_groups[group]); });
+    for (Index group = 0; group < number_of_groups(); ++group) {
+      m_sampling.add_source([&](Index vertex) { return m_groups[group].distance[vertex]; });
     }
   }
 
-  void search_group(Index group, Worker& worker)
+  static void take_results(const Source_group& group, std::vector<Separator>& separators,
+                           Skeletonization_report& report)
   {
-    const std::size_t begin = group * group_size;
-    const std::size_t end = end_of_group(group);
-    worker.source_sets.clear();
-    for (std::size_t i = begin; i < end; ++i) {
-      worker.source_sets.push_back({Geodesic_source::at_vertex(m_sources[i])});
-    }
-    m_space.heat_method()(worker.source_sets, worker.fields, worker.workspace);
-    std::vector<float>& distance = m_distance[group];
-    distance.assign(worker.fields.front().distances.size(), std::numeric_limits<float>::infinity());
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::vector<double>& distances = worker.fields[i - begin].distances;
-      for (std::size_t vertex = 0; vertex < distance.size(); ++vertex) {
-        distance[vertex] = std::min(distance[vertex], float(distances[vertex]));
-      }
-      worker.finder(m_sources[i], distances, m_results[i]);
-    }
-  }
-
-  void take_results(std::vector<Separator>& separators, Skeletonization_report& report) const
-  {
-    for (std::size_t i = 0; i < m_sources.size(); ++i) {
-      const Field_search_result& result = m_results[i];
+    for (const Field_search_result& result : group.results) {
       ++report.number_of_sources;
       if (result.outcome == Search_outcome::found) {
         separators.push_back(result.separator);
@@ -214,12 +496,13 @@ private:
     }
   }
 
-  Space m_space;
+  std::size_t m_group_size;
+  std::size_t m_round_size;
+  std::function<Group_search()> m_make_search;
   Distance_sampling m_sampling;
-  For_each_index<std::unique_ptr<Worker>> m_for_each;
+  For_each_index<std::unique_ptr<Group_search>> m_for_each;
   std::vector<Index> m_sources;
-  std::array<Field_search_result, round_size> m_results;
-  std::array<std::vector<float>, max_groups> m_distance; ///< from the nearest source of a group
+  std::array<Source_group, max_groups> m_groups;
 };
 
 } // namespace CSCD::internal

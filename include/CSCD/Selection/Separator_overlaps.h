@@ -8,6 +8,7 @@
 
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Epoch_marks.h>
@@ -16,6 +17,8 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
@@ -33,16 +36,42 @@ Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
   return position < 0.5 ? surface.origin(edge) : surface.target(edge);
 }
 
-/// The pairs of separators that overlap: that pass closest to the same vertex.
+/// Whether the segments from `a` to `b` and from `c` to `d` meet, which are given by barycentric coordinates: by
+/// equations 7 and 8 of appendix C, and where the lines are parallel, if they are one and the segments have a point in
+/// common.
+inline bool do_segments_meet(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                             const std::array<double, 2>& c, const std::array<double, 2>& d)
+{
+  // Of areas in barycentric coordinates: rounding errors.
+  constexpr double tolerance = 1e-12;
+  const auto turn = [](const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  const double denominator = (a[0] - b[0]) * (d[1] - c[1]) - (d[0] - c[0]) * (a[1] - b[1]);
+  if (std::abs(denominator) > tolerance) {
+    const double first = (a[0] * (d[1] - c[1]) + c[0] * (a[1] - d[1]) + d[0] * (c[1] - a[1])) / denominator;
+    const double second = (a[0] * (b[1] - c[1]) + b[0] * (c[1] - a[1]) + c[0] * (a[1] - b[1])) / denominator;
+    return first >= 0 && first <= 1 && second >= 0 && second <= 1;
+  }
+  if (std::abs(turn(a, b, c)) > tolerance || std::abs(turn(c, d, a)) > tolerance) {
+    return false;
+  }
+  const auto overlap = [&](std::size_t k) {
+    return std::max(std::min(a[k], b[k]), std::min(c[k], d[k])) <= std::min(std::max(a[k], b[k]), std::max(c[k], d[k]));
+  };
+  return overlap(0) && overlap(1);
+}
+
+/// The pairs of separators that overlap: that pass closest to the same vertex, or as `Overlap_rule` says.
 ///
-/// Among these are all that cross in a face (appendix C). For let a chord cut the corner c off a face with the other
-/// corners x and y, and cross another one: that has one end on c's side, say on the edge to x. If the first chord
-/// meets this edge nearer to c than to x, both pass closest to c; if it meets it nearer to x, and so does the second
-/// one, both pass closest to x. If the second one alone is nearer to c, the first one passes closest to c too, on the
-/// edge to y, or passes closest to both x and y; and the other end of the second one, which is not on c's side, is
-/// nearest to one of these. There are no parallel lines, vertices or edges to be treated in a special way. Separators
-/// that coincide, and so do not cross, overlap too. And each of a set without overlaps has a closed ring of vertices of
-/// its own: its part of the surface is never empty and always connected.
+/// Among the pairs that pass closest to the same vertex are all that cross in a face (appendix C). For let a chord cut
+/// the corner c off a face with the other corners x and y, and cross another one: that has one end on c's side, say on
+/// the edge to x. If the first chord meets this edge nearer to c than to x, both pass closest to c; if it meets it
+/// nearer to x, and so does the second one, both pass closest to x. If the second one alone is nearer to c, the first
+/// one passes closest to c too, on the edge to y, or passes closest to both x and y; and the other end of the second
+/// one, which is not on c's side, is nearest to one of these. There are no parallel lines, vertices or edges to be
+/// treated in a special way. Separators that coincide, and so do not cross, overlap too. And each of a set without
+/// overlaps has a closed ring of vertices of its own: its part of the surface is never empty and always connected.
 class Separator_overlaps
 {
 public:
@@ -59,17 +88,26 @@ public:
                      std::vector<std::uint8_t> crosses_itself)
       : m_crosses_itself(std::move(crosses_itself))
   {
-    collect_rings(surface, separators);
+    collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
     list_passes(surface.number_of_vertices());
-    Epoch_marks found(separators.size());
-    for (Index i = 0; i < separators.size(); ++i) {
-      m_begin.push_back(m_others.size());
-      found.clear();
-      found.mark(i);
-      collect_touching(i, found);
-      std::sort(m_others.begin() + std::ptrdiff_t(m_begin.back()), m_others.end());
-    }
-    m_begin.push_back(m_others.size());
+    collect_others(Index(separators.size()), [](Index, Epoch_marks&) {});
+  }
+  /// Finds the pairs that meet: in a face, or at a vertex that both pass through. Linear in the number of crossings and
+  /// of pairs of them in one face.
+  /// \tparam Surface a model of `SurfaceTriangulation`
+  template <class Surface>
+  static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
+  {
+    Separator_overlaps result;
+    result.m_crosses_itself = find_self_crossings(surface, separators);
+    result.collect_rings(surface, separators, [](const Edge_crossing& crossing) {
+      return std::min(crossing.position, 1 - crossing.position) <= vertex_offset;
+    });
+    result.list_passes(surface.number_of_vertices());
+    result.list_chords(surface, separators);
+    result.collect_others(Index(separators.size()),
+                          [&result](Index separator, Epoch_marks& found) { result.collect_meeting(separator, found); });
+    return result;
   }
 
   /// The separators that overlap `separator`, in ascending order.
@@ -81,15 +119,27 @@ public:
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:
-  /// Lists for each separator the vertices that it passes closest to, each once for consecutive crossings.
-  template <class Surface>
-  void collect_rings(const Surface& surface, const std::vector<Separator>& separators)
+  /// A piece of a separator in a face, between two barycentric coordinates of its ends each.
+  struct Chord
+  {
+    Index separator;
+    Index face;
+    std::array<double, 2> begin;
+    std::array<double, 2> end;
+  };
+
+  Separator_overlaps() = default;
+
+  /// Lists for each separator the vertices that it passes closest to where `is_passing(crossing)` holds, each once for
+  /// consecutive crossings.
+  template <class Surface, class Predicate>
+  void collect_rings(const Surface& surface, const std::vector<Separator>& separators, const Predicate& is_passing)
   {
     for (const Separator& separator : separators) {
       m_ring_begin.push_back(m_rings.size());
       for (const Edge_crossing& crossing : separator.crossings) {
         const Index vertex = nearest_vertex(surface, crossing);
-        if (m_rings.size() == m_ring_begin.back() || m_rings.back() != vertex) {
+        if (is_passing(crossing) && (m_rings.size() == m_ring_begin.back() || m_rings.back() != vertex)) {
           m_rings.push_back(vertex);
         }
       }
@@ -114,6 +164,66 @@ private:
     });
   }
 
+  /// Collects the others of all separators: those that touch at a vertex, and what `collect_more(separator, found)`
+  /// adds.
+  template <class Function>
+  void collect_others(Index number_of_separators, const Function& collect_more)
+  {
+    Epoch_marks found(number_of_separators);
+    for (Index i = 0; i < number_of_separators; ++i) {
+      m_begin.push_back(m_others.size());
+      found.clear();
+      found.mark(i);
+      collect_touching(i, found);
+      collect_more(i, found);
+      std::sort(m_others.begin() + std::ptrdiff_t(m_begin.back()), m_others.end());
+    }
+    m_begin.push_back(m_others.size());
+  }
+
+  /// Lists the chords of all separators, one after the other, and those in each face.
+  template <class Surface>
+  void list_chords(const Surface& surface, const std::vector<Separator>& separators)
+  {
+    const auto coordinates = [](Index side, double position) {
+      std::array<double, 3> weights{};
+      weights[side] = 1 - position;
+      weights[(side + 1) % 3] = position;
+      return std::array<double, 2>{weights[0], weights[1]};
+    };
+    for (Index i = 0; i < separators.size(); ++i) {
+      m_first_chord.push_back(m_chords.size());
+      const std::vector<Edge_crossing>& crossings = separators[i].crossings;
+      for (std::size_t k = 0; k < crossings.size(); ++k) {
+        const Edge_crossing& before = crossings[k > 0 ? k - 1 : crossings.size() - 1];
+        m_chords.push_back({i, Surface::face(crossings[k].halfedge),
+                            coordinates(surface.twin(before.halfedge) % 3, 1 - before.position),
+                            coordinates(crossings[k].halfedge % 3, crossings[k].position)});
+      }
+    }
+    m_first_chord.push_back(m_chords.size());
+    m_chords_in_face = Compressed_rows<Index, std::size_t>(surface.number_of_faces(), [this](const auto& add) {
+      for (Index chord = 0; chord < m_chords.size(); ++chord) {
+        add(m_chords[chord].face, chord);
+      }
+    });
+  }
+
+  void collect_meeting(Index separator, Epoch_marks& found)
+  {
+    for (std::size_t k = m_first_chord[separator]; k < m_first_chord[separator + 1]; ++k) {
+      const Chord& chord = m_chords[k];
+      for (const Index other : m_chords_in_face[chord.face]) {
+        const Chord& candidate = m_chords[other];
+        if (!found.is_marked(candidate.separator) &&
+            do_segments_meet(chord.begin, chord.end, candidate.begin, candidate.end)) {
+          found.mark(candidate.separator);
+          m_others.push_back(candidate.separator);
+        }
+      }
+    }
+  }
+
   void collect_touching(Index separator, Epoch_marks& found)
   {
     for (const Index vertex : ring(separator)) {
@@ -129,6 +239,9 @@ private:
   std::vector<std::size_t> m_ring_begin; ///< of every separator
   std::vector<Index> m_rings;
   Compressed_rows<Index, std::size_t> m_passes; ///< of every vertex
+  std::vector<Chord> m_chords;
+  std::vector<std::size_t> m_first_chord; ///< of every separator
+  Compressed_rows<Index, std::size_t> m_chords_in_face;
   std::vector<std::size_t> m_begin;
   std::vector<Index> m_others;
 };

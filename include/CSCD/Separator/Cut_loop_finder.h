@@ -79,6 +79,15 @@ public:
   template <class Predicate>
   void find(const Measures& measures, Index source, Target_rule rule, const Predicate& is_cut, Cut_loop& loop)
   {
+    find(measures, source, m_points[source], rule, is_cut, loop);
+  }
+
+  /// The same for a source at `source_point`, in a face at the vertex `source`, to which the paths lead.
+  template <class Predicate>
+  void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
+            const Predicate& is_cut, Cut_loop& loop)
+  {
+    m_source_point = source_point;
     loop.outcome = Cut_loop_outcome::no_cut_point;
     loop.steps.clear();
     loop.number_of_candidates = {};
@@ -88,7 +97,7 @@ public:
     bool has_more = true;
     for (; has_more && begin < end && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted();
          begin = std::exchange(end, 2 * end)) {
-      has_more = collect_candidates(measures, source, rule, begin, end);
+      has_more = collect_candidates(measures, rule, begin, end);
       while (!m_candidates.empty() && loop.outcome != Cut_loop_outcome::found && !m_descent.is_exhausted()) {
         std::pop_heap(m_candidates.begin(), m_candidates.end(), std::greater<>());
         const Index vertex = m_candidates.back().second;
@@ -134,7 +143,7 @@ private:
 
   /// Makes a heap of the vertices that are far enough from the source, and at a distance in [begin, end) by the rule.
   /// \return whether there are vertices at `end` or beyond
-  bool collect_candidates(const Measures& measures, Index source, Target_rule rule, double begin, double end)
+  bool collect_candidates(const Measures& measures, Target_rule rule, double begin, double end)
   {
     m_candidates.clear();
     bool has_more = false;
@@ -143,7 +152,7 @@ private:
       if (!(measures.is_reached(vertex) && measures.distance(vertex) >= min_key)) {
         continue;
       }
-      const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_points[source]).norm()
+      const double key = rule == Target_rule::nearest_in_space ? (m_points[vertex] - m_source_point).norm()
                                                                : measures.distance(vertex);
       has_more = has_more || key >= end;
       if (key >= begin && key < end) {
@@ -159,7 +168,7 @@ private:
   {
     loop.target = target;
     loop.distance = measures.distance(target);
-    if (loop.distance < min_distance_to_chord * (m_points[target] - m_points[source]).norm()) {
+    if (loop.distance < min_distance_to_chord * (m_points[target] - m_source_point).norm()) {
       return Cut_loop_outcome::distance_below_chord;
     }
     const std::optional<std::array<Edge_step, 2>> directions = incoming_directions(measures, target);
@@ -241,6 +250,7 @@ private:
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
   std::array<Edge_steps, 2> m_path;                   ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
+  Vector_3 m_source_point = Vector_3::Zero();
 };
 
 } // namespace CSCD::internal

@@ -10,6 +10,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Variational_shortening.h>
 #include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Intrinsic_patch.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -28,17 +29,18 @@ using Separator_shortening =
 
 /// The locality constraint of appendix E.2: whether a vertex lies outside of the smallest ball around the source that
 /// holds the curve, where the curve is not operated upon. E.2 names no shape; the ball is that of F.2.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
-template <class Triangulation>
 class Locality_ball
 {
 public:
-  /// The ball around `center` that holds the origins of `halfedges`. Linear.
-  Locality_ball(const Triangulation& surface, const Vector_3& center, const std::vector<Index>& halfedges)
-      : m_points(surface.points()), m_center(center)
+  /// The ball around `center` that holds the origins of `halfedges`, those of `triangulation`. Linear.
+  /// \param points the positions of its vertices
+  template <class Triangulation>
+  Locality_ball(const Triangulation& triangulation, const std::vector<Vector_3>& points, const Vector_3& center,
+                const std::vector<Index>& halfedges)
+      : m_points(points), m_center(center)
   {
     for (const Index h : halfedges) {
-      m_squared_radius = std::max(m_squared_radius, (m_points[surface.origin(h)] - center).squaredNorm());
+      m_squared_radius = std::max(m_squared_radius, (m_points[triangulation.origin(h)] - center).squaredNorm());
     }
     m_squared_radius *= margin * margin;
   }
@@ -55,19 +57,23 @@ private:
 };
 
 /// A model of `Separator_shortening` by edge flips with the locality constraint (algorithm 3, appendix E).
-/// \tparam Triangulation a model of `SurfaceTriangulation`
+/// \tparam Triangulation a model of `SurfaceTriangulation`, or an `Intrinsic_triangulation` of one
 template <class Triangulation>
 class Separator_flip_shortening
 {
 public:
-  /// Linear; `surface` is referred to and must outlive this object.
-  explicit Separator_flip_shortening(const Triangulation& surface) : m_surface(surface), m_shortening(surface) {}
+  /// Linear; `triangulation` is referred to and must outlive this object.
+  explicit Separator_flip_shortening(const Triangulation& triangulation)
+      : m_triangulation(triangulation), m_surface(input_of(triangulation)), m_shortening(triangulation)
+  {
+  }
 
   /// See `Separator_shortening`. The curve is moved off the vertices that it passes, so that it only crosses edges.
   /// \return `collapsed` also where fewer than three edges are crossed
   Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
   {
-    const Locality_ball<Triangulation> ball(m_surface, m_surface.points()[source], halfedges);
+    const std::vector<Vector_3>& points = m_surface.points();
+    const Locality_ball ball(m_triangulation, points, points[source], halfedges);
     const Shortening_outcome outcome = m_shortening(halfedges, true, ball, m_path);
     if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, m_crossings)) {
       return Shortening_outcome::collapsed;
@@ -80,7 +86,8 @@ public:
   }
 
 private:
-  const Triangulation& m_surface;
+  const Triangulation& m_triangulation;
+  const Input_of<Triangulation>& m_surface;
   Edge_flip_shortening<Triangulation> m_shortening;
   Surface_path m_path;
   std::vector<Edge_crossing> m_crossings;

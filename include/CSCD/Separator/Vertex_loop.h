@@ -86,14 +86,15 @@ inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loo
   return crossings.size() >= 3;
 }
 
+/// How far from a vertex a path that passes through it is pushed, relative to the length of the crossed edge.
+inline constexpr double vertex_offset = 0.01;
+
 /// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from where it
 /// comes in to where it goes out. `before`, `vertex` and `after` are consecutive points of the path.
 template <class Surface>
 void push_off_vertex(const Surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
                      const Edge_crossing& after, std::vector<Edge_crossing>& crossings)
 {
-  // Distance from the vertex, relative to the length of the crossed edge.
-  constexpr double offset = 0.01;
   const auto previous_around_origin = [&surface](Index h) { return Surface::next(surface.twin(h)); };
   const bool comes_along = is_vertex(before);
   const Index back = surface.twin(before.halfedge);
@@ -102,11 +103,11 @@ void push_off_vertex(const Surface& surface, const Edge_crossing& before, const 
   Index incident_edge = comes_along ? previous_around_origin(way_in) : way_in;
   // Both ends in one face: the left side holds all incident edges or none.
   if (way_in == way_out && !comes_along && !is_vertex(after) && 1 - before.position < after.position) {
-    crossings.push_back({incident_edge, offset});
+    crossings.push_back({incident_edge, vertex_offset});
     incident_edge = previous_around_origin(incident_edge);
   }
   for (; incident_edge != way_out; incident_edge = previous_around_origin(incident_edge)) {
-    crossings.push_back({incident_edge, offset});
+    crossings.push_back({incident_edge, vertex_offset});
   }
 }
 

@@ -256,44 +256,123 @@ private:
   Branch_section m_section;
 };
 
-/// Removes nodes of branches at which the branch turns by more than a right angle nearer than the surface is: it
-/// folds back where separators beside each other face different ways. Nodes where the straight line would leave the
-/// body stay, and the neighbors of removed ones: where a branch leads into a wall and back, as in a cup, not all of it
-/// is to go. Neither topology nor the simplicity of the graph change.
-inline void drop_folds(const Triangulated_solid& solid, Skeleton_builder& builder)
+/// Removes and moves nodes of branches where the straight way stays inside the body. Neither topology nor the
+/// simplicity of the graph change.
+class Branch_straightening
 {
-  std::vector<double> crossings;
-  const auto folds_back = [&](Index node) {
-    if (!builder.is_regular(node)) {
-      return false;
-    }
-    const Index a = builder[node].neighbors[0];
-    const Index b = builder[node].neighbors[1];
-    const std::vector<Index>& around = builder[a].neighbors;
-    if (a == b || std::find(around.begin(), around.end(), b) != around.end()) {
-      return false;
-    }
-    const Vector_3 in = builder[node].position - builder[a].position;
-    const Vector_3 out = builder[b].position - builder[node].position;
-    if (in.dot(out) >= 0) {
-      return false;
-    }
-    const Vector_3& position = builder[node].position;
-    if (std::min(in.norm(), out.norm()) > (solid.closest_point(position).point - position).norm()) {
-      return false;
-    }
-    solid.crossings(builder[a].position, builder[b].position, crossings);
-    return crossings.empty();
-  };
-  std::vector<char> is_kept(builder.size(), 0);
-  for (Index node = 0; node < builder.size(); ++node) {
-    if (is_kept[node] == 0 && folds_back(node)) {
-      is_kept[builder[node].neighbors[0]] = 1;
-      is_kept[builder[node].neighbors[1]] = 1;
-      builder.bypass(node);
+public:
+  Branch_straightening(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder)
+  {
+  }
+
+  /// Removes nodes at which the branch turns by more than a right angle nearer than the surface is: it folds back where
+  /// separators beside each other face different ways. The neighbors of removed nodes stay: where a branch leads into a
+  /// wall and back, as in a cup, not all of it is to go.
+  void drop_folds()
+  {
+    std::vector<char> is_kept(m_builder.size(), 0);
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      if (is_kept[node] == 0 && is_removable(node) && turns_back(node, m_builder[node].position) &&
+          shorter_edge(node) <= depth(node) && is_free(end(node, 0), end(node, 1))) {
+        is_kept[m_builder[node].neighbors[0]] = 1;
+        is_kept[m_builder[node].neighbors[1]] = 1;
+        m_builder.bypass(node);
+      }
     }
   }
-}
+
+  /// Removes nodes that own so little of the surface that their radii scatter, where that leaves no long edge.
+  /// \param number_of_vertices for each node, that of the vertices which belong to it
+  void drop_scarce_nodes(std::vector<Index> number_of_vertices)
+  {
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      if (number_of_vertices[node] < min_vertices && is_removable(node) &&
+          merged_length(node) < max_merged_edge * m_builder[node].radius && is_free(end(node, 0), end(node, 1))) {
+        number_of_vertices[m_builder[node].neighbors[0]] += number_of_vertices[node] / 2;
+        number_of_vertices[m_builder[node].neighbors[1]] += (number_of_vertices[node] + 1) / 2;
+        m_builder.bypass(node);
+      }
+    }
+  }
+
+  /// Moves nodes at which a branch turns by more than a right angle towards the middle of their neighbors, as far as
+  /// needed.
+  void blunt_turns()
+  {
+    for (int round = 0; round < number_of_rounds; ++round) {
+      for (Index node = 0; node < m_builder.size(); ++node) {
+        if (m_builder.is_regular(node) && turns_back(node, m_builder[node].position)) {
+          blunt(node);
+        }
+      }
+    }
+  }
+
+private:
+  /// The radius at a node is the mean distance of its vertices: of this many, it scatters by a third of what they do.
+  static constexpr Index min_vertices = 8;
+  /// Nodes are not removed where that leaves an edge longer than this, relative to the radius: bends stay.
+  static constexpr double max_merged_edge = 1;
+  /// A node that is moved may give its neighbors a sharper turn.
+  static constexpr int number_of_rounds = 3;
+
+  /// The position of one of the two neighbors of `node`.
+  const Vector_3& end(Index node, int i) const { return m_builder[m_builder[node].neighbors[i]].position; }
+
+  /// Whether the graph stays simple if `node` goes.
+  bool is_removable(Index node) const
+  {
+    if (!m_builder.is_regular(node)) {
+      return false;
+    }
+    const Index a = m_builder[node].neighbors[0];
+    const Index b = m_builder[node].neighbors[1];
+    const std::vector<Index>& around = m_builder[a].neighbors;
+    return a != b && std::find(around.begin(), around.end(), b) == around.end();
+  }
+
+  bool is_free(const Vector_3& from, const Vector_3& to)
+  {
+    m_solid.crossings(from, to, m_crossings);
+    return m_crossings.empty();
+  }
+
+  /// Whether the branch turns by more than a right angle at `node`, if that is at `position`.
+  bool turns_back(Index node, const Vector_3& position) const
+  {
+    return (position - end(node, 0)).dot(end(node, 1) - position) < 0;
+  }
+
+  double merged_length(Index node) const { return (end(node, 1) - end(node, 0)).norm(); }
+  double shorter_edge(Index node) const
+  {
+    const Vector_3& position = m_builder[node].position;
+    return std::min((position - end(node, 0)).norm(), (position - end(node, 1)).norm());
+  }
+  double depth(Index node) const
+  {
+    const Vector_3& position = m_builder[node].position;
+    return (m_solid.closest_point(position).point - position).norm();
+  }
+
+  void blunt(Index node)
+  {
+    const Vector_3 start = m_builder[node].position;
+    const Vector_3 middle = (end(node, 0) + end(node, 1)) / 2;
+    for (const double share : {0.5, 0.75, 1.}) {
+      const Vector_3 position = (1 - share) * start + share * middle;
+      if (!turns_back(node, position) && is_free(start, position) && is_free(end(node, 0), position) &&
+          is_free(position, end(node, 1))) {
+        m_builder[node].position = position;
+        return;
+      }
+    }
+  }
+
+  const Triangulated_solid& m_solid;
+  Skeleton_builder& m_builder;
+  std::vector<double> m_crossings;
+};
 
 } // namespace CSCD::internal
 

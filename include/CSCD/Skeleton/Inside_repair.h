@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -25,8 +26,8 @@ class Inside_repair
 {
 public:
   Inside_repair(const Surface& surface, Skeleton_builder& builder)
-      : m_surface(surface), m_builder(builder), m_offset(relative_offset * diagonal(surface.triangulation().points())),
-        m_is_outside(builder.size(), 0)
+      : m_surface(surface), m_builder(builder), m_diagonal(diagonal(surface.triangulation().points())),
+        m_offset(relative_offset * m_diagonal), m_is_outside(builder.size(), 0)
   {
     for (Index node = 0; node < builder.size(); ++node) {
       const bool has_place = !builder[node].is_removed && !builder[node].is_opening;
@@ -41,7 +42,7 @@ public:
     std::vector<Edge> edges;
     m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
     for (int round = 0; round < max_rounds && !edges.empty(); ++round) {
-      edges = repair_edges(edges);
+      edges = repair_edges(edges, round >= max_rounds / 2);
     }
   }
 
@@ -60,7 +61,8 @@ public:
 private:
   using Edge = std::pair<Index, Index>;
 
-  static constexpr int max_rounds = 4;
+  /// A surface with folds closer than that needs more; the first half of the rounds leads the least way around.
+  static constexpr int max_rounds = 8;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
@@ -79,7 +81,12 @@ private:
       if (m_is_outside[node] == 0) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position)) {
+      const std::vector<Index>& neighbors = m_builder[node].neighbors;
+      std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position);
+      if (!middle && !neighbors.empty()) {
+        middle = middle_around(m_builder[node].position, {neighbors.front(), neighbors.back()});
+      }
+      if (middle) {
         m_builder[node].position = *middle;
         m_is_outside[node] = 0;
       }
@@ -109,8 +116,9 @@ private:
     return std::nullopt;
   }
 
-  /// Splits those of `edges` that leave the body. \return the parts, which may leave it again
-  std::vector<Edge> repair_edges(const std::vector<Edge>& edges)
+  /// Splits those of `edges` that leave the body, by nodes behind the nearest surface or, if `is_thorough`, wherever
+  /// the way is free. \return the parts, which may leave it again
+  std::vector<Edge> repair_edges(const std::vector<Edge>& edges, bool is_thorough)
   {
     std::vector<Edge> parts;
     for (const auto& [a, b] : edges) {
@@ -118,18 +126,90 @@ private:
       if (!outside) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_surface.middle_behind(*outside)) {
+      const std::optional<Vector_3> middle =
+          is_thorough ? middle_around(*outside, {a, b}) : m_surface.middle_behind(*outside);
+      if (middle) {
         const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
+      } else {
+        parts.emplace_back(a, b);
       }
     }
     return parts;
   }
 
+  /// Of the middles of the body along lines from `outside` in directions all around, the nearest, or the nearest of
+  /// those that see both ends of `edge`, if any does.
+  std::optional<Vector_3> middle_around(const Vector_3& outside, const Edge& edge)
+  {
+    std::optional<Vector_3> best;
+    double least = std::numeric_limits<double>::max();
+    bool best_sees = false;
+    for (const Vector_3& direction : directions(outside - m_builder[edge.first].position, outside)) {
+      const std::optional<Vector_3> middle = middle_along(outside, direction);
+      if (!middle) {
+        continue;
+      }
+      const double distance = (*middle - outside).squaredNorm();
+      const bool sees = sees_ends(*middle, edge);
+      if (sees == best_sees ? distance < least : sees) {
+        best = middle;
+        least = distance;
+        best_sees = sees;
+      }
+    }
+    return best;
+  }
+
+  bool sees_ends(const Vector_3& point, const Edge& edge)
+  {
+    for (const Index end : {edge.first, edge.second}) {
+      m_surface.crossings(m_builder[end].position, point, m_crossings);
+      if (!m_crossings.empty()) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// The middle of the first stretch of the body that the ray from `outside` along `direction` meets.
+  std::optional<Vector_3> middle_along(const Vector_3& outside, const Vector_3& direction)
+  {
+    m_surface.crossings(outside, outside + m_diagonal * direction, m_crossings);
+    if (m_crossings.size() < 2) {
+      return std::nullopt;
+    }
+    const Vector_3 middle = outside + (m_crossings[0] + m_crossings[1]) / 2 * direction;
+    return m_surface.is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
+  }
+
+  /// Directions all around: those to the faces, edges and corners of a cube with a side along `first`, turned towards
+  /// `second`, so that they turn with the body.
+  static std::vector<Vector_3> directions(const Vector_3& first, const Vector_3& second)
+  {
+    const Vector_3 x = first.norm() > 0 ? first.normalized() : Vector_3(Vector_3::UnitX());
+    const Vector_3 across = second - second.dot(x) * x;
+    const Vector_3 y = across.norm() > 0 ? across.normalized() : x.unitOrthogonal();
+    const Vector_3 z = x.cross(y);
+    std::vector<Vector_3> result;
+    result.reserve(26);
+    for (int i = -1; i <= 1; ++i) {
+      for (int j = -1; j <= 1; ++j) {
+        for (int k = -1; k <= 1; ++k) {
+          if (i != 0 || j != 0 || k != 0) {
+            result.push_back((double(i) * x + double(j) * y + double(k) * z).normalized());
+          }
+        }
+      }
+    }
+    return result;
+  }
+
   const Surface& m_surface;
   Skeleton_builder& m_builder;
+  double m_diagonal;
   double m_offset;
   std::vector<char> m_is_outside; ///< for every node
   std::vector<double> m_crossings;

@@ -291,7 +291,7 @@ private:
     const auto& [a, b, c] = m_surface.triangles[face];
     const std::array<Vector_3, 3> corners{m_surface.points[a], m_surface.points[b], m_surface.points[c]};
     Skeleton_branch& branch = m_branches[m_branch_of_node[m_node_of_face[face]]];
-    branch.surface_area += (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
+    branch.surface_area += triangle_area(corners[0], corners[1], corners[2]);
     double volume = tetrahedron(corners[0], corners[1], corners[2]);
     for (Index side = 0; side < 3; ++side) {
       if (const std::optional<Vector_3> apex = apex_behind(Index(3 * face + side))) {

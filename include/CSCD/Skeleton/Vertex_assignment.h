@@ -41,6 +41,16 @@ public:
   /// Mean distance of the surface around `node` from the curve, by area; for an opening, the radius of the border.
   double radius(Index node) const { return m_radius[node]; }
 
+  /// For each node, how many vertices belong to it.
+  std::vector<Index> numbers_of_vertices() const
+  {
+    std::vector<Index> result(m_builder.size(), 0);
+    for (Index node : m_node) {
+      ++result[node];
+    }
+    return result;
+  }
+
   /// Hands both over to `skeleton`, and is empty afterwards.
   void move_to(Embedded_skeleton& skeleton) &&
   {

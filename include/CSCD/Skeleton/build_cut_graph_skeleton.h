@@ -23,7 +23,8 @@
 namespace CSCD::internal {
 
 /// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined,
-/// smoothed and centered, and what left the body is brought back; what could not be is counted in `report`.
+/// smoothed and centered, and what left the body is brought back; what could not be is counted in `report`. Nodes that
+/// own little of the surface go.
 inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
                                                   const std::vector<Separator>& separators,
                                                   const Separator_packing& packing, Skeletonization_report& report)
@@ -38,12 +39,16 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
   Branch_centering(solid, result.graph)();
-  drop_folds(solid, result.graph);
-  Inside_repair repair(solid, result.graph);
-  repair();
+  Branch_straightening straightening(solid, result.graph);
+  straightening.drop_folds();
+  Inside_repair(solid, result.graph)();
+  straightening.drop_scarce_nodes(
+      Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).numbers_of_vertices());
+  straightening.blunt_turns();
   result.graph.compact();
-  report.number_of_nodes_outside = repair.number_of_nodes_outside();
-  report.number_of_edges_outside = repair.number_of_edges_outside();
+  Inside_repair check(solid, result.graph);
+  report.number_of_nodes_outside = check.number_of_nodes_outside();
+  report.number_of_edges_outside = check.number_of_edges_outside();
   Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).move_to(result);
   return result;
 }

@@ -57,7 +57,7 @@ inline Normalization normalize_area(Indexed_triangles& triangles)
     const Vector_3& a = triangles.points[face[0]];
     const Vector_3& b = triangles.points[face[1]];
     const Vector_3& c = triangles.points[face[2]];
-    const double face_area = (b - a).cross(c - a).norm() / 2;
+    const double face_area = internal::triangle_area(a, b, c);
     area += face_area;
     moment += face_area / 3 * (a + b + c);
   }

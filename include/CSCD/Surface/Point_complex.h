@@ -227,8 +227,7 @@ private:
     std::vector<double> turns(m_points.size(), 0);
     for (Index face = 0; face < number_of_faces(); ++face) {
       const std::array<Index, 3> vertices = face_vertices(face);
-      const Vector_3& a = m_points[vertices[0]];
-      const double area = (m_points[vertices[1]] - a).cross(m_points[vertices[2]] - a).norm() / 2;
+      const double area = triangle_area(m_points[vertices[0]], m_points[vertices[1]], m_points[vertices[2]]);
       for (std::size_t k = 0; k < 3; ++k) {
         const double turn = angle(vertices[k], vertices[(k + 1) % 3], vertices[(k + 2) % 3]);
         m_areas[vertices[k]] += area / 3;

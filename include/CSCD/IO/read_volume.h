@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Image volumes from files, slice by slice.
+
+#ifndef CSCD_IO_READ_VOLUME_H
+#define CSCD_IO_READ_VOLUME_H
+
+#include <CSCD/Surface/Voxel_surface.h>
+#include <CSCD/internal/config.h>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CSCD {
+
+/// Which voxels of a file are of a body.
+struct Voxel_selection
+{
+  /// Voxels of at least this value are a body of label 1.
+  std::optional<double> threshold;
+  /// Voxels of this label, which is not 0, are a body of this label.
+  std::optional<std::uint32_t> label;
+  /// Whether the voxels of each label but 0 are a body of their own; else, without label and threshold, all that are
+  /// not 0 are one body of label 1.
+  bool separates_labels = false;
+};
+
+namespace internal {
+struct Volume_file;
+}
+
+/// Reads the slices of a volume one after the other, so that there is never more than one in memory:
+/// - NRRD, raw or gzip, with its data attached or not (`.nrrd`, `.nhdr`)
+/// - NIfTI-1 in one file, also compressed (`.nii`, `.nii.gz`)
+/// - MetaImage, also compressed, with its data attached or not (`.mha`, `.mhd`)
+/// - TIFF with a slice a page (`.tif`, `.tiff`), if built with libtiff
+///
+/// Raw data are read by a `.nhdr` or `.mhd` that describes them. What is compressed needs zlib. Coordinates are those
+/// of the file: its origin is the center of the first voxel, and nothing is converted from one system of axes to
+/// another.
+class Volume_reader
+{
+public:
+  /// Reads the header and checks it against the size of the data.
+  /// \throw File_error if the file cannot be read, its header is malformed, tells sizes that its data cannot have, or
+  ///        axes that are not finite or do not span the space, or its format needs what this was built without
+  Volume_reader(const std::string& filename, const Voxel_selection& selection);
+  /// Takes over the file of `other`.
+  Volume_reader(Volume_reader&& other) noexcept;
+  ~Volume_reader();
+
+  /// Where the voxels are.
+  const Volume_grid& grid() const;
+  /// Reads the next slice.
+  /// \param labels is replaced by the labels of the voxels that are selected, and 0 of all others
+  /// \throw File_error if the data end before, are damaged, or hold what is no label; a value that is not a number is
+  ///        of the background
+  /// \pre there is one
+  void read_slice(std::vector<std::uint32_t>& labels);
+
+private:
+  std::unique_ptr<internal::Volume_file> m_file;
+  Voxel_selection m_selection;
+  std::vector<double> m_values;
+};
+
+/// Whether the ending of `filename` is that of a volume.
+bool is_volume_filename(const std::string& filename);
+
+/// reads a volume into memory. \see Volume_reader
+Volume read_volume(const std::string& filename, const Voxel_selection& selection = {});
+
+/// reads the surfaces of the bodies in a volume that need not fit into memory: only two slices and the surfaces have
+/// to. \see Volume_reader, Voxel_surface_builder \throw File_error, Input_error whose messages name the file
+std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, const Voxel_selection& selection = {},
+                                               const Voxel_surface_settings& settings = {});
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/IO/read_volume_impl.h>
+#endif
+
+#endif // CSCD_IO_READ_VOLUME_H

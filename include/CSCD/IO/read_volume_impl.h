@@ -1,0 +1,1000 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of read_volume.h.
+
+#ifndef CSCD_IO_READ_VOLUME_IMPL_H
+#define CSCD_IO_READ_VOLUME_IMPL_H
+
+#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/decode_bytes.h>
+#include <CSCD/IO/read_volume.h>
+#include <CSCD/Surface/Voxel_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/algorithm/string/erase.hpp>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/trim.hpp>
+#include <boost/endian/conversion.hpp>
+
+#ifdef CSCD_WITH_TIFF
+#include <tiffio.h>
+#endif
+#ifdef CSCD_WITH_ZLIB
+#include <zlib.h>
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <initializer_list>
+#include <limits>
+#include <locale>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+namespace internal {
+
+/// What the header of a volume tells.
+struct Volume_header
+{
+  Volume_grid grid;
+  Number_type type;
+  boost::endian::order order = boost::endian::order::little;
+  double slope = 1; ///< by which values are multiplied, before `intercept` is added
+  double intercept = 0;
+  bool is_compressed = false;
+  std::string data_filename;     ///< of the file with the data
+  std::size_t data_begin = 0;    ///< the first byte of the data in it, compressed or not
+  bool is_data_at_end = false;   ///< whether the data are the last bytes of the file instead
+  std::size_t skipped_bytes = 0; ///< at the beginning of the data, when they are decompressed
+};
+
+[[noreturn]] inline void fail_in_volume(const std::string& filename, const std::string& fault,
+                                        const std::string& remedy)
+{
+  throw File_error(filename + ": " + fault + "; " + remedy);
+}
+
+/// The product of positive numbers.
+/// \throw File_error if it is not less than 2^62
+inline std::size_t checked_product(const std::string& filename, std::initializer_list<std::size_t> factors)
+{
+  constexpr std::size_t max_product = std::size_t(1) << 62U;
+  std::size_t product = 1;
+  for (const std::size_t factor : factors) {
+    if (factor == 0) {
+      fail_in_volume(filename, "a size in the header is 0", "correct it");
+    }
+    if (factor > max_product / product) {
+      fail_in_volume(filename, "the sizes in the header are too large for any memory", "correct them");
+    }
+    product *= factor;
+  }
+  return product;
+}
+
+/// The values of a volume, slice by slice.
+struct Volume_file
+{
+  virtual ~Volume_file() = default;
+  /// Reads the values of the next slice.
+  virtual void read_slice(std::vector<double>& values) = 0;
+
+  std::string filename;
+  Volume_grid grid;
+};
+
+#ifndef CSCD_WITH_ZLIB
+[[noreturn]] inline void fail_without_zlib(const std::string& filename)
+{
+  fail_in_volume(filename, "is compressed, and this was built without zlib",
+                 "install zlib1g-dev and build again, or write the file without compression");
+}
+#else
+/// Decompresses what zlib or gzip has compressed, piece by piece.
+class Inflating_stream
+{
+public:
+  Inflating_stream(std::ifstream& in, const std::string& filename) : m_in(in), m_filename(filename)
+  {
+    constexpr int recognizes_header = 32;
+    if (inflateInit2(&m_stream, MAX_WBITS + recognizes_header) != Z_OK) {
+      fail_to_decompress(filename);
+    }
+  }
+  Inflating_stream(Inflating_stream&&) = delete;
+  ~Inflating_stream() { inflateEnd(&m_stream); }
+
+  /// \throw File_error if there are not `size` bytes left, or they are damaged
+  void read(char* bytes, std::size_t size)
+  {
+    while (size > 0) {
+      const std::size_t part = std::min(size, std::size_t(std::numeric_limits<uInt>::max()));
+      m_stream.next_out = reinterpret_cast<Bytef*>(bytes);
+      m_stream.avail_out = uInt(part);
+      while (m_stream.avail_out > 0) {
+        inflate_some();
+      }
+      bytes += part;
+      size -= part;
+    }
+  }
+
+private:
+  void inflate_some()
+  {
+    if (m_stream.avail_in == 0) {
+      m_in.read(m_buffer.data(), std::streamsize(m_buffer.size()));
+      m_stream.next_in = reinterpret_cast<Bytef*>(m_buffer.data());
+      m_stream.avail_in = uInt(m_in.gcount());
+      if (m_stream.avail_in == 0) {
+        fail_in_volume(m_filename, "compressed data end before all voxels", "fetch or write the file again");
+      }
+    }
+    const int status = ::inflate(&m_stream, Z_NO_FLUSH);
+    if (status == Z_STREAM_END) {
+      inflateReset(&m_stream); // gzip allows several streams in one file
+    } else if (status != Z_OK) {
+      fail_to_decompress(m_filename);
+    }
+  }
+
+  static constexpr std::size_t buffer_size = std::size_t(1) << 16U; // bytes
+
+  std::ifstream& m_in;
+  std::string m_filename;
+  std::vector<char> m_buffer = std::vector<char>(buffer_size);
+  z_stream m_stream{};
+};
+#endif
+
+/// Calls `use` with each of `count` numbers in `bytes`, of type `Number`.
+template <class Number, class Use>
+void decode_numbers(const char* bytes, std::size_t count, boost::endian::order order, const Use& use)
+{
+  const bool is_native = order == boost::endian::order::native;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<char, sizeof(Number)> raw;
+    std::copy_n(bytes + i * sizeof(Number), sizeof(Number), raw.begin());
+    if (!is_native) {
+      std::reverse(raw.begin(), raw.end());
+    }
+    Number number;
+    std::memcpy(&number, raw.data(), sizeof(Number));
+    use(i, double(number));
+  }
+}
+
+template <class Use>
+void decode_numbers(const char* bytes, std::size_t count, const Number_type& type, boost::endian::order order,
+                    const Use& use)
+{
+  const bool has_sign = type.kind == 'i';
+  if (type.kind == 'f') {
+    type.size == sizeof(float) ? decode_numbers<float>(bytes, count, order, use)
+                               : decode_numbers<double>(bytes, count, order, use);
+  } else if (type.size == 1) {
+    has_sign ? decode_numbers<std::int8_t>(bytes, count, order, use)
+             : decode_numbers<std::uint8_t>(bytes, count, order, use);
+  } else if (type.size == 2) {
+    has_sign ? decode_numbers<std::int16_t>(bytes, count, order, use)
+             : decode_numbers<std::uint16_t>(bytes, count, order, use);
+  } else if (type.size == 4) {
+    has_sign ? decode_numbers<std::int32_t>(bytes, count, order, use)
+             : decode_numbers<std::uint32_t>(bytes, count, order, use);
+  } else {
+    has_sign ? decode_numbers<std::int64_t>(bytes, count, order, use)
+             : decode_numbers<std::uint64_t>(bytes, count, order, use);
+  }
+}
+
+/// A volume whose data are raw bytes, compressed or not.
+class Byte_volume_file : public Volume_file
+{
+public:
+  /// \throw File_error if the data cannot be as large as the header tells
+  Byte_volume_file(const std::string& its_filename, const Volume_header& header)
+      : m_header(header), m_in(header.data_filename, std::ios::binary)
+  {
+    filename = its_filename;
+    grid = header.grid;
+    std::error_code error;
+    const std::size_t file_size = std::size_t(std::filesystem::file_size(header.data_filename, error));
+    if (!m_in || error) {
+      fail_in_volume(filename, "the data file " + header.data_filename + " cannot be opened",
+                     "put it there or correct its name");
+    }
+    const std::size_t size = checked_product(filename, {grid.size[0], grid.size[1], grid.size[2], header.type.size});
+    std::size_t begin = header.data_begin;
+    if (header.is_data_at_end) {
+      begin = file_size >= size ? file_size - size : file_size;
+    }
+    constexpr std::size_t max_ratio = 1032; // of deflate: 258 bytes of 2 bits
+    const std::size_t available = begin < file_size ? file_size - begin : 0;
+    const std::size_t needed = header.is_compressed ? size / max_ratio : size;
+    if (needed > available || available == 0) {
+      fail_in_volume(filename,
+                     "the header promises " + std::to_string(size) + " bytes of voxels, the data have " +
+                         std::to_string(available) + (header.is_compressed ? " compressed ones" : ""),
+                     "the file seems truncated, fetch or write it again");
+    }
+    m_in.seekg(std::streamoff(begin));
+    if (header.is_compressed) {
+#ifdef CSCD_WITH_ZLIB
+      m_stream.emplace(m_in, filename);
+      std::array<char, 4096> skipped{};
+      for (std::size_t left = header.skipped_bytes; left > 0;) {
+        const std::size_t part = std::min(left, skipped.size());
+        m_stream->read(skipped.data(), part);
+        left -= part;
+      }
+#else
+      fail_without_zlib(filename);
+#endif
+    }
+    m_bytes.resize(grid.slice_size() * header.type.size);
+  }
+
+  void read_slice(std::vector<double>& values) override
+  {
+#ifdef CSCD_WITH_ZLIB
+    if (m_stream) {
+      m_stream->read(m_bytes.data(), m_bytes.size());
+    } else
+#endif
+    {
+      m_in.read(m_bytes.data(), std::streamsize(m_bytes.size()));
+      if (std::size_t(m_in.gcount()) != m_bytes.size()) {
+        fail_in_volume(filename, "cannot be read to the end of its data", "check the disk or the connection");
+      }
+    }
+    values.resize(grid.slice_size());
+    decode_numbers(m_bytes.data(), values.size(), m_header.type, m_header.order,
+                   [&](std::size_t i, double value) { values[i] = m_header.slope * value + m_header.intercept; });
+  }
+
+private:
+  Volume_header m_header;
+  std::ifstream m_in;
+#ifdef CSCD_WITH_ZLIB
+  std::optional<Inflating_stream> m_stream;
+#endif
+  std::vector<char> m_bytes;
+};
+
+/// A header of lines, each a name and a value.
+class Line_header
+{
+public:
+  /// \param size of the header, in bytes, is at most this
+  static constexpr std::size_t max_size = std::size_t(1) << 20U;
+
+  Line_header(const std::string& filename, char separator) : m_filename(filename), m_separator(separator)
+  {
+    std::ifstream in(filename, std::ios::binary);
+    if (!in) {
+      fail_in_volume(filename, "cannot be opened", "check the name and the permissions");
+    }
+    m_text.resize(max_size);
+    in.read(m_text.data(), std::streamsize(max_size));
+    m_text.resize(std::size_t(in.gcount()));
+  }
+
+  /// The next line without its end, if there is one.
+  std::optional<std::string> next_line()
+  {
+    const std::size_t end = m_text.find('\n', m_at);
+    if (m_at >= m_text.size() || (end == std::string::npos && m_text.size() == max_size)) {
+      return std::nullopt;
+    }
+    std::string line = m_text.substr(m_at, end - m_at);
+    m_at = end == std::string::npos ? m_text.size() : end + 1;
+    boost::algorithm::trim_right(line, std::locale::classic());
+    return line;
+  }
+
+  /// The first byte behind the lines that were read.
+  std::size_t position() const { return m_at; }
+
+  /// Keeps the value of a line, in which names do not depend on case and blanks. \return the name
+  std::string add(const std::string& line)
+  {
+    const std::size_t separator = line.find(m_separator);
+    if (separator == std::string::npos) {
+      fail_in_volume(m_filename, "the header has a line that is no field", "correct it: " + line.substr(0, 40));
+    }
+    std::string name = boost::algorithm::to_lower_copy(line.substr(0, separator), std::locale::classic());
+    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    m_values[name] = boost::algorithm::trim_copy(line.substr(separator + 1), std::locale::classic());
+    return name;
+  }
+
+  /// The value of the first of `names` that is there, or an empty one.
+  std::string value(std::initializer_list<const char*> names) const
+  {
+    for (const char* name : names) {
+      if (const auto found = m_values.find(name); found != m_values.end()) {
+        return found->second;
+      }
+    }
+    return "";
+  }
+
+  /// Numbers separated by blanks, commas and parentheses.
+  /// \throw File_error if there are not exactly `count` of them, all finite
+  std::vector<double> numbers(std::string text, const std::string& name, std::size_t count) const
+  {
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
+    Text_scanner scanner(text, m_filename);
+    std::vector<double> result;
+    result.reserve(count);
+    while (scanner.skip_blanks()) {
+      if (result.size() == count || !scanner.is_at_number()) {
+        fail(name, count);
+      }
+      const std::string word(scanner.word());
+      Text_scanner its_number(word, m_filename);
+      result.push_back(its_number.number());
+      if (!std::isfinite(result.back())) {
+        fail(name, count);
+      }
+    }
+    if (result.size() != count) {
+      fail(name, count);
+    }
+    return result;
+  }
+
+  /// Three numbers. \throw File_error if there are not exactly three, all finite
+  Vector_3 vector(const std::string& text, const std::string& name) const
+  {
+    const std::vector<double> values = numbers(text, name, 3);
+    return {values[0], values[1], values[2]};
+  }
+
+  /// The vectors of three axes, one after the other. \throw File_error if there are not exactly nine numbers, all
+  /// finite
+  std::array<Vector_3, 3> axes(const std::string& text, const std::string& name) const
+  {
+    const std::vector<double> v = numbers(text, name, 9);
+    return {Vector_3(v[0], v[1], v[2]), Vector_3(v[3], v[4], v[5]), Vector_3(v[6], v[7], v[8])};
+  }
+
+  /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
+  std::vector<std::size_t> counts(const std::string& text, const std::string& name, std::size_t count) const
+  {
+    constexpr double max_count = 1e15; // integers up to this are exact, and no file has as many bytes
+    std::vector<std::size_t> result;
+    for (const double number : numbers(text, name, count)) {
+      if (!(number >= 0) || number > max_count || number != std::floor(number)) {
+        fail(name, count);
+      }
+      result.push_back(std::size_t(number));
+    }
+    return result;
+  }
+
+  /// A single number, or the default where there is no such field.
+  std::size_t count(const std::string& name, std::size_t its_default) const
+  {
+    const std::string text = value({name.c_str()});
+    return text.empty() ? its_default : counts(text, name, 1).front();
+  }
+
+  [[noreturn]] void fail(const std::string& name, std::size_t count) const
+  {
+    fail_in_volume(m_filename,
+                   "the field '" + name + "' of the header is not " + std::to_string(count) +
+                       (count == 1 ? " finite number" : " finite numbers") + " as they may be",
+                   "correct it or write the file again");
+  }
+
+private:
+  std::string m_filename;
+  char m_separator;
+  std::string m_text;
+  std::size_t m_at = 0;
+  std::map<std::string, std::string> m_values;
+};
+
+/// Finds the data that a header names.
+/// \param position of the data in the file with the header, if they are there
+/// \param name of the file with the data, relative to that of the header, or empty
+inline void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
+{
+  if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
+    fail_in_volume(filename, "the data are in several files, which is not read", "write them into one");
+  }
+  header.data_filename =
+      name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
+  header.data_begin = name.empty() ? position : 0;
+}
+
+/// Reads the byte skip, line skip and the rest that NRRD says of where data are.
+inline void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
+{
+  find_data(filename, lines.value({"datafile"}), lines.position(), header);
+  std::size_t number_of_lines = lines.count("lineskip", 0);
+  if (number_of_lines > 0) {
+    std::ifstream in(header.data_filename, std::ios::binary);
+    in.seekg(std::streamoff(header.data_begin));
+    for (char c = 0; number_of_lines > 0 && in.get(c);) {
+      ++header.data_begin;
+      number_of_lines -= c == '\n' ? 1 : 0;
+    }
+  }
+  if (lines.value({"byteskip"}) == "-1") {
+    header.is_data_at_end = true;
+  } else {
+    (header.is_compressed ? header.skipped_bytes : header.data_begin) += lines.count("byteskip", 0);
+  }
+}
+
+/// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
+inline Number_type nrrd_type(const std::string& filename, const std::string& its_name)
+{
+  std::string name = boost::algorithm::to_lower_copy(its_name, std::locale::classic());
+  boost::algorithm::erase_all(name, " ");
+  const bool has_no_sign = boost::algorithm::starts_with(name, "u");
+  for (const char* const prefix : {"unsigned", "signed", "u"}) {
+    if (boost::algorithm::starts_with(name, prefix)) {
+      name.erase(0, std::string_view(prefix).size());
+      break;
+    }
+  }
+  static const std::map<std::string, std::size_t> sizes{
+      {"char", 1}, {"int8", 1},  {"int8_t", 1},  {"short", 2},    {"shortint", 2},    {"int16", 2}, {"int16_t", 2},
+      {"int", 4},  {"int32", 4}, {"int32_t", 4}, {"longlong", 8}, {"longlongint", 8}, {"int64", 8}, {"int64_t", 8}};
+  if (const auto found = sizes.find(name); found != sizes.end()) {
+    return {has_no_sign ? 'u' : 'i', found->second};
+  }
+  if (name != "float" && name != "double") {
+    fail_in_volume(filename, "'" + its_name.substr(0, 40) + "' is no type of numbers that volumes have",
+                   "write the volume with one from int8 to uint64, float or double");
+  }
+  return {'f', name == "float" ? sizeof(float) : sizeof(double)};
+}
+
+inline void scale_axes(Volume_grid& grid, const Vector_3& spacing)
+{
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    grid.axes[axis] *= spacing[axis];
+  }
+}
+
+/// Reads the axes of NRRD: directions in space or spacings.
+inline void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
+{
+  const std::string directions = lines.value({"spacedirections"});
+  if (const std::string spacings = lines.value({"spacings"}); directions.empty() && !spacings.empty()) {
+    scale_axes(grid, lines.vector(spacings, "spacings"));
+  } else if (!directions.empty()) {
+    grid.axes = lines.axes(directions, "space directions");
+  }
+  if (const std::string origin = lines.value({directions.empty() ? "axismins" : "spaceorigin"}); !origin.empty()) {
+    grid.origin = lines.vector(origin, "space origin");
+  }
+}
+
+inline std::array<std::size_t, 3> three_sizes(const std::vector<std::size_t>& sizes)
+{
+  return {sizes[0], sizes[1], sizes[2]};
+}
+
+inline Volume_header read_nrrd_header(const std::string& filename)
+{
+  Line_header lines(filename, ':');
+  const std::optional<std::string> magic = lines.next_line();
+  if (!magic || !boost::algorithm::starts_with(*magic, "NRRD000")) {
+    fail_in_volume(filename, "does not begin with NRRD and its version", "check what the file is");
+  }
+  while (const std::optional<std::string> line = lines.next_line()) {
+    if (line->empty()) {
+      break;
+    }
+    const std::size_t separator = line->find(':');
+    const bool is_key = separator != std::string::npos && separator + 1 < line->size() && (*line)[separator + 1] == '=';
+    if (line->front() != '#' && !is_key) {
+      lines.add(*line);
+    }
+  }
+  Volume_header header;
+  if (lines.count("dimension", 0) != 3) {
+    fail_in_volume(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
+  }
+  header.grid.size = three_sizes(lines.counts(lines.value({"sizes"}), "sizes", 3));
+  header.type = nrrd_type(filename, lines.value({"type"}));
+  header.order = lines.value({"endian"}) == "big" ? boost::endian::order::big : boost::endian::order::little;
+  const std::string encoding = boost::algorithm::to_lower_copy(lines.value({"encoding"}), std::locale::classic());
+  header.is_compressed = encoding == "gzip" || encoding == "gz";
+  if (!header.is_compressed && encoding != "raw") {
+    fail_in_volume(filename, "'encoding: " + encoding.substr(0, 40) + "' is not read",
+                   "write it with the encoding raw or gzip");
+  }
+  read_nrrd_axes(lines, header.grid);
+  find_nrrd_data(filename, lines, header);
+  return header;
+}
+
+inline Number_type meta_image_type(const std::string& filename, const std::string& name)
+{
+  // MET_LONG has 4 bytes in files, whatever it has in memory.
+  static const std::map<std::string, Number_type> types{
+      {"MET_CHAR", {'i', 1}},  {"MET_UCHAR", {'u', 1}},  {"MET_SHORT", {'i', 2}},     {"MET_USHORT", {'u', 2}},
+      {"MET_INT", {'i', 4}},   {"MET_UINT", {'u', 4}},   {"MET_LONG", {'i', 4}},      {"MET_ULONG", {'u', 4}},
+      {"MET_FLOAT", {'f', 4}}, {"MET_DOUBLE", {'f', 8}}, {"MET_LONG_LONG", {'i', 8}}, {"MET_ULONG_LONG", {'u', 8}}};
+  const auto found = types.find(name);
+  if (found == types.end()) {
+    fail_in_volume(filename, "'" + name.substr(0, 40) + "' is no ElementType of one number a voxel",
+                   "write the volume with one from MET_CHAR to MET_DOUBLE");
+  }
+  return found->second;
+}
+
+inline Volume_header read_meta_image_header(const std::string& filename)
+{
+  Line_header lines(filename, '=');
+  bool has_data = false;
+  while (const std::optional<std::string> line = has_data ? std::nullopt : lines.next_line()) {
+    has_data = !line->empty() && lines.add(*line) == "elementdatafile";
+  }
+  const auto is_true = [&lines](std::initializer_list<const char*> names) {
+    return boost::algorithm::istarts_with(lines.value(names), "t", std::locale::classic());
+  };
+  if (!has_data) {
+    fail_in_volume(filename, "the header has no ElementDataFile", "check what the file is");
+  }
+  if (lines.count("ndims", 0) != 3 || lines.count("elementnumberofchannels", 1) != 1) {
+    fail_in_volume(filename, "is not of three dimensions with one number a voxel", "write such a volume");
+  }
+  Volume_header header;
+  header.grid.size = three_sizes(lines.counts(lines.value({"dimsize"}), "DimSize", 3));
+  header.type = meta_image_type(filename, lines.value({"elementtype"}));
+  header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? boost::endian::order::big
+                                                                            : boost::endian::order::little;
+  header.is_compressed = is_true({"compresseddata"});
+  if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {
+    header.grid.axes = lines.axes(matrix, "TransformMatrix");
+  }
+  if (const std::string spacing = lines.value({"elementspacing", "elementsize"}); !spacing.empty()) {
+    scale_axes(header.grid, lines.vector(spacing, "ElementSpacing"));
+  }
+  if (const std::string offset = lines.value({"offset", "origin", "position"}); !offset.empty()) {
+    header.grid.origin = lines.vector(offset, "Offset");
+  }
+  const std::string data = lines.value({"elementdatafile"});
+  const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
+  find_data(filename, is_local ? "" : data, lines.position(), header);
+  if (lines.value({"headersize"}) == "-1") {
+    header.is_data_at_end = true;
+  } else {
+    header.data_begin += lines.count("headersize", 0);
+  }
+  return header;
+}
+
+/// A header of NIfTI-1, whose numbers stand in fixed places.
+class Nifti_header
+{
+public:
+  static constexpr std::size_t size = 348; ///< in bytes
+
+  Nifti_header(std::string bytes, const std::string& filename) : m_bytes(std::move(bytes)), m_filename(filename)
+  {
+    if (number<std::int32_t>(0) != std::int32_t(size)) {
+      m_order = boost::endian::order::big;
+    }
+    const std::string magic = m_bytes.substr(344, 3);
+    if (number<std::int32_t>(0) != std::int32_t(size) || magic != "n+1") {
+      fail_in_volume(filename, "has no header of NIfTI-1 with its data in the same file",
+                     "check what the file is, or write it as NIfTI-1");
+    }
+  }
+
+  Volume_header header() const
+  {
+    Volume_header result;
+    result.order = m_order;
+    const int dimension = number<std::int16_t>(40);
+    for (std::size_t axis = 0; axis < 7; ++axis) {
+      const int extent = int(axis) < dimension ? number<std::int16_t>(42 + 2 * axis) : 1;
+      if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
+        fail_in_volume(m_filename, "'dim' in the header tells no volume of one value a voxel",
+                       "write it as one of three dimensions");
+      }
+      if (axis < 3) {
+        result.grid.size[axis] = std::size_t(extent);
+      }
+    }
+    result.type = type();
+    const double slope = number<float>(112);
+    const double intercept = number<float>(116);
+    if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0) {
+      result.slope = slope;
+      result.intercept = intercept;
+    }
+    const double begin = number<float>(108);
+    constexpr double max_begin = 1e9; // bytes of extensions
+    if (!(begin >= double(size)) || begin > max_begin) {
+      fail_in_volume(m_filename, "'vox_offset' in the header is inside the header or too large", "correct it");
+    }
+    result.data_begin = std::size_t(begin);
+    read_axes(result.grid);
+    return result;
+  }
+
+private:
+  template <class Number>
+  Number number(std::size_t place) const
+  {
+    Byte_scanner scanner(std::string_view(m_bytes).substr(place), m_order, m_filename);
+    return scanner.number<Number>();
+  }
+
+  Number_type type() const
+  {
+    const int code = number<std::int16_t>(70);
+    switch (code) {
+    case 2:
+      return {'u', 1};
+    case 4:
+      return {'i', 2};
+    case 8:
+      return {'i', 4};
+    case 16:
+      return {'f', 4};
+    case 64:
+      return {'f', 8};
+    case 256:
+      return {'i', 1};
+    case 512:
+      return {'u', 2};
+    case 768:
+      return {'u', 4};
+    case 1024:
+      return {'i', 8};
+    case 1280:
+      return {'u', 8};
+    default:
+      fail_in_volume(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
+                     "write the volume with integers, float or double");
+    }
+  }
+
+  /// By the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
+  void read_axes(Volume_grid& grid) const
+  {
+    if (number<std::int16_t>(254) > 0) {
+      for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          grid.axes[axis][row] = number<float>(280 + 16 * row + 4 * axis);
+        }
+        grid.origin[row] = number<float>(280 + 16 * row + 12);
+      }
+      return;
+    }
+    if (number<std::int16_t>(252) > 0) {
+      const double b = number<float>(256);
+      const double c = number<float>(260);
+      const double d = number<float>(264);
+      const double a = std::sqrt(std::max(0., 1 - b * b - c * c - d * d));
+      grid.axes[0] = {a * a + b * b - c * c - d * d, 2 * (b * c + a * d), 2 * (b * d - a * c)};
+      grid.axes[1] = {2 * (b * c - a * d), a * a + c * c - b * b - d * d, 2 * (c * d + a * b)};
+      grid.axes[2] = {2 * (b * d + a * c), 2 * (c * d - a * b), a * a + d * d - b * b - c * c};
+      grid.axes[2] *= number<float>(76) < 0 ? -1 : 1;
+      grid.origin = {number<float>(268), number<float>(272), number<float>(276)};
+    }
+    scale_axes(grid, {number<float>(80), number<float>(84), number<float>(88)});
+  }
+
+  std::string m_bytes;
+  std::string m_filename;
+  boost::endian::order m_order = boost::endian::order::little;
+};
+
+inline Volume_header read_nifti_header(const std::string& filename)
+{
+  std::ifstream in(filename, std::ios::binary);
+  if (!in) {
+    fail_in_volume(filename, "cannot be opened", "check the name and the permissions");
+  }
+  const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
+  std::string bytes(Nifti_header::size, '\0');
+  if (is_compressed) {
+#ifdef CSCD_WITH_ZLIB
+    Inflating_stream(in, filename).read(bytes.data(), bytes.size());
+#else
+    fail_without_zlib(filename);
+#endif
+  } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
+    fail_in_volume(filename, "is shorter than a header of NIfTI-1", "check what the file is");
+  }
+  Volume_header header = Nifti_header(std::move(bytes), filename).header();
+  header.data_filename = filename;
+  header.is_compressed = is_compressed;
+  if (is_compressed) {
+    header.skipped_bytes = header.data_begin;
+    header.data_begin = 0;
+  }
+  return header;
+}
+
+/// A format of volumes.
+enum class Volume_format
+{
+  nrrd,
+  nifti,
+  meta_image,
+  tiff
+};
+
+inline constexpr std::array<std::pair<const char*, Volume_format>, 8> volume_endings{
+    {{".nrrd", Volume_format::nrrd},
+     {".nhdr", Volume_format::nrrd},
+     {".nii", Volume_format::nifti},
+     {".nii.gz", Volume_format::nifti},
+     {".mha", Volume_format::meta_image},
+     {".mhd", Volume_format::meta_image},
+     {".tif", Volume_format::tiff},
+     {".tiff", Volume_format::tiff}}};
+
+inline std::optional<Volume_format> find_volume_format(const std::string& filename)
+{
+  for (const auto& [ending, format] : volume_endings) {
+    if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
+      return format;
+    }
+  }
+  return std::nullopt;
+}
+
+#ifdef CSCD_WITH_TIFF
+/// A TIFF whose pages are slices, in strips of rows.
+class Tiff_volume_file : public Volume_file
+{
+public:
+  explicit Tiff_volume_file(const std::string& its_filename)
+  {
+    filename = its_filename;
+    TIFFSetErrorHandler(nullptr); // failures are exceptions here
+    TIFFSetWarningHandler(nullptr);
+    m_tiff.reset(TIFFOpen(filename.c_str(), "rm"));
+    if (!m_tiff) {
+      fail_in_volume(filename, "cannot be opened as TIFF", "check the name, the permissions and what the file is");
+    }
+    m_page = read_page();
+    grid.size = {m_page.width, m_page.height, 0};
+    do {
+      ++grid.size[2];
+    } while (TIFFReadDirectory(m_tiff.get()) != 0);
+    if (TIFFSetDirectory(m_tiff.get(), 0) == 0) {
+      fail();
+    }
+    checked_product(filename, {grid.size[0], grid.size[1], grid.size[2], m_page.type.size});
+    check_size();
+  }
+
+  void read_slice(std::vector<double>& values) override
+  {
+    const Page page = read_page();
+    if (page.width != m_page.width || page.height != m_page.height || page.type.kind != m_page.type.kind ||
+        page.type.size != m_page.type.size) {
+      fail_in_volume(filename,
+                     "page " + std::to_string(m_number_of_slices) + " has another size or type than the first",
+                     "write all slices alike");
+    }
+    values.resize(grid.slice_size());
+    const std::size_t row_size = grid.size[0] * page.type.size;
+    m_row.resize(std::size_t(TIFFScanlineSize(m_tiff.get())));
+    if (m_row.size() < row_size) {
+      fail();
+    }
+    for (std::size_t y = 0; y < grid.size[1]; ++y) {
+      if (TIFFReadScanline(m_tiff.get(), m_row.data(), std::uint32_t(y), 0) != 1) {
+        fail();
+      }
+      decode_numbers(m_row.data(), grid.size[0], page.type, boost::endian::order::native,
+                     [&](std::size_t x, double value) { values[y * grid.size[0] + x] = value; });
+    }
+    ++m_number_of_slices;
+    if (m_number_of_slices < grid.size[2] && TIFFReadDirectory(m_tiff.get()) == 0) {
+      fail();
+    }
+  }
+
+private:
+  struct Page
+  {
+    std::size_t width;
+    std::size_t height;
+    Number_type type;
+  };
+  struct Closer
+  {
+    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
+  };
+
+  [[noreturn]] void fail() const
+  {
+    fail_in_volume(filename, "page " + std::to_string(m_number_of_slices) + " is damaged or cannot be decoded",
+                   "write the file again, without compression");
+  }
+
+  template <class Value>
+  Value field(std::uint32_t tag) const
+  {
+    Value value{};
+    return TIFFGetFieldDefaulted(m_tiff.get(), tag, &value) == 1 ? value : Value{};
+  }
+
+  /// What libtiff says of the page at which it is.
+  Page read_page() const
+  {
+    const auto bits = field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
+    const auto format = field<std::uint16_t>(TIFFTAG_SAMPLEFORMAT);
+    const Number_type type{format == SAMPLEFORMAT_IEEEFP ? 'f'
+                           : format == SAMPLEFORMAT_INT  ? 'i'
+                                                         : 'u',
+                           std::size_t(bits / 8)};
+    if (TIFFIsTiled(m_tiff.get()) != 0 || field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) != 1 || bits % 8 != 0 ||
+        !type.is_valid()) {
+      fail_in_volume(filename, "is tiled, in color, or of numbers that are not 8 to 64 bits long",
+                     "write slices of one number a pixel, in strips");
+    }
+    return {field<std::uint32_t>(TIFFTAG_IMAGEWIDTH), field<std::uint32_t>(TIFFTAG_IMAGELENGTH), type};
+  }
+
+  /// Nothing compresses to less than a four thousandth, but for pages that say less than they are.
+  void check_size() const
+  {
+    constexpr std::size_t max_ratio = 4096;
+    std::error_code error;
+    const std::size_t file_size = std::size_t(std::filesystem::file_size(filename, error));
+    if (error || grid.slice_size() / max_ratio > file_size) {
+      fail_in_volume(filename, "the pages are larger than the file can hold", "fetch or write the file again");
+    }
+  }
+
+  std::unique_ptr<TIFF, Closer> m_tiff;
+  Page m_page{};
+  std::size_t m_number_of_slices = 0;
+  std::vector<char> m_row;
+};
+#endif
+
+inline std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
+{
+#ifdef CSCD_WITH_TIFF
+  return std::make_unique<Tiff_volume_file>(filename);
+#else
+  fail_in_volume(filename, "is a TIFF, and this was built without libtiff",
+                 "install libtiff-dev and build again, or write the volume as .nrrd, .nii or .mha");
+#endif
+}
+
+inline std::unique_ptr<Volume_file> open_volume(const std::string& filename)
+{
+  std::error_code error;
+  if (std::filesystem::is_directory(filename, error)) {
+    fail_in_volume(filename, "is a folder", "name a file in it");
+  }
+  const std::optional<Volume_format> format = find_volume_format(filename);
+  if (!format) {
+    fail_in_volume(filename, "the ending names no known format of volumes",
+                   "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
+  }
+  if (*format == Volume_format::tiff) {
+    return open_tiff(filename);
+  }
+  const Volume_header header = *format == Volume_format::nrrd    ? read_nrrd_header(filename)
+                               : *format == Volume_format::nifti ? read_nifti_header(filename)
+                                                                 : read_meta_image_header(filename);
+  return std::make_unique<Byte_volume_file>(filename, header);
+}
+
+} // namespace internal
+
+CSCD_INLINE bool is_volume_filename(const std::string& filename)
+{
+  return internal::find_volume_format(filename).has_value();
+}
+
+CSCD_INLINE Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
+    : m_file(internal::open_volume(filename)), m_selection(selection)
+{
+  const Volume_grid& its_grid = m_file->grid;
+  const double volume = std::abs(its_grid.signed_voxel_volume());
+  const double product = its_grid.axes[0].norm() * its_grid.axes[1].norm() * its_grid.axes[2].norm();
+  constexpr double min_angle = 1e-6; // of a voxel's volume to that of a box with the same sides
+  if (!(volume > min_angle * product) || !std::isfinite(product) || !its_grid.origin.allFinite()) {
+    internal::fail_in_volume(filename, "the axes in the header do not span the space, or are not finite",
+                             "correct spacing, directions and origin");
+  }
+}
+CSCD_INLINE Volume_reader::Volume_reader(Volume_reader&& other) noexcept = default;
+CSCD_INLINE Volume_reader::~Volume_reader() = default;
+
+CSCD_INLINE const Volume_grid& Volume_reader::grid() const
+{
+  return m_file->grid;
+}
+
+CSCD_INLINE void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
+{
+  m_file->read_slice(m_values);
+  labels.resize(m_values.size());
+  if (m_selection.threshold) {
+    std::transform(m_values.begin(), m_values.end(), labels.begin(),
+                   [&](double value) { return value >= *m_selection.threshold ? 1U : 0U; });
+  } else if (m_selection.label) {
+    std::transform(m_values.begin(), m_values.end(), labels.begin(),
+                   [&](double value) { return value == double(*m_selection.label) ? *m_selection.label : 0U; });
+  } else if (!m_selection.separates_labels) {
+    std::transform(m_values.begin(), m_values.end(), labels.begin(),
+                   [](double value) { return value != 0 && !std::isnan(value) ? 1U : 0U; });
+  } else {
+    for (std::size_t i = 0; i < m_values.size(); ++i) {
+      const double value = std::isnan(m_values[i]) ? 0 : m_values[i];
+      if (!(value >= 0) || value > double(std::numeric_limits<std::uint32_t>::max()) || value != std::floor(value)) {
+        internal::fail_in_volume(m_file->filename,
+                                 "a voxel has the value " + std::to_string(value) +
+                                     ", which is no label from 0 to 2^32 - 1",
+                                 "choose a threshold");
+      }
+      labels[i] = std::uint32_t(value);
+    }
+  }
+}
+
+CSCD_INLINE Volume read_volume(const std::string& filename, const Voxel_selection& selection)
+{
+  Volume_reader reader(filename, selection);
+  Volume result{reader.grid(), {}};
+  std::vector<std::uint32_t> slice;
+  for (std::size_t z = 0; z < result.grid.size[2]; ++z) {
+    reader.read_slice(slice);
+    result.labels.insert(result.labels.end(), slice.begin(), slice.end());
+  }
+  return result;
+}
+
+CSCD_INLINE std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename,
+                                                           const Voxel_selection& selection,
+                                                           const Voxel_surface_settings& settings)
+{
+  Volume_reader reader(filename, selection);
+  try {
+    Voxel_surface_builder builder(reader.grid(), settings);
+    std::vector<std::uint32_t> slice;
+    for (std::size_t z = 0; z < reader.grid().size[2]; ++z) {
+      reader.read_slice(slice);
+      builder.push_slice(slice.data());
+    }
+    return builder.finish();
+  } catch (const Input_error& error) {
+    throw Input_error(filename + ": " + error.what());
+  }
+}
+
+} // namespace CSCD
+
+#endif // CSCD_IO_READ_VOLUME_IMPL_H

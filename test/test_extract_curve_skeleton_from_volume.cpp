@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "support/Temporary_folder.h"
+#include <CSCD/IO/read_volume.h>
+#include <CSCD/IO/write_nrrd.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/extract_curve_skeleton_from_volume.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/range/iterator_range_core.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Volume_skeleton = CSCD::Skeleton_graph<CGAL::Simple_cartesian<double>::Point_3, std::size_t>;
+
+constexpr double ring_radius = 9; // in the unit of space
+constexpr double tube_radius = 3;
+
+/// A ring of label 1, and a second one of label 2 that is linked with it, in voxels that are twice as high as wide.
+CSCD::Volume make_linked_rings()
+{
+  CSCD::Volume volume;
+  volume.grid.size = {44, 30, 15};
+  volume.grid.axes[2] = {0, 0, 2};
+  volume.grid.origin = {-13, -14.5, -14};
+  for (std::size_t i = 0; i < volume.grid.number_of_voxels(); ++i) {
+    const CSCD::Vector_3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
+    const double from_first = std::hypot(std::hypot(p.x(), p.y()) - ring_radius, p.z());
+    const double from_second = std::hypot(std::hypot(p.x() - ring_radius, p.z()) - ring_radius, p.y());
+    volume.labels.push_back(from_first < tube_radius ? 1 : from_second < tube_radius ? 2 : 0);
+  }
+  return volume;
+}
+
+TEST(extract_curve_skeleton_from_volume, finds_rings_where_they_are)
+{
+  for (const CSCD::Voxel_surface& surface : make_voxel_surfaces(make_linked_rings())) {
+    Volume_skeleton skeleton;
+    const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(surface, skeleton);
+    EXPECT_EQ(report.number_of_skeleton_components, 1U);
+    EXPECT_EQ(report.betti_number, 1U);
+    EXPECT_EQ(report.number_of_input_vertices, surface.triangles.points.size());
+    std::set<std::size_t> assigned;
+    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+      const auto& [point, members, radius, is_opening] = skeleton[node];
+      const double distance = surface.label == 1
+                                  ? std::hypot(std::hypot(point.x(), point.y()) - ring_radius, point.z())
+                                  : std::hypot(std::hypot(point.x() - ring_radius, point.z()) - ring_radius, point.y());
+      EXPECT_LT(distance, 0.5); // half of the shortest side of a voxel
+      EXPECT_NEAR(radius, tube_radius, 0.5);
+      assigned.insert(members.begin(), members.end());
+    }
+    EXPECT_EQ(assigned.size(), surface.triangles.points.size());
+  }
+}
+
+TEST(extract_curve_skeleton_from_volume, tells_the_node_of_each_voxel)
+{
+  const CSCD::Volume volume = make_linked_rings();
+  const test_support::Temporary_folder folder;
+  std::ostringstream in;
+  CSCD::write_nrrd(in, volume);
+  const std::string file = folder.write("rings.nrrd", in.str());
+
+  const CSCD::Voxel_selection first_ring{std::nullopt, 1U, false};
+  const std::vector<CSCD::Voxel_surface> surfaces = CSCD::read_voxel_surfaces(file, first_ring);
+  ASSERT_EQ(surfaces.size(), 1U);
+  Volume_skeleton skeleton;
+  CSCD::extract_curve_skeleton(surfaces.front(), skeleton);
+  std::vector<std::uint32_t> node_of_vertex(surfaces.front().triangles.points.size());
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    for (const std::size_t vertex : skeleton[node].vertices) {
+      node_of_vertex[vertex] = std::uint32_t(node + 1);
+    }
+  }
+  CSCD::Volume_reader reader(file, first_ring);
+  std::ostringstream out;
+  CSCD::write_node_volume(out, reader, surfaces, {node_of_vertex});
+
+  const CSCD::Volume nodes =
+      CSCD::read_volume(folder.write("nodes.nrrd", out.str()), {std::nullopt, std::nullopt, true});
+  ASSERT_EQ(nodes.labels.size(), volume.labels.size());
+  EXPECT_EQ(nodes.grid.axes, volume.grid.axes);
+  for (std::size_t i = 0; i < nodes.labels.size(); ++i) {
+    ASSERT_EQ(nodes.labels[i] != 0, volume.labels[i] == 1) << i;
+    if (nodes.labels[i] == 0) {
+      continue;
+    }
+    const CSCD::Vector_3 p = volume.grid.point({double(i % 44), double(i / 44 % 30), double(i / 44 / 30)});
+    const auto& node = skeleton[nodes.labels[i] - 1].point;
+    // In the same part of the ring: not farther than a radius and the distance of nodes along it.
+    EXPECT_LT(std::hypot(p.x() - node.x(), p.y() - node.y(), p.z() - node.z()), 2 * tube_radius) << i;
+  }
+}
+
+} // namespace
