@@ -21,7 +21,7 @@ TEXTS = {".graph": "-o", ".json": "-o", ".obj": "-o", ".polylines.txt": "-o", ".
          ".dot": "-o", ".graphml": "-o", ".bvh": "-o", "_branches.csv": "--branches", "_nodes.csv": "--nodes",
          "_vertices.csv": "--correspondence"}
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
-# The C libraries of both differ in the last digits of sine and cosine.
+# The C libraries and the order of sums differ.
 TOLERANCE = 1e-9  # relative to the greatest number that is no integer
 
 
