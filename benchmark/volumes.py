@@ -132,13 +132,22 @@ def euler_number(image):
 
 
 def run(program, arguments):
-    """Runs the program. Returns seconds and the greatest memory in MB."""
+    """Runs the program. Returns seconds, seconds of CPU, and the greatest memory in MB."""
     start = time.monotonic()
     process = subprocess.Popen([program, "skeletonize", *arguments, "-q"])
-    _, status, usage = os.wait4(process.pid, 0)
+    memory = 0
+    while True:
+        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
+        if pid != 0:
+            break
+        # What wait4() tells of memory is at least that of this script.
+        with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
+            peaks = [int(line.split()[1]) for line in file if line.startswith("VmHWM")]
+        memory = max([memory, *peaks])
+        time.sleep(0.01)
     if status != 0:
         raise RuntimeError(f"failed: {arguments}")
-    return time.monotonic() - start, usage.ru_maxrss / 1024
+    return time.monotonic() - start, usage.ru_utime + usage.ru_stime, memory / 1024
 
 
 def thin(image):
@@ -180,7 +189,7 @@ def measure_shapes(program, folder):
             volume = os.path.join(folder, f"{name}_{size}.nrrd")
             report_file = os.path.join(folder, f"{name}_{size}.json")
             write_nrrd(volume, image)
-            seconds, _ = run(program, [volume, "--report", report_file, "-o", volume.replace(".nrrd", ".swc"),
+            seconds, _, _ = run(program, [volume, "--report", report_file, "-o", volume.replace(".nrrd", ".swc"),
                                        "-o", volume.replace(".nrrd", ".graph"), "--threads", "1"])
             with open(report_file, encoding="utf-8") as file:
                 report = json.load(file)
@@ -223,25 +232,46 @@ def measure_vessels(program, folder):
     print()
 
 
-def measure_labels(program, folder, size):
-    """A hundred bodies that touch each other: tubes in the cells of a lattice."""
-    rng = np.random.default_rng(RNG_SEED)
+def lattice_of_vessels(size, rng):
+    """A hundred trees of vessels in the cells of a lattice, which overlap: the first label that comes stays."""
     image = np.zeros((size, size, size), np.uint16)
+    cell = size // 4
     for label in range(1, 101):
-        i, j, k = (label - 1) % 5, (label - 1) // 5 % 5, (label - 1) // 25
-        low = np.array([i / 5, j / 5, k / 4])
-        cell = size // 4
-        tree = [(0.25 * a + 0.0, 0.25 * b + 0.0, 0.25 * r) for a, b, r in vessel_tree(3, rng)]
-        part = Tube([(a / 0.25, b / 0.25, r / 0.25 * 1.6) for a, b, r in tree]).fill(cell)
-        at = (low * size).astype(int)
-        ends = np.minimum(at + cell, size)
-        target = image[at[2] : ends[2], at[1] : ends[1], at[0] : ends[0]]
+        place = np.array([(label - 1) % 5 / 5, (label - 1) // 5 % 5 / 5, (label - 1) // 25 / 4])
+        part = Tube([(a, b, 1.6 * r) for a, b, r in vessel_tree(3, rng)]).fill(cell)
+        x, y, z = (place * size).astype(int)
+        target = image[z : z + cell, y : y + cell, x : x + cell]
         source = part[: target.shape[0], : target.shape[1], : target.shape[2]]
         target[(source > 0) & (target == 0)] = label
+    return image
+
+
+def ellipsoids(size, rng):
+    """A hundred ellipsoids at random places."""
+    image = np.zeros((size, size, size), np.uint16)
+    reach = int(0.088 * size)
+    for label in range(1, 101):
+        center = rng.uniform(reach, size - reach, 3)
+        axes = rng.uniform(0.04, 0.082, 3) * size
+        low = (center - reach).astype(int)
+        indices = np.meshgrid(*(np.arange(i, i + 2 * reach) for i in low), indexing="ij")
+        inside = sum(((indices[i] - center[i]) / axes[i]) ** 2 for i in range(3)) < 1
+        target = image[tuple(slice(i, i + 2 * reach) for i in low)]
+        target[inside & (target == 0)] = label
+    return image
+
+
+def measure_labels(program, folder, size):
+    print("| a hundred labels | voxels in bodies | s | CPU s | MB |")
+    print("|---|---|---|---|---|")
     volume = os.path.join(folder, "labels.nrrd")
-    write_nrrd(volume, image)
-    seconds, memory = run(program, [volume, "--all-labels", "-o", os.path.join(folder, "label.graph")])
-    print(f"{size}^3, {len(np.unique(image)) - 1} labels, {int((image > 0).sum())} voxels: {seconds:.1f} s, {memory:.0f} MB")
+    for name, make in (("trees of vessels", lattice_of_vessels), ("ellipsoids", ellipsoids)):
+        image = make(size, np.random.default_rng(RNG_SEED))
+        write_nrrd(volume, image)
+        number = int((image > 0).sum())
+        del image
+        seconds, cpu, memory = run(program, [volume, "--all-labels", "-o", os.path.join(folder, "label.graph")])
+        print(f"| {name}, {size}^3 | {number} | {seconds:.1f} | {cpu:.1f} | {memory:.0f} |")
 
 
 if __name__ == "__main__":
