@@ -109,7 +109,7 @@ TEST_F(Branch_in_capsule, nodes_that_own_little_go_until_the_others_own_enough)
   Skeleton_builder dense = branch({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}, {1.9, 0, 0}, {2.2, 0, 0}, {2.5, 0, 0}});
   CSCD::internal::Branch_straightening(*m_solid, dense).drop_scarce_nodes({5, 5, 5, 5, 5, 5});
   dense.compact();
-  EXPECT_EQ(dense.size(), 3u) << "with what its neighbors owned, one owns enough";
+  EXPECT_EQ(dense.size(), 4u) << "with what its neighbors owned, one owns enough";
   Skeleton_builder rich = branch({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}});
   CSCD::internal::Branch_straightening(*m_solid, rich).drop_scarce_nodes({0, 100, 0});
   rich.compact();

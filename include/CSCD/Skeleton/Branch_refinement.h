@@ -331,10 +331,11 @@ private:
     return a != b && std::find(around.begin(), around.end(), b) == around.end();
   }
 
+  /// Whether an edge from `from` to `to` has a length and stays inside.
   bool is_free(const Vector_3& from, const Vector_3& to)
   {
     m_solid.crossings(from, to, m_crossings);
-    return m_crossings.empty();
+    return from != to && m_crossings.empty();
   }
 
   /// Whether the branch turns by more than a right angle at `node`, if that is at `position`.

@@ -42,7 +42,7 @@ public:
     std::vector<Edge> edges;
     m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
     for (int round = 0; round < max_rounds && !edges.empty(); ++round) {
-      edges = repair_edges(edges, round >= max_rounds / 2);
+      edges = repair_edges(edges, round >= rounds_to_nearest);
     }
   }
 
@@ -61,7 +61,9 @@ public:
 private:
   using Edge = std::pair<Index, Index>;
 
-  /// A surface with folds closer than that needs more; the first half of the rounds leads the least way around.
+  /// Edges that are still outside after this many rounds are led where the way is free ...
+  static constexpr int rounds_to_nearest = 4;
+  /// ... in the rounds that are left. Twice as many bring no further edge of the Princeton meshes inside.
   static constexpr int max_rounds = 8;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
@@ -81,12 +83,7 @@ private:
       if (m_is_outside[node] == 0) {
         continue;
       }
-      const std::vector<Index>& neighbors = m_builder[node].neighbors;
-      std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position);
-      if (!middle && !neighbors.empty()) {
-        middle = middle_around(m_builder[node].position, {neighbors.front(), neighbors.back()});
-      }
-      if (middle) {
+      if (const std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position)) {
         m_builder[node].position = *middle;
         m_is_outside[node] = 0;
       }
@@ -128,7 +125,7 @@ private:
       }
       const std::optional<Vector_3> middle =
           is_thorough ? middle_around(*outside, {a, b}) : m_surface.middle_behind(*outside);
-      if (middle) {
+      if (middle && (!is_thorough || sees_ends(*middle, {a, b}))) {
         const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);
@@ -149,8 +146,9 @@ private:
     bool best_sees = false;
     for (const Vector_3& direction : directions(outside - m_builder[edge.first].position, outside)) {
       const std::optional<Vector_3> middle = middle_along(outside, direction);
-      if (!middle) {
-        continue;
+      if (!middle || (*middle - m_builder[edge.first].position).norm() <= m_offset ||
+          (*middle - m_builder[edge.second].position).norm() <= m_offset) {
+        continue; // none, or an end of the edge, which may have been moved there itself
       }
       const double distance = (*middle - outside).squaredNorm();
       const bool sees = sees_ends(*middle, edge);

@@ -116,7 +116,8 @@ private:
     const Vector_3& origin = m_builder[node].position;
     for (Index neighbor : m_builder[node].neighbors) {
       const Vector_3 edge = m_builder[neighbor].position - origin;
-      const double along = std::clamp(edge.dot(point - origin) / edge.squaredNorm(), 0., 1.);
+      const double squared_length = edge.squaredNorm();
+      const double along = squared_length > 0 ? std::clamp(edge.dot(point - origin) / squared_length, 0., 1.) : 0.;
       if (along > 0) {
         least = std::min(least, (point - origin - along * edge).squaredNorm());
       }
@@ -135,7 +136,8 @@ private:
       weight[m_node[vertex]] += vertex_weight;
     }
     for (Index node = 0; node < m_builder.size(); ++node) {
-      const bool is_measured = weight[node] > 0 && !m_builder[node].is_opening;
+      // A node may lie in its only vertex, where a sheet has no thickness.
+      const bool is_measured = weight[node] > 0 && m_radius[node] > 0 && !m_builder[node].is_opening;
       m_radius[node] = is_measured ? m_radius[node] / weight[node] : m_builder[node].radius;
     }
   }
