@@ -74,10 +74,10 @@ struct Volume_header
 }
 
 /// The product of positive numbers.
-/// \throw File_error if it is not less than 2^62
+/// \throw File_error if it is more than a quarter of the greatest number, so that sums with others do not overflow
 inline std::size_t checked_product(const std::string& filename, std::initializer_list<std::size_t> factors)
 {
-  constexpr std::size_t max_product = std::size_t(1) << 62U;
+  constexpr std::size_t max_product = std::numeric_limits<std::size_t>::max() / 4;
   std::size_t product = 1;
   for (const std::size_t factor : factors) {
     if (factor == 0) {
