@@ -10,6 +10,7 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
@@ -74,7 +75,7 @@ Outcome skeletonize(const CSCD::Triangulated_solid& solid)
       CSCD::Local_policies()
           .set_detail(CSCD::Detail(0.25))
           .find_separators(solid, CSCD::Search_settings(), outcome.report, [](double) {});
-  const CSCD::internal::Region_packing packing(solid, separators, outcome.report);
+  const CSCD::internal::Region_packing packing(solid, separators, CSCD::Field_search_settings(), outcome.report);
   outcome.number_of_packed = packing.packed().size();
   outcome.skeleton = CSCD::internal::Quotient_skeleton_builder(solid, packing.regions())(outcome.report);
   return outcome;
@@ -132,7 +133,7 @@ TEST(Quotient_skeleton, of_what_has_no_separator_is_a_node)
 {
   const Shape_solid solid(CSCD::test::tetrahedron());
   Skeletonization_report report;
-  const CSCD::internal::Region_packing packing(*solid, {}, report);
+  const CSCD::internal::Region_packing packing(*solid, {}, CSCD::Field_search_settings(), report);
   const Embedded_skeleton skeleton = CSCD::internal::Quotient_skeleton_builder(*solid, packing.regions())(report);
   ASSERT_EQ(skeleton.graph.size(), 1u);
   EXPECT_TRUE(solid->is_inside(skeleton.graph[0].position));
