@@ -68,11 +68,11 @@ struct Field_search_settings
   /// What targets are chosen from.
   Cut_locus_rule cut_locus_rule = Cut_locus_rule::points;
   /// The greatest Laplacian of a cut point, times the spacing of the vertices; by default -0.5, among points -0.35.
-  std::optional<double> laplacian_threshold;
+  std::optional<double> laplacian_threshold{};
   /// The least angle between gradients at a cut point, in radians; by default pi/3, among points pi/4.
-  std::optional<double> angle_threshold;
+  std::optional<double> angle_threshold{};
   /// With `Cut_locus_rule::tree`: how the tree is filtered.
-  std::variant<Pruning_policy, Growing_policy> cut_locus_policy;
+  std::variant<Pruning_policy, Growing_policy> cut_locus_policy{};
   /// With `Cut_locus_rule::tree`: the least length of a branch, relative to the distance of the farthest point.
   double minimum_branch_length = 0.03;
 
