@@ -317,7 +317,7 @@ private:
   static constexpr int number_of_rounds = 3;
 
   /// The position of one of the two neighbors of `node`.
-  const Vector_3& end(Index node, int i) const { return m_builder[m_builder[node].neighbors[i]].position; }
+  const Vector_3& end(Index node, std::size_t i) const { return m_builder[m_builder[node].neighbors[i]].position; }
 
   /// Whether the graph stays simple if `node` goes.
   bool is_removable(Index node) const
