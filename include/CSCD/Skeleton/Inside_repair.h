@@ -42,6 +42,9 @@ public:
     std::vector<Edge> edges;
     m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
     for (int round = 0; round < max_rounds && !edges.empty(); ++round) {
+      if (round == rounds_to_nearest && number_outside(edges) > max_edges_led_around) {
+        return;
+      }
       edges = repair_edges(edges, round >= rounds_to_nearest);
     }
   }
@@ -53,9 +56,9 @@ public:
 
   std::size_t number_of_edges_outside()
   {
-    std::size_t count = 0;
-    m_builder.for_each_edge([&](Index a, Index b) { count += first_stretch_outside(a, b) ? 1 : 0; });
-    return count;
+    std::vector<Edge> edges;
+    m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
+    return number_outside(edges);
   }
 
 private:
@@ -65,6 +68,9 @@ private:
   static constexpr int rounds_to_nearest = 4;
   /// ... in the rounds that are left. Twice as many bring no further edge of the Princeton meshes inside.
   static constexpr int max_rounds = 8;
+  /// Meshes of bodies have one or two such edges. Where there are more, the surface cuts itself, and looking for ways
+  /// around would take most of the time.
+  static constexpr std::size_t max_edges_led_around = 8;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
@@ -111,6 +117,13 @@ private:
       last = crossing;
     }
     return std::nullopt;
+  }
+
+  std::size_t number_outside(const std::vector<Edge>& edges)
+  {
+    return std::size_t(std::count_if(edges.begin(), edges.end(), [this](const Edge& edge) {
+      return first_stretch_outside(edge.first, edge.second).has_value();
+    }));
   }
 
   /// Splits those of `edges` that leave the body, by nodes behind the nearest surface or, if `is_thorough`, wherever
