@@ -15,12 +15,14 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace {
@@ -30,6 +32,22 @@ using CSCD::Separator;
 using CSCD::Skeleton_builder;
 using CSCD::Vector_3;
 using CSCD::test::Shape_solid;
+
+/// A body from which the nearest surface leads nowhere, as where it cuts itself; counts the lines that are traced.
+struct Unhelpful_solid
+{
+  const CSCD::Triangulated_surface& triangulation() const { return (*solid)->triangulation(); }
+  bool is_inside(const Vector_3& point) const { return (*solid)->is_inside(point); }
+  std::optional<Vector_3> middle_behind(const Vector_3&) const { return std::nullopt; }
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+  {
+    ++number_of_lines;
+    (*solid)->crossings(from, to, distances);
+  }
+
+  const Shape_solid* solid;
+  mutable std::size_t number_of_lines = 0;
+};
 
 /// A capsule with sections across it; in normalized coordinates, as all that is tested here.
 class Node_placement : public testing::Test
@@ -183,6 +201,24 @@ TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
   std::size_t edges = 0;
   builder.for_each_edge([&](Index, Index) { ++edges; });
   EXPECT_EQ(edges + 1, builder.size());
+}
+
+TEST(Inside_repair, traces_few_lines_where_many_edges_are_outside)
+{
+  const Shape_solid shape(CSCD::test::capsule(6, 1, 24));
+  const Unhelpful_solid solid{&shape};
+  Skeleton_builder builder;
+  constexpr Index number = 100;
+  for (Index i = 0; i < number; ++i) {
+    builder.add_node(shape.at(6. * i / number, i % 2 == 0 ? 0 : 3, 0), 1 / shape.unit());
+    if (i > 0) {
+      builder.add_edge(i - 1, i);
+    }
+  }
+  CSCD::internal::Inside_repair repair(solid, builder);
+  repair();
+  EXPECT_LT(solid.number_of_lines, std::size_t(10) * number) << "26 directions for each edge would be more";
+  EXPECT_EQ(repair.number_of_edges_outside(), number - 1);
 }
 
 } // namespace
