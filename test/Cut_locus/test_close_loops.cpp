@@ -7,6 +7,7 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
+#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
 #include <CSCD/Cut_locus/Tangent_frames.h>
 #include <CSCD/Cut_locus/close_loops.h>
@@ -27,12 +28,21 @@ namespace {
 using CSCD::Index;
 using CSCD::no_index;
 using CSCD::Triangulated_surface;
-using CSCD::internal::Cut_criterion;
 using CSCD::internal::Cut_locus_indicators;
+using CSCD::internal::Cut_locus_settings;
 using CSCD::internal::Cut_tree;
 using CSCD::internal::Org_tree;
 using CSCD::internal::Tangent_frames;
 using CSCD::test::Triple;
+
+/// The tree is grown by the default thresholds.
+Cut_locus_settings settings_of_growth(double min_branch_length)
+{
+  Cut_locus_settings settings;
+  settings.policy = CSCD::Growing_policy();
+  settings.minimum_branch_length = min_branch_length;
+  return settings;
+}
 
 /// The unit square with opposite sides glued: two faces, one vertex, three edges from it to itself.
 struct One_vertex_torus : CSCD::Triangle_halfedges
@@ -57,7 +67,7 @@ TEST(close_loops, of_a_torus_with_one_vertex)
   const std::vector<double> distances{0};
   const Cut_locus_indicators<One_vertex_torus> measures(frames, distances);
   const Org_tree tree(measures, find_loop_vertices(measures, {0}));
-  const Cut_tree cut = find_cut_tree(measures, tree, {0}, Cut_criterion(), CSCD::Growing_policy(), 0);
+  const Cut_tree cut = find_cut_tree(measures, tree, {0}, settings_of_growth(0));
   EXPECT_EQ(cut.chords().size(), 2u);
 }
 
@@ -70,7 +80,7 @@ std::size_t number_of_chords(const Triangulation& surface, const std::vector<dou
   const Cut_locus_indicators<Triangulation> measures(frames, distances);
   const Org_tree tree(measures, find_loop_vertices(measures, sources));
   EXPECT_EQ(tree.roots().size(), 1u);
-  const Cut_tree cut = find_cut_tree(measures, tree, sources, Cut_criterion(), CSCD::Growing_policy(), 0.1);
+  const Cut_tree cut = find_cut_tree(measures, tree, sources, settings_of_growth(0.1));
   for (Index halfedge : cut.chords()) {
     for (Index vertex : {surface.origin(halfedge), surface.target(halfedge)}) {
       for (; vertex != no_index; vertex = tree.parent(vertex)) {
@@ -137,8 +147,7 @@ TEST(find_cut_tree, has_no_short_branches_and_is_one_vertex_wide)
   const Org_tree tree(measures, find_loop_vertices(measures, {source}));
   const double min_length = 0.5;
   const double greatest = *std::max_element(distances.begin(), distances.end());
-  const Cut_tree cut =
-      find_cut_tree(measures, tree, {source}, Cut_criterion(), CSCD::Growing_policy(), min_length / greatest);
+  const Cut_tree cut = find_cut_tree(measures, tree, {source}, settings_of_growth(min_length / greatest));
   std::size_t number_of_leaves = 0;
   for (Index vertex : tree.order()) {
     if (!cut.is_free_leaf(vertex)) {

@@ -9,6 +9,7 @@
 #include <CSCD/Cut_locus/Cut_locus_indicators.h>
 #include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Cut_locus/Cut_tree.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -223,15 +224,12 @@ void close_loops(const Cut_locus_indicators<Triangulation>& measures, const std:
 template <class Triangulation>
 bool has_handles(const Triangulation& surface)
 {
-  // By Euler's formula: a closed surface has half as many edges as halfedges.
   Disjoint_sets components(surface.number_of_vertices());
-  auto twice_genus = std::ptrdiff_t(surface.number_of_halfedges()) / 2 - std::ptrdiff_t(surface.number_of_faces()) -
-                     std::ptrdiff_t(surface.number_of_vertices());
-  twice_genus += 2 * std::ptrdiff_t(surface.number_of_vertices());
+  std::size_t number_of_components = surface.number_of_vertices();
   for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    twice_genus -= components.join(surface.origin(h), surface.target(h)) ? 2 : 0;
+    number_of_components -= components.join(surface.origin(h), surface.target(h)) ? 1 : 0;
   }
-  return twice_genus > 0;
+  return genus_of_closed_surface(number_of_components, surface.number_of_vertices(), surface.number_of_faces()) > 0;
 }
 
 /// \name Among points
@@ -254,19 +252,10 @@ inline void close_loops(const Point_cut_locus_indicators& /* measures */, const 
 
 /// @}
 
-/// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: filtered by `policy`, its loops
-/// closed, made one vertex wide, without short branches. O(n log n) for n vertices.
+/// Finds the cut locus of `sources` as part of `tree`, the ORG tree of `measures`: filtered by the policy of
+/// `settings`, its loops closed, made one vertex wide, without short branches. O(n log n) for n vertices.
 /// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
-/// \param min_branch_length see `filter_org_tree()`
-template <class Measures, class CutLocusPolicy>
-Cut_tree find_cut_tree(const Measures& measures, const Org_tree& tree, const std::vector<Index>& sources,
-                       const Cut_criterion& criterion, const CutLocusPolicy& policy, double min_branch_length)
-{
-  return filter_org_tree(measures, tree, criterion, policy, min_branch_length,
-                         [&](Cut_tree& cut) { close_loops(measures, sources, cut); });
-}
-
-/// The same by `settings`. \param closes_loops whether there are loops to be closed, as far as is known
+/// \param closes_loops whether there are loops to be closed, as far as is known
 template <class Measures>
 Cut_tree find_cut_tree(const Measures& measures, const Org_tree& tree, const std::vector<Index>& sources,
                        const Cut_locus_settings& settings, bool closes_loops = true)

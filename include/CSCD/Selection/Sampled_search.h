@@ -170,8 +170,10 @@ public:
   Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings)
       : m_levels(levels), m_shortening(levels.finest().surface, settings.shortening_rule)
   {
+    Field_search_settings settings_of_levels = settings;
+    settings_of_levels.shortening_rule.reset(); // loops are shortened on the finest level only
     for (Index level = finest_level(); level < levels.size(); ++level) {
-      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
+      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings_of_levels));
     }
   }
 

@@ -131,7 +131,7 @@ private:
 };
 
 /// How loops on a triangulation are shortened: prepared once, shared by all threads.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
+/// \tparam Triangulation a model of `SurfaceTriangulation`, or an `Intrinsic_triangulation` of one
 template <class Triangulation>
 class Loop_shortening_space
 {
@@ -149,8 +149,6 @@ public:
       CGAL_precondition(!is_variational);
     }
   }
-
-  const Triangulation& surface() const { return m_surface; }
 
   /// Makes what shortens loops for one thread, which refers to this object.
   Separator_shortening make_shortening() const
@@ -222,9 +220,9 @@ public:
   /// \pre `settings.shortening_rule` is not `variational`
   Intrinsic_search_space(const Triangulation& surface, const Field_search_settings& settings)
       : m_settings(settings), m_triangulation(make_intrinsic_delaunay(surface, surface.number_of_faces())),
-        m_frames(m_triangulation), m_heat_method(m_triangulation)
+        m_frames(m_triangulation), m_heat_method(m_triangulation),
+        m_shortening(m_triangulation, settings.shortening_rule)
   {
-    CGAL_precondition(settings.shortening_rule != Shortening_rule::variational);
   }
   Intrinsic_search_space(const Intrinsic_search_space&) = delete;
   Intrinsic_search_space& operator=(const Intrinsic_search_space&) = delete;
@@ -235,11 +233,7 @@ public:
   /// Makes a finder, which refers to this object.
   Finder make_finder() const
   {
-    const auto shortening = std::make_shared<Separator_flip_shortening<Intrinsic>>(m_triangulation);
-    return Finder(m_frames, m_triangulation.input().points(), m_settings,
-                  [shortening](const std::vector<Index>& halfedges, Index source, Separator& separator) {
-                    return (*shortening)(halfedges, source, separator);
-                  });
+    return Finder(m_frames, m_triangulation.input().points(), m_settings, m_shortening.make_shortening());
   }
 
 private:
@@ -247,6 +241,7 @@ private:
   Intrinsic m_triangulation;
   Tangent_frames<Intrinsic> m_frames;
   Heat_method m_heat_method;
+  Loop_shortening_space<Intrinsic> m_shortening;
 };
 
 /// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of

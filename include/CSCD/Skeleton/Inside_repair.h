@@ -138,7 +138,7 @@ private:
       }
       const std::optional<Vector_3> middle =
           is_thorough ? middle_around(*outside, {a, b}) : m_surface.middle_behind(*outside);
-      if (middle && (!is_thorough || sees_ends(*middle, {a, b}))) {
+      if (middle) {
         const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
         m_is_outside.push_back(0);
         parts.emplace_back(a, node);
@@ -150,13 +150,12 @@ private:
     return parts;
   }
 
-  /// Of the middles of the body along lines from `outside` in directions all around, the nearest, or the nearest of
-  /// those that see both ends of `edge`, if any does.
+  /// Of the middles of the body along lines from `outside` in directions all around, the nearest that sees both ends of
+  /// `edge`.
   std::optional<Vector_3> middle_around(const Vector_3& outside, const Edge& edge)
   {
     std::optional<Vector_3> best;
     double least = std::numeric_limits<double>::max();
-    bool best_sees = false;
     for (const Vector_3& direction : directions(outside - m_builder[edge.first].position, outside)) {
       const std::optional<Vector_3> middle = middle_along(outside, direction);
       if (!middle || (*middle - m_builder[edge.first].position).norm() <= m_offset ||
@@ -164,11 +163,9 @@ private:
         continue; // none, or an end of the edge, which may have been moved there itself
       }
       const double distance = (*middle - outside).squaredNorm();
-      const bool sees = sees_ends(*middle, edge);
-      if (sees == best_sees ? distance < least : sees) {
+      if (distance < least && sees_ends(*middle, edge)) {
         best = middle;
         least = distance;
-        best_sees = sees;
       }
     }
     return best;
