@@ -23,20 +23,22 @@ trap 'rm -rf "$work"' EXIT
 
 tar -xzf "$archive" -C "$work" --wildcards 'data/meshes/*.off' 'data/points_3/*'
 
-# take PICTURE INPUT SWITCHES makes one screenshot of the page of a file of CGAL's data; the switches are those that the
-# page's address can carry.
+# take PICTURE INPUT SWITCHES [OPTION...] makes one screenshot of the page of a file of CGAL's data; the switches are those
+# that the page's address can carry, the options those of the program.
 # Graphics are computed in software, which works on machines without a graphics card.
 take() {
-  page=$work/data/$2.html
-  if [ ! -e "$page" ]; then
-    "$program" skeletonize "$work/data/$2" --html "$page" --quiet
+  picture=$1 input=$2 switches=$3
+  shift 3
+  page=$work/data/$input.html
+  if [ ! -e "$page" ] || [ $# -gt 0 ]; then
+    "$program" skeletonize "$work/data/$input" --html "$page" --quiet "$@"
   fi
   timeout 120 chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
     --ignore-gpu-blocklist --no-first-run --disable-background-networking --disable-component-update --disable-sync \
     --disable-quic --disable-dev-shm-usage --hide-scrollbars --window-size=1280,800 --virtual-time-budget=5000 \
-    --user-data-dir="$work/profile" --screenshot="$figures/$1.png" "file://$page#$3" 2>"$work/chromium.log" ||
+    --user-data-dir="$work/profile" --screenshot="$figures/$picture.png" "file://$page#$switches" 2>"$work/chromium.log" ||
     { cat "$work/chromium.log" >&2; exit 1; }
-  echo "$figures/$1.png"
+  echo "$figures/$picture.png"
 }
 
 take viewer_armadillo meshes/armadillo.off "turn=180"
@@ -44,6 +46,12 @@ take viewer_camel_branches meshes/camel.off "separators=1&color=1"
 take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"
 take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
 take viewer_hippo_repairs points_3/hippo1.ply "repairs=1"
+take viewer_graph meshes/camel.off "up=y" --as graph
+# A tree of vessels as voxels; needs Debian's python3-numpy.
+PYTHONPATH=$(dirname "$0")/../benchmark /usr/bin/python3 -c "import numpy, volumes
+tree = volumes.vessel_tree(4, numpy.random.default_rng(volumes.RNG_SEED))
+volumes.write_nrrd('$work/data/vessels.nrrd', volumes.Tube(tree).fill(96))"
+take viewer_volume vessels.nrrd "up=z"
 if [ -n "${CSCD_BENCHMARK_TREES:-}" ]; then
   cp "$CSCD_BENCHMARK_TREES/tree1.xyz" "$work/data"
   take viewer_tree tree1.xyz "points=1&color=1&up=z"

@@ -232,7 +232,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::graph_domain}));
   command
       ->add_option("--neighbors", options.number_of_neighbors,
-                   "of a graph of points: to how many others each is joined; by default 20")
+                   "of a graph of points: to how many others each is joined; by default 24")
       ->check(check_count)
       ->type_name("K");
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")

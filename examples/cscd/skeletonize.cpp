@@ -262,9 +262,9 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 
 } // namespace
 
-void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options)
+void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                   const Skeletonize_options& options)
 {
-  CSCD::File_group files;
   for (const std::string& output : options.outputs) {
     if (is_rig(output)) {
       write_rig(files, output, input, result, options);
@@ -296,10 +296,13 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     write_to(files, options.report,
              [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
   }
-  files.publish();
-  if (options.is_quiet) {
-    return;
-  }
+}
+
+namespace {
+
+/// Writes a summary to standard output, unless a result goes there.
+void tell_results(const Skeletonization_result& result, const Skeletonize_options& options)
+{
   if (number_of_results_on_standard_output(options) == 0) {
     write_summary(std::cout, options, result);
   }
@@ -312,6 +315,8 @@ void write_results(const Input& input, const Skeletonization_result& result, con
     say(options.input, "the skeleton is not written; name a file by --output or --html");
   }
 }
+
+} // namespace
 
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
 {
@@ -474,8 +479,8 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 }
 
-/// Skeletonizes `input` and writes what is to be written.
-Skeletonization_result skeletonize_and_write(Input& input, const Skeletonize_options& options)
+/// Skeletonizes `input` and writes what is to be written to `files`.
+Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
@@ -489,7 +494,10 @@ Skeletonization_result skeletonize_and_write(Input& input, const Skeletonize_opt
       say(options.input, label + warning);
     }
   }
-  write_results(input, result, options);
+  write_results(files, input, result, options);
+  if (!options.is_quiet) {
+    tell_results(result, options);
+  }
   return result;
 }
 
@@ -498,13 +506,16 @@ Skeletonization_result skeletonize_and_write(Input& input, const Skeletonize_opt
 void skeletonize(const Skeletonize_options& options)
 {
   check_options(options);
+  CSCD::File_group files;
   if (is_volume(options)) {
-    skeletonize_volume(options, skeletonize_and_write);
+    skeletonize_volume(files, options, skeletonize_and_write);
+    files.publish();
     return;
   }
   const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
   Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
-  skeletonize_and_write(input, options);
+  skeletonize_and_write(files, input, options);
+  files.publish();
 }
 
 } // namespace cscd

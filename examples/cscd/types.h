@@ -10,6 +10,7 @@
 #include "write_report.h"
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
@@ -108,9 +109,10 @@ void check_method(const Skeletonize_options& options);
 /// \throw Usage_error if the options do not apply to this input; `CSCD::Input_error` if it cannot be skeletonized
 Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar);
 
-/// Writes the files that `options` name, which appear together, and a summary unless it is to be quiet.
+/// Writes the files that `options` name; they appear when `files` are published.
 /// \throw `CSCD::File_error`; `CSCD::Input_error` if a file cannot hold this
-void write_results(const Input& input, const Skeletonization_result& result, const Skeletonize_options& options);
+void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                   const Skeletonize_options& options);
 
 /// Writes the viewer page.
 /// \param name of the input, without its folder, which means nothing to whom the page is given

@@ -7,7 +7,6 @@
 
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/read_volume.h>
-#include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_nrrd.h>
 #include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/exceptions.h>
@@ -148,7 +147,8 @@ void check_volume_options(const Skeletonize_options& options)
          "has several results of a kind, which cannot go to standard output; name files");
 }
 
-void skeletonize_volume(const Skeletonize_options& options, const Skeletonize_body& skeletonize_body)
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
+                        const Skeletonize_body& skeletonize_body)
 {
   std::vector<CSCD::Voxel_surface> surfaces = read_surfaces(options);
   const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
@@ -160,19 +160,17 @@ void skeletonize_volume(const Skeletonize_options& options, const Skeletonize_bo
       surface.pairing = {};
     }
     const std::size_t number_of_vertices = body.mesh.number_of_vertices();
-    const Skeletonization_result result = skeletonize_body(body, options_of_body(options, surface.label));
+    const Skeletonization_result result = skeletonize_body(files, body, options_of_body(options, surface.label));
     if (has_node_volume) {
       node_of_vertex.push_back(node_numbers(result.skeleton, number_of_vertices));
     }
   }
-  CSCD::File_group files;
   for (const std::string& output : options.outputs) {
     if (is_node_volume(output)) {
       CSCD::Volume_reader reader(options.input, selection_of(options.volume));
       files.write(output, [&](std::ostream& out) { CSCD::write_node_volume(out, reader, surfaces, node_of_vertex); });
     }
   }
-  files.publish();
 }
 
 } // namespace cscd

@@ -23,13 +23,15 @@ bool is_node_volume(const std::string& output);
 /// \throw Usage_error
 void check_volume_options(const Skeletonize_options& options);
 
-/// Skeletonizes the surface of a body in a volume and writes the results that are no volumes.
-using Skeletonize_body = std::function<Skeletonization_result(Input& body, const Skeletonize_options& options)>;
+/// Skeletonizes the surface of a body in a volume and writes the results that are no volumes to `files`.
+using Skeletonize_body =
+    std::function<Skeletonization_result(CSCD::File_group& files, Input& body, const Skeletonize_options& options)>;
 
 /// Reads the surfaces of the bodies in a volume, calls `skeletonize_body` for each, with a label in the names of the
-/// files if there is one for each label, and writes volumes of node numbers.
+/// files if there is one for each label, and writes volumes of node numbers; all appear when `files` are published.
 /// \throw `CSCD::File_error`, `CSCD::Input_error`
-void skeletonize_volume(const Skeletonize_options& options, const Skeletonize_body& skeletonize_body);
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
+                        const Skeletonize_body& skeletonize_body);
 
 } // namespace cscd
 

@@ -7,6 +7,7 @@
 #include "three_js_source.h"
 #include "types.h"
 #include <CSCD/Application/make_rig_impl.h>
+#include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 
 #include <emscripten/emscripten.h>
@@ -99,7 +100,9 @@ EMSCRIPTEN_KEEPALIVE bool cscd_save(const char* option, const char* name)
               : which == "report"         ? options.report
                                           : options.html) = name;
            }
-           cscd::write_results(session()->input, session()->result, options);
+           CSCD::File_group files;
+           cscd::write_results(files, session()->input, session()->result, options);
+           files.publish();
          });
 }
 

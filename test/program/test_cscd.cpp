@@ -1070,6 +1070,10 @@ TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
   EXPECT_EQ(0, run("skeletonize v.nrrd --threshold 3 -q -o t.graph").status);
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
 
+  // What is of the first label does not appear when the second fails.
+  std::filesystem::create_directory(m_folder.path() / "late_5.json");
+  expect_refusal("skeletonize v.nrrd --all-labels -q -o late.graph --report late.json", 2, {"late_5.json", "folder"});
+  EXPECT_FALSE(std::filesystem::exists(m_folder.path() / "late_2.graph"));
   expect_refusal("skeletonize v.nrrd --label 3 -o x.graph", 2, {"v.nrrd", "no voxel"});
   expect_refusal("skeletonize v.nrrd --label 2 --threshold 3", 1, {"exclude"});
   expect_refusal("skeletonize v.nrrd --all-labels -o -", 1, {"standard output"});

@@ -115,7 +115,7 @@ private:
 
 /// The number of neighbors to which points are joined by default: with fewer, the gaps of random samplings become
 /// cycles.
-inline constexpr Index default_number_of_neighbors = 20;
+inline constexpr Index default_number_of_neighbors = 24;
 
 /// The edges from each of `points` to the `number_of_neighbors` nearest others, each once, with their lengths;
 /// O(n log n) in expectation.
