@@ -21,8 +21,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -37,9 +39,13 @@ class Local_separator_finder
 public:
   /// Prepares the working memory; `levels` is referred to and must outlive this object.
   /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
-  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio())
-      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_workspaces(m_levels.size()), m_projection(m_levels),
-        m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
+  /// \param side_of_sheet tells of vertices of the finest level on which side of a doubled sheet they are, 1 or 2, or 0;
+  ///        without it, there are no sheets
+  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
+                                  std::function<int(Index)> side_of_sheet = nullptr)
+      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
+        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
+        m_straightening(m_levels.finest().surface)
   {
   }
 
@@ -55,7 +61,8 @@ public:
     }
     measure_vertex_loop(result);
     Workspace& workspace = workspace_of(result.level);
-    if (workspace.bump_test.area_ratio(m_loop, bump_limit * m_min_area_ratio) < m_min_area_ratio) {
+    const double min_area_ratio = (side_of_sheet(source) != 0 ? internal::open_area_factor : 1) * m_min_area_ratio;
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit * min_area_ratio) < min_area_ratio) {
       result.outcome = Search_outcome::bump;
       return;
     }
@@ -91,6 +98,19 @@ private:
     internal::Geodesic_polar_coordinates front;
     internal::Enclosed_area_test bump_test;
   };
+
+  int side_of_sheet(Index vertex) const { return m_side_of_sheet ? m_side_of_sheet(vertex) : 0; }
+
+  /// Tells of the vertices of `level` whether they are on the other side of the sheet than `source`; nothing where that
+  /// is on none. The sides are so near to each other that directions from one to the other tell nothing.
+  std::function<bool(Index)> across_sheet(const Surface_level& level, Index source) const
+  {
+    const int side = side_of_sheet(source);
+    if (side == 0) {
+      return nullptr;
+    }
+    return [this, &level, side](Index vertex) { return side_of_sheet(level.to_finest(vertex)) != side; };
+  }
 
   Workspace& workspace_of(Index level)
   {
@@ -139,7 +159,8 @@ private:
     const Surface_level& surface_level = m_levels[level];
     internal::Geodesic_polar_coordinates& front = workspace_of(level).front;
     const Index level_source = surface_level.from_finest(source);
-    internal::Nearest_meeting meeting(surface_level.surface, front, level_source);
+    internal::Nearest_meeting meeting(surface_level.surface, front, level_source,
+                                      across_sheet(surface_level, surface_level.to_finest(level_source)));
     const internal::Front_end end = front.grow(level_source, visits, meeting);
     m_loop.clear();
     if (meeting.has_found()) {
@@ -228,6 +249,7 @@ private:
 
   const Surface_levels& m_levels;
   double m_min_area_ratio;
+  std::function<int(Index)> m_side_of_sheet;
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;

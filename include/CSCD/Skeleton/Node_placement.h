@@ -11,6 +11,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Bridged_borders.h>
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -99,7 +100,8 @@ private:
 
 /// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
-/// Where a limb ends at a border of the input, its last node is in the middle of the border.
+/// Where a limb ends at a border of the input, its last node is in the middle of the border. Nodes of sheets are
+/// between their sides, those of open separators in the middle of these.
 class Node_placement
 {
 public:
@@ -123,6 +125,7 @@ public:
     for (const Opening& opening : m_openings) {
       place_opening(builder, opening);
     }
+    Sheet_placement(m_solid, builder).finish();
     return builder;
   }
 
@@ -188,6 +191,7 @@ private:
       const Vector_3 centroid = region[i].sum / region[i].weight;
       const Index node = builder.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
       builder[node].separators = {i};
+      Sheet_placement(m_solid, builder).place(node, separator);
     }
   }
 
