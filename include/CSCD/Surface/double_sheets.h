@@ -88,7 +88,7 @@ public:
   /// The vertex that stands for the component of `vertex`.
   Index component(Index vertex) { return m_components.find(vertex); }
   bool is_sheet(Index vertex) { return m_is_sheet[component(vertex)] != 0; }
-  /// The width of the component of `vertex`, where fronts have met in it, else the root of its area.
+  /// The width of the component of `vertex`: 0 where all vertices are on borders.
   double width(Index vertex) { return m_width[component(vertex)]; }
 
 private:
@@ -102,6 +102,9 @@ private:
   /// Of the meetings on the fronts of a border, those count that are this wide, relative to the widest: many are made
   /// at corners of borders, and by single faces in them.
   static constexpr double min_relative_width = 0.5;
+  /// This share of the loops across a border is no longer than the one that stands for them: of a limb that is slit
+  /// along a part of its length, the rest decides.
+  static constexpr double decisive_share = 0.75;
 
   static constexpr double no_loop = std::numeric_limits<double>::infinity();
 
@@ -166,6 +169,7 @@ private:
       }
     }
     measure(meetings);
+    measure_widths();
   }
 
   void spread()
@@ -235,37 +239,37 @@ private:
     return (point(at) - point(vertex)).normalized();
   }
 
-  /// Finds the length of the loops across each border, and the width of each component.
+  /// Finds the length of the loops across each border.
   void measure(std::vector<std::vector<Meeting>>& meetings)
   {
-    for (const std::array<Index, 3>& face : m_triangles.faces) {
-      m_width[component(face[0])] += face_area(face);
-    }
-    for (double& width : m_width) {
-      width = std::sqrt(width);
-    }
     m_loop_length.assign(m_borders.size(), 0);
-    std::vector<double> longest(m_triangles.points.size(), 0); // of the borders that gave their width to a component
     for (Index i = 0; i < m_borders.size(); ++i) {
-      std::vector<Meeting>& all = meetings[i];
       double max_width = 0;
-      for (const Meeting& meeting : all) {
+      for (const Meeting& meeting : meetings[i]) {
         max_width = std::max(max_width, meeting.width);
       }
-      all.erase(std::remove_if(all.begin(), all.end(),
-                               [=](const Meeting& m) { return m.width < min_relative_width * max_width; }),
-                all.end());
-      if (all.empty()) {
-        continue;
+      std::vector<double> loops;
+      loops.reserve(meetings[i].size());
+      for (const Meeting& meeting : meetings[i]) {
+        if (meeting.width >= min_relative_width * max_width) {
+          loops.push_back(meeting.loop);
+        }
       }
-      const auto middle = all.begin() + std::ptrdiff_t(all.size() / 2);
-      std::nth_element(all.begin(), middle, all.end(),
-                       [](const Meeting& a, const Meeting& b) { return a.loop < b.loop; });
-      m_loop_length[i] = middle->loop;
-      const Index c = component(origin(m_borders[i].halfedges.front()));
-      if (m_borders[i].length > longest[c]) {
-        longest[c] = m_borders[i].length;
-        m_width[c] = middle->width;
+      if (!loops.empty()) {
+        const auto decisive = loops.begin() + std::ptrdiff_t(decisive_share * double(loops.size()));
+        std::nth_element(loops.begin(), decisive, loops.end());
+        m_loop_length[i] = *decisive;
+      }
+    }
+  }
+
+  /// The width of components is twice the largest distance from their borders, which does not depend on the order of
+  /// vertices as meetings do.
+  void measure_widths()
+  {
+    for (Index vertex = 0; vertex < m_width.size(); ++vertex) {
+      if (m_front.label(vertex) != no_index) {
+        m_width[component(vertex)] = std::max(m_width[component(vertex)], 2 * double(m_front.distance(vertex)));
       }
     }
   }
@@ -336,7 +340,10 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   for (Index vertex = 0; vertex < n; ++vertex) {
     result.side[vertex] = copy[vertex] == no_index ? 0 : 1;
     if (copy[vertex] != no_index && normal[vertex].norm() > 0) {
-      const Vector_3 offset = relative_offset * search.width(vertex) * normal[vertex].normalized();
+      const Vector_3 direction = normal[vertex].normalized();
+      // In single precision, the order of the faces does not matter.
+      const Vector_3 rounded(double(float(direction.x())), double(float(direction.y())), double(float(direction.z())));
+      const Vector_3 offset = relative_offset * search.width(vertex) * rounded;
       triangles.points[vertex] += offset;
       triangles.points[copy[vertex]] -= offset_of_second_side * offset;
     }
