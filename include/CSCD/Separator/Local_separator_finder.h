@@ -84,6 +84,9 @@ private:
   static constexpr double max_section_length = 1.35;
   /// ... and if its center has moved by less than this, relative to the loop's length.
   static constexpr double max_center_shift = 0.12;
+  /// The same on a sheet, where that is half of the width: sections that are turned perpendicular to the borders are
+  /// turned about the source, which may be near one of them.
+  static constexpr double max_shift_on_sheet = 0.25;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
   /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
@@ -198,6 +201,8 @@ private:
     const double loop_length = separator.length;
     const Vector_3 loop_center = separator.center;
     const Vector_3 loop_normal = separator.normal;
+    const bool is_on_sheet = side_of_sheet(separator.source) != 0;
+    const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
     Vector_3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
     for (int step = 0; step <= number_of_axis_steps; ++step) {
@@ -214,7 +219,7 @@ private:
       }
       const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
       if (measures.length >= max_section_length * loop_length || measures.length <= min_section_length * loop_length ||
-          (measures.center - loop_center).norm() >= max_center_shift * loop_length) {
+          (measures.center - loop_center).norm() >= max_shift * loop_length) {
         break;
       }
       if (measures.length < best_length) {
@@ -223,10 +228,30 @@ private:
         internal::set_measures(separator, m_section.points());
       }
       if (step < number_of_axis_steps) {
-        axis = m_section.symmetry_axis();
+        axis = is_on_sheet ? border_axis() : m_section.symmetry_axis();
       }
     }
     return best_length < std::numeric_limits<double>::max();
+  }
+
+  /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
+  /// meets both at about a right angle. The normals of a flat sheet tell no axis.
+  Vector_3 border_axis() const
+  {
+    const Triangulated_surface& surface = m_levels.finest().surface;
+    const std::vector<Edge_crossing>& crossings = m_section.crossings();
+    const auto is_on_rim = [&](std::size_t i) {
+      const Index h = crossings[i % crossings.size()].halfedge;
+      return side_of_sheet(surface.origin(h)) != side_of_sheet(surface.target(h));
+    };
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (!is_on_rim(i) && (is_on_rim(i + 1) || is_on_rim(i + crossings.size() - 1))) {
+        const Index h = crossings[i].halfedge; // an edge of the border, from above the plane to below
+        sum += (surface.point(surface.origin(h)) - surface.point(surface.target(h))).normalized();
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : m_section.symmetry_axis();
   }
 
   bool shorten_by_straightening(const Surface_level& level, Separator& separator)

@@ -28,7 +28,7 @@ struct Border_cycle
 {
   std::vector<Index> halfedges; ///< in order against their direction
   double length = 0;
-  bool is_wide = false; ///< whether open separators end there
+  bool is_wide = true; ///< whether open separators end there
 };
 
 /// Finds the wide borders of a surface and the components that are sheets.
@@ -42,7 +42,6 @@ public:
   Sheet_search(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
       : m_triangles(triangles), m_pairing(pairing), m_components(triangles.points.size()),
         m_border_of_vertex(triangles.points.size(), no_index), m_position(triangles.points.size(), 0),
-        m_front(triangles.points.size()), m_before(triangles.points.size(), no_index),
         m_is_sheet(triangles.points.size(), 0), m_width(triangles.points.size(), 0)
   {
     collect_borders();
@@ -55,8 +54,7 @@ public:
   /// Takes all borders for wide and all components that have one for sheets.
   void take_all()
   {
-    for (Border_cycle& border : m_borders) {
-      border.is_wide = true;
+    for (const Border_cycle& border : m_borders) {
       m_is_sheet[component(origin(border.halfedges.front()))] = 1;
     }
     find_meetings();
@@ -66,17 +64,17 @@ public:
   void choose()
   {
     find_meetings();
-    for (Index i = 0; i < m_borders.size(); ++i) {
-      m_borders[i].is_wide = m_loop_length[i] > 0 && m_borders[i].length >= min_border_length * m_loop_length[i];
-    }
+    choose_wide();
+    // Small holes stop fronts early, and do not count.
+    find_meetings();
+    choose_wide();
     std::vector<double> area(m_triangles.points.size(), 0);
     std::vector<double> wide_area(m_triangles.points.size(), 0);
     for (const std::array<Index, 3>& face : m_triangles.faces) {
       const double third = face_area(face) / 3;
       for (const Index vertex : face) {
         area[component(vertex)] += third;
-        const Index start = m_front.label(vertex);
-        wide_area[component(vertex)] += start != no_index && m_borders[m_border_of_vertex[start]].is_wide ? third : 0.;
+        wide_area[component(vertex)] += is_near_wide_border(vertex) ? third : 0.;
       }
     }
     for (Index c = 0; c < area.size(); ++c) {
@@ -95,8 +93,10 @@ private:
   /// A border is wide if it is this long, relative to the loops across it: a flat disc has 1.57, a hemisphere 1.22, a
   /// square 2; a tube, open at both ends and of three radii, 1.05.
   static constexpr double min_border_length = 1.5;
-  /// A component is a sheet if this share of its area is nearer to wide borders than to others.
+  /// A component is a sheet if this share of its area is as near to wide borders ...
   static constexpr double min_wide_share = 0.75;
+  /// ... as this, relative to half of the largest width of loops across them.
+  static constexpr double max_distance = 1.25;
   /// Fronts meet from opposite directions if the cosine of the angle between these is at most that of 2 pi / 3.
   static constexpr double max_cosine = -0.5;
   /// Of the meetings on the fronts of a border, those count that are this wide, relative to the widest: many are made
@@ -148,9 +148,27 @@ private:
     }
   }
 
-  /// Lets fronts go from all borders, and measures the loops where they meet.
+  /// Of the borders that have been wide, keeps those that are by the loops across them.
+  void choose_wide()
+  {
+    for (Index i = 0; i < m_borders.size(); ++i) {
+      m_borders[i].is_wide =
+          m_borders[i].is_wide && m_loop_length[i] > 0 && m_borders[i].length >= min_border_length * m_loop_length[i];
+    }
+  }
+
+  bool is_near_wide_border(Index vertex) const
+  {
+    const Index start = m_front.label(vertex);
+    return start != no_index && m_borders[m_border_of_vertex[start]].is_wide &&
+           2 * double(m_front.distance(vertex)) <= max_distance * m_max_width[m_border_of_vertex[start]];
+  }
+
+  /// Lets fronts go from all wide borders, and measures the loops where they meet.
   void find_meetings()
   {
+    m_front = Multi_source_dijkstra_search(m_triangles.points.size());
+    m_before.assign(m_triangles.points.size(), no_index);
     spread();
     std::vector<std::vector<Meeting>> meetings(m_borders.size());
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
@@ -184,7 +202,7 @@ private:
     });
     const auto edge_length = [this](Index a, Index b) { return float((point(a) - point(b)).norm()); };
     for (Index vertex = 0; vertex < m_border_of_vertex.size(); ++vertex) {
-      if (m_border_of_vertex[vertex] != no_index) {
+      if (m_border_of_vertex[vertex] != no_index && m_borders[m_border_of_vertex[vertex]].is_wide) {
         m_front.reach(vertex, 0, vertex);
       }
     }
@@ -243,10 +261,14 @@ private:
   void measure(std::vector<std::vector<Meeting>>& meetings)
   {
     m_loop_length.assign(m_borders.size(), 0);
+    m_max_width.assign(m_borders.size(), 0);
     for (Index i = 0; i < m_borders.size(); ++i) {
       double max_width = 0;
       for (const Meeting& meeting : meetings[i]) {
         max_width = std::max(max_width, meeting.width);
+        if (meeting.loop < no_loop) {
+          m_max_width[i] = std::max(m_max_width[i], meeting.width);
+        }
       }
       std::vector<double> loops;
       loops.reserve(meetings[i].size());
@@ -279,12 +301,13 @@ private:
   Disjoint_sets m_components; ///< of vertices
   std::vector<Border_cycle> m_borders;
   std::vector<Index> m_border_of_vertex;
-  std::vector<double> m_position;       ///< of each vertex of a border, along it
-  Multi_source_dijkstra_search m_front; ///< labels are the vertices of borders from which it came
-  std::vector<Index> m_before;          ///< from which vertex the front came
-  std::vector<double> m_loop_length;    ///< of each border, across it; 0 where no fronts have met
-  std::vector<char> m_is_sheet;         ///< of each vertex that stands for a component
-  std::vector<double> m_width;          ///< likewise
+  std::vector<double> m_position;          ///< of each vertex of a border, along it
+  Multi_source_dijkstra_search m_front{0}; ///< labels are the vertices of borders from which it came
+  std::vector<Index> m_before;             ///< from which vertex the front came
+  std::vector<double> m_loop_length;       ///< of each border, across it; 0 where no fronts have met
+  std::vector<double> m_max_width;         ///< of each border, along the surface to the other end of a loop across it
+  std::vector<char> m_is_sheet;            ///< of each vertex that stands for a component
+  std::vector<double> m_width;             ///< likewise
 };
 
 /// What was done by `double_sheets()`.
