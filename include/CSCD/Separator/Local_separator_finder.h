@@ -200,8 +200,8 @@ private:
   {
     const double loop_length = separator.length;
     const Vector_3 loop_center = separator.center;
-    const Vector_3 loop_normal = separator.normal;
     const bool is_on_sheet = side_of_sheet(separator.source) != 0;
+    const Vector_3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
     const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
     Vector_3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
@@ -232,6 +232,40 @@ private:
       }
     }
     return best_length < std::numeric_limits<double>::max();
+  }
+
+  /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
+  /// between the two sides is too small for a normal.
+  Vector_3 border_axis_at_loop(const Separator& separator) const
+  {
+    const Surface_level& level = m_levels[separator.level];
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < m_loop.size(); ++i) {
+      const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
+      if (side_of_sheet(level.to_finest(m_loop[i])) != side_of_sheet(level.to_finest(next))) {
+        const Vector_3 direction = border_direction(level, m_loop[i]);
+        sum += direction.dot(sum) < 0 ? Vector_3(-direction) : direction;
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : separator.normal;
+  }
+
+  /// From one neighbor of `vertex` along the border to the other.
+  Vector_3 border_direction(const Surface_level& level, Index vertex) const
+  {
+    const Triangulated_surface& surface = level.surface;
+    const auto side = [&](Index v) { return side_of_sheet(level.to_finest(v)); };
+    Vector_3 sum = Vector_3::Zero();
+    for (const Index h : surface.outgoing(vertex)) {
+      const Index neighbor = surface.target(h);
+      const bool is_left = side(surface.opposite_vertex(h)) != side(vertex);
+      const bool is_right = side(surface.opposite_vertex(surface.twin(h))) != side(vertex);
+      if (side(neighbor) == side(vertex) && is_left != is_right) {
+        const Vector_3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
+        sum += is_left ? edge : Vector_3(-edge);
+      }
+    }
+    return sum;
   }
 
   /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve

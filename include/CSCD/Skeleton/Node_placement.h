@@ -140,6 +140,8 @@ private:
   static constexpr double region_share = 0.5;
   /// A piece at the end of a limb gets a tip if it is higher than this, relative to the radius of the limb ...
   static constexpr double min_tip_height = 0.7;
+  /// ... or, on a sheet, whose ends are mostly straight, than this, ...
+  static constexpr double min_tip_height_on_sheet = 1.5;
   /// ... and the tip stays this far below the surface ...
   static constexpr double tip_depth = 0.75;
   /// ... and this far from the node that it is joined to, likewise.
@@ -234,7 +236,8 @@ private:
     const double radius = builder[base].radius;
     const float height = m_pieces.height(piece);
     const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
-    if (!(height > min_tip_height * radius) || !(far.weight > 0)) {
+    const double min_height = builder[base].is_on_sheet ? min_tip_height_on_sheet : min_tip_height;
+    if (!(height > min_height * radius) || !(far.weight > 0)) {
       return;
     }
     extend(builder, base, piece, (far.sum / far.weight - builder[base].position).normalized(), radius);
