@@ -263,6 +263,11 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::automatic_shape, cscd::surface_shape, cscd::tree_shape}))
       ->capture_default_str();
   command
+      ->add_option("--borders", options.borders,
+                   "of a mesh: bridge them all, take components with borders for sheets with separators from border "
+                   "to border, or decide by the shape, which is the default")
+      ->check(CLI::IsMember({cscd::automatic_borders, cscd::bridged_borders, cscd::open_borders}));
+  command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
       ->check(CLI::Range(0., 1.))

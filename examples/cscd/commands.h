@@ -39,6 +39,9 @@ inline constexpr const char* default_weight = "balance-roundness";
 inline constexpr const char* balance_weight = "balance";
 inline constexpr const char* shortness_weight = "shortness";
 inline constexpr const char* no_weight = "none";
+inline constexpr const char* automatic_borders = "auto";
+inline constexpr const char* bridged_borders = "bridge";
+inline constexpr const char* open_borders = "open";
 inline constexpr const char* automatic_shape = "auto";
 inline constexpr const char* surface_shape = "surface";
 inline constexpr const char* tree_shape = "tree";
@@ -90,6 +93,7 @@ struct Skeletonize_options
   bool is_multiscale = false;          ///< of the published method: distances on coarse levels
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
+  std::string borders;                 ///< what becomes of those of a mesh; `automatic_borders` if empty
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has

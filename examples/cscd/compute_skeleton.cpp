@@ -201,7 +201,10 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
                                              Progress_visitor& visitor)
 {
   using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-  const Traits traits(input.mesh);
+  const auto treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
+                         : options.borders == open_borders  ? CSCD::Border_treatment::open
+                                                            : CSCD::Border_treatment::automatic;
+  const Traits traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment);
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method

@@ -383,7 +383,8 @@ void check_domain(const Skeletonize_options& options)
   for (const auto& [is_given, option] :
        {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
         std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
-        std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
+        std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
+        std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
       throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
     }
@@ -425,6 +426,9 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
 {
   if (!input.is_point_set && options.shape == tree_shape) {
     throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape");
+  }
+  if (input.is_point_set && !options.borders.empty()) {
+    throw Usage_error("--borders: points have none; leave the option out");
   }
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");

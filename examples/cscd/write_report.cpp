@@ -46,6 +46,8 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"number_of_isolated_vertices", r.number_of_isolated_vertices},
           {"number_of_surface_components", r.number_of_surface_components},
           {"number_of_bridged_borders", r.number_of_bridged_borders},
+          {"number_of_sheets", r.number_of_sheets},
+          {"number_of_wide_borders", r.number_of_wide_borders},
           {"number_of_inserted_vertices", r.number_of_inserted_vertices},
           {"number_of_degenerate_faces", r.number_of_degenerate_faces},
           {"number_of_levels", r.number_of_levels},
@@ -79,6 +81,7 @@ Json separators_part(const CSCD::Skeletonization_report& r)
           {"number_of_plane_sections", r.number_of_plane_sections},
           {"number_of_straightened_loops", r.number_of_straightened_loops},
           {"number_of_packed_separators", r.number_of_packed_separators},
+          {"number_of_open_separators", r.number_of_open_separators},
           {"number_of_handle_cuts", r.number_of_handle_cuts}};
 }
 

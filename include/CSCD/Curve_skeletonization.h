@@ -21,6 +21,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -142,6 +143,9 @@ public:
       m_separators.resize(m_report.number_of_separators);
       m_packing.emplace(m_policies.pack_separators(m_traits.surface(), m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
+      m_report.number_of_open_separators =
+          std::size_t(std::count_if(m_packing->packed().begin(), m_packing->packed().end(),
+                                    [this](Index separator) { return m_separators[separator].is_open; }));
     });
     return m_report.number_of_packed_separators;
   }

@@ -35,13 +35,24 @@ CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangu
                                                                    Skeletonization_report& report,
                                                                    const Progress& progress) const
 {
-  const auto make_finder = [&]() -> Separator_finder {
+  const auto make_plain_finder = [&]() -> Separator_finder {
     if (m_make_finder) {
       return m_make_finder(solid);
     }
     // A std::function can be copied, a finder with its working memory cannot.
-    const auto finder = std::make_shared<Local_separator_finder>(solid.levels(), m_detail.min_loop_area_ratio());
+    const auto finder = std::make_shared<Local_separator_finder>(
+        solid.levels(), m_detail.min_loop_area_ratio(), [&solid](Index vertex) { return solid.side_of_sheet(vertex); });
     return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
+  };
+  const auto make_finder = [&]() -> Separator_finder {
+    const Separator_finder plain_finder = make_plain_finder();
+    if (solid.number_of_sheets() == 0) {
+      return plain_finder;
+    }
+    return [&solid, plain_finder](Index source, Index level_hint, Search_result& result) {
+      plain_finder(source, level_hint, result);
+      internal::mark_open(solid, result.separator);
+    };
   };
   return internal::Covering_search(solid.levels(), settings, make_finder,
                                    m_detail.min_branch_area_ratio())(m_cost, report, progress);
@@ -55,6 +66,10 @@ CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triang
                                                                internal::separator_costs(separators, m_cost),
                                                                m_detail.min_branch_area_ratio());
   report.number_of_handle_cuts = internal::cut_handles(solid, separators, *packing);
+  for (auto added = separators.end() - std::ptrdiff_t(report.number_of_handle_cuts); added != separators.end();
+       ++added) {
+    internal::mark_open(solid, *added);
+  }
   return Packing(std::move(packing));
 }
 

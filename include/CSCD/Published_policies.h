@@ -11,6 +11,7 @@
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
@@ -68,7 +69,12 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
   check_skeletonization_surface<Surface>();
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
   const bool is_bounded = settings.maximum_number_of_sources != Search_settings().maximum_number_of_sources;
-  return search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);
+  std::vector<Separator> separators =
+      search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);
+  for (Separator& separator : separators) {
+    internal::mark_open(surface, separator);
+  }
+  return separators;
 }
 
 template <class Surface>
@@ -80,11 +86,13 @@ Published_policies::Packing Published_policies::pack_separators(const Surface& s
 }
 
 template <class Surface>
-Embedded_skeleton Published_policies::build_skeleton(const Surface& surface,
-                                                     const std::vector<Separator>& /* separators */,
+Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                                      const Packing& packing, Skeletonization_report& report) const
 {
-  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions())(report);
+  const auto place_nodes = [&](Skeleton_builder& builder) {
+    internal::place_on_sheets(surface, separators, packing.packed(), builder);
+  };
+  return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);
 }
 
 #ifdef CSCD_COMPILED

@@ -71,10 +71,13 @@ struct Skeletonization_report
   std::size_t number_of_isolated_vertices = 0;  ///< input vertices without any face: no part of the surface
   std::size_t number_of_surface_components = 0; ///< connected components of the surface
   std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
+  std::size_t number_of_sheets = 0;             ///< components that are sheets, on which separators may be open
+  std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets, at which open separators end
   std::size_t number_of_inserted_vertices = 0;  ///< vertices inserted where faces were too large to sample
   std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
   std::size_t number_of_levels = 0;             ///< levels of detail, the input included
-  /// Of the (bridged) surface, summed over its components; of points without a surface it is not known.
+  /// Of the (bridged) surface, summed over its components: a sheet of genus g with b wide borders has 2 g + b - 1. Of
+  /// points without a surface it is not known.
   std::optional<std::size_t> genus;
   /// What was done to make a surface of points; nothing for a mesh.
   std::optional<Reconstruction_report> reconstruction;
@@ -95,6 +98,7 @@ struct Skeletonization_report
   std::size_t number_of_plane_sections = 0;     ///< of these, shortened by the section plane
   std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening
   std::size_t number_of_packed_separators = 0;  ///< separators that cut the surface
+  std::size_t number_of_open_separators = 0;    ///< of these, those of sheets that lead from border to border
   std::size_t number_of_handle_cuts = 0;        ///< of these, added for handles that no source had found
   /// @}
 

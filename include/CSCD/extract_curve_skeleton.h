@@ -94,8 +94,10 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
 /// extracts the curve skeleton of a triangle mesh.
 ///
 /// Every connected component of the mesh gets a connected skeleton; the first Betti number of the skeleton is the genus
-/// of the surface. Borders are bridged first, by faces without weight. The result is the same for any number of
-/// threads. The cost is near linear in the number of vertices.
+/// of the surface. Borders are bridged first, by faces without weight; but a component that is a sheet, and not the
+/// surface of a body with openings, is doubled along its wide borders, of which b give a Betti number of 2 g + b - 1,
+/// and its skeleton runs along its middle. The result is the same for any number of threads. The cost is near linear in
+/// the number of vertices.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -136,6 +138,11 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.5}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{border_treatment}
+///     \cgalParamDescription{which components are sheets, with open separators from border to border}
+///     \cgalParamType{`Border_treatment`}
+///     \cgalParamDefault{`Border_treatment::automatic`}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{separator_cost}
 ///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
 ///     \cgalParamType{a model of `SeparatorCost`}
@@ -160,11 +167,13 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
                                    CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
                                    internal_np::number_of_threads_t, internal_np::separator_cost_t,
-                                   internal_np::detail_t, internal_np::policies_t>();
+                                   internal_np::detail_t, internal_np::policies_t, internal_np::border_treatment_t>();
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
-  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map); },
+  const auto treatment = parameters::choose_parameter(parameters::get_parameter(np, internal_np::border_treatment),
+                                                      Border_treatment::automatic);
+  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map, treatment); },
                                                        internal::skeletonization_policies(np), skeleton, np);
 }
 

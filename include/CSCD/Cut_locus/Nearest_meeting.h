@@ -11,7 +11,9 @@
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <utility>
 
 namespace CSCD::internal {
 
@@ -21,9 +23,11 @@ namespace CSCD::internal {
 class Nearest_meeting
 {
 public:
-  Nearest_meeting(const Triangulated_surface& surface, const Geodesic_polar_coordinates& front, Index source)
+  /// \param is_across tells of vertices whether meetings there are across the body; without it, the direction decides
+  Nearest_meeting(const Triangulated_surface& surface, const Geodesic_polar_coordinates& front, Index source,
+                  std::function<bool(Index)> is_across = nullptr)
       : m_surface(surface), m_front(front), m_source_point(surface.point(source)),
-        m_source_normal(surface.vertex_normal(source))
+        m_source_normal(surface.vertex_normal(source)), m_is_across(std::move(is_across))
   {
   }
 
@@ -66,6 +70,9 @@ private:
 
   bool is_across_body(const Vector_3& chord, double length, Index vertex) const
   {
+    if (m_is_across) {
+      return m_is_across(vertex);
+    }
     return -chord.dot(m_source_normal) > min_chord_cosine * length &&
            chord.dot(m_surface.vertex_normal(vertex)) > min_chord_cosine * length;
   }
@@ -74,6 +81,7 @@ private:
   const Geodesic_polar_coordinates& m_front;
   Vector_3 m_source_point;
   Vector_3 m_source_normal;
+  std::function<bool(Index)> m_is_across;
   Index m_first = no_index;
   Index m_second = no_index;
   double m_chord_length = std::numeric_limits<double>::max();

@@ -7,6 +7,7 @@
 #define CSCD_SELECTION_SPURIOUS_BRANCHES_H
 
 #include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
 
@@ -15,7 +16,8 @@
 
 namespace CSCD::internal {
 
-/// Finds the branches of a cut graph that lead from a junction to a tip and stand on no limb.
+/// Finds the branches of a cut graph that lead from a junction to a tip and stand on no limb, and the ends of branches
+/// that lead into a corner of a sheet.
 class Spurious_branches
 {
 public:
@@ -27,9 +29,10 @@ public:
       : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed), m_min_area_ratio(min_area_ratio)
   {
     for (Index piece = 0; piece < cut_graph.pieces().size(); ++piece) {
-      if (cut_graph.pieces()[piece].separators.size() == 1 && walk_branch(piece) && !is_limb()) {
-        for (const Step& step : m_branch) {
-          m_bumps.push_back(m_packed[step.separator]);
+      if (cut_graph.pieces()[piece].separators.size() == 1) {
+        const bool is_bump = walk_branch(piece) && !is_limb();
+        for (auto step = m_branch.begin(); step != m_branch.end() && (is_bump || is_corner(*step)); ++step) {
+          m_bumps.push_back(m_packed[step->separator]);
         }
       }
     }
@@ -66,11 +69,20 @@ private:
 
   bool is_limb() const
   {
-    return std::any_of(m_branch.begin(), m_branch.end(), [this](const Step& step) {
-      const double length = m_separators[m_packed[step.separator]].length;
-      return step.area_beyond >= m_min_area_ratio * length * length;
-    });
+    return std::any_of(m_branch.begin(), m_branch.end(), [this](const Step& step) { return cuts_off_enough(step); });
   }
+
+  /// Whether the separator is open and cuts off no more than a corner of its sheet: even at the end of a limb, it turns
+  /// the branch aside.
+  bool is_corner(const Step& step) const { return separator(step).is_open && !cuts_off_enough(step); }
+
+  bool cuts_off_enough(const Step& step) const
+  {
+    const double length = separator(step).length;
+    return step.area_beyond >= (separator(step).is_open ? open_area_factor : 1) * m_min_area_ratio * length * length;
+  }
+
+  const Separator& separator(const Step& step) const { return m_separators[m_packed[step.separator]]; }
 
   const Cut_graph& m_cut_graph;
   const std::vector<Separator>& m_separators;

@@ -19,6 +19,10 @@
 
 namespace CSCD::internal {
 
+/// What an open separator has to cut off, on both sides of its sheet, relative to a closed one: by default, 0.19 of its
+/// squared length. A corner at a right angle has 1 / 8, and is no limb; a half disc has pi / 16.
+inline constexpr double open_area_factor = 1.9;
+
 /// Measures how much surface a loop cuts off, relative to the square of its length.
 /// A flat disc gives 1 / (4 pi) = 0.080, a hemisphere 1 / (2 pi) = 0.159, the end of a limb of length l and radius R
 /// about (l / R + 1) / (2 pi). Work is bounded by the limit on the area, not by the surface. Reuse one object.

@@ -21,8 +21,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -37,9 +39,13 @@ class Local_separator_finder
 public:
   /// Prepares the working memory; `levels` is referred to and must outlive this object.
   /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
-  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio())
-      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_workspaces(m_levels.size()), m_projection(m_levels),
-        m_section(m_levels.finest().surface), m_straightening(m_levels.finest().surface)
+  /// \param side_of_sheet tells of vertices of the finest level on which side of a doubled sheet they are, 1 or 2, or 0;
+  ///        without it, there are no sheets
+  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
+                                  std::function<int(Index)> side_of_sheet = nullptr)
+      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
+        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
+        m_straightening(m_levels.finest().surface)
   {
   }
 
@@ -55,7 +61,8 @@ public:
     }
     measure_vertex_loop(result);
     Workspace& workspace = workspace_of(result.level);
-    if (workspace.bump_test.area_ratio(m_loop, bump_limit * m_min_area_ratio) < m_min_area_ratio) {
+    const double min_area_ratio = (side_of_sheet(source) != 0 ? internal::open_area_factor : 1) * m_min_area_ratio;
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit * min_area_ratio) < min_area_ratio) {
       result.outcome = Search_outcome::bump;
       return;
     }
@@ -77,6 +84,9 @@ private:
   static constexpr double max_section_length = 1.35;
   /// ... and if its center has moved by less than this, relative to the loop's length.
   static constexpr double max_center_shift = 0.12;
+  /// The same on a sheet, where that is half of the width: sections that are turned perpendicular to the borders are
+  /// turned about the source, which may be near one of them.
+  static constexpr double max_shift_on_sheet = 0.25;
   /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
   static constexpr int number_of_axis_steps = 2;
   /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
@@ -91,6 +101,19 @@ private:
     internal::Geodesic_polar_coordinates front;
     internal::Enclosed_area_test bump_test;
   };
+
+  int side_of_sheet(Index vertex) const { return m_side_of_sheet ? m_side_of_sheet(vertex) : 0; }
+
+  /// Tells of the vertices of `level` whether they are on the other side of the sheet than `source`; nothing where that
+  /// is on none. The sides are so near to each other that directions from one to the other tell nothing.
+  std::function<bool(Index)> across_sheet(const Surface_level& level, Index source) const
+  {
+    const int side = side_of_sheet(source);
+    if (side == 0) {
+      return nullptr;
+    }
+    return [this, &level, side](Index vertex) { return side_of_sheet(level.to_finest(vertex)) != side; };
+  }
 
   Workspace& workspace_of(Index level)
   {
@@ -139,7 +162,8 @@ private:
     const Surface_level& surface_level = m_levels[level];
     internal::Geodesic_polar_coordinates& front = workspace_of(level).front;
     const Index level_source = surface_level.from_finest(source);
-    internal::Nearest_meeting meeting(surface_level.surface, front, level_source);
+    internal::Nearest_meeting meeting(surface_level.surface, front, level_source,
+                                      across_sheet(surface_level, surface_level.to_finest(level_source)));
     const internal::Front_end end = front.grow(level_source, visits, meeting);
     m_loop.clear();
     if (meeting.has_found()) {
@@ -176,7 +200,9 @@ private:
   {
     const double loop_length = separator.length;
     const Vector_3 loop_center = separator.center;
-    const Vector_3 loop_normal = separator.normal;
+    const bool is_on_sheet = side_of_sheet(separator.source) != 0;
+    const Vector_3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
+    const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
     Vector_3 axis = loop_normal;
     double best_length = std::numeric_limits<double>::max();
     for (int step = 0; step <= number_of_axis_steps; ++step) {
@@ -193,7 +219,7 @@ private:
       }
       const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
       if (measures.length >= max_section_length * loop_length || measures.length <= min_section_length * loop_length ||
-          (measures.center - loop_center).norm() >= max_center_shift * loop_length) {
+          (measures.center - loop_center).norm() >= max_shift * loop_length) {
         break;
       }
       if (measures.length < best_length) {
@@ -202,10 +228,64 @@ private:
         internal::set_measures(separator, m_section.points());
       }
       if (step < number_of_axis_steps) {
-        axis = m_section.symmetry_axis();
+        axis = is_on_sheet ? border_axis() : m_section.symmetry_axis();
       }
     }
     return best_length < std::numeric_limits<double>::max();
+  }
+
+  /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
+  /// between the two sides is too small for a normal.
+  Vector_3 border_axis_at_loop(const Separator& separator) const
+  {
+    const Surface_level& level = m_levels[separator.level];
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < m_loop.size(); ++i) {
+      const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
+      if (side_of_sheet(level.to_finest(m_loop[i])) != side_of_sheet(level.to_finest(next))) {
+        const Vector_3 direction = border_direction(level, m_loop[i]);
+        sum += direction.dot(sum) < 0 ? Vector_3(-direction) : direction;
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : separator.normal;
+  }
+
+  /// From one neighbor of `vertex` along the border to the other.
+  Vector_3 border_direction(const Surface_level& level, Index vertex) const
+  {
+    const Triangulated_surface& surface = level.surface;
+    const auto side = [&](Index v) { return side_of_sheet(level.to_finest(v)); };
+    Vector_3 sum = Vector_3::Zero();
+    for (const Index h : surface.outgoing(vertex)) {
+      const Index neighbor = surface.target(h);
+      const bool is_left = side(surface.opposite_vertex(h)) != side(vertex);
+      const bool is_right = side(surface.opposite_vertex(surface.twin(h))) != side(vertex);
+      if (side(neighbor) == side(vertex) && is_left != is_right) {
+        const Vector_3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
+        sum += is_left ? edge : Vector_3(-edge);
+      }
+    }
+    return sum;
+  }
+
+  /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
+  /// meets both at about a right angle. The normals of a flat sheet tell no axis.
+  Vector_3 border_axis() const
+  {
+    const Triangulated_surface& surface = m_levels.finest().surface;
+    const std::vector<Edge_crossing>& crossings = m_section.crossings();
+    const auto is_on_rim = [&](std::size_t i) {
+      const Index h = crossings[i % crossings.size()].halfedge;
+      return side_of_sheet(surface.origin(h)) != side_of_sheet(surface.target(h));
+    };
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (!is_on_rim(i) && (is_on_rim(i + 1) || is_on_rim(i + crossings.size() - 1))) {
+        const Index h = crossings[i].halfedge; // an edge of the border, from above the plane to below
+        sum += (surface.point(surface.origin(h)) - surface.point(surface.target(h))).normalized();
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : m_section.symmetry_axis();
   }
 
   bool shorten_by_straightening(const Surface_level& level, Separator& separator)
@@ -228,6 +308,7 @@ private:
 
   const Surface_levels& m_levels;
   double m_min_area_ratio;
+  std::function<int(Index)> m_side_of_sheet;
   std::vector<std::unique_ptr<Workspace>> m_workspaces;
   internal::Loop_projection m_projection;
   internal::Plane_section m_section;

@@ -8,6 +8,7 @@
 
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/detection.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -40,6 +41,8 @@ struct Separator
   double area = 0;
   /// Root mean square distance of the curve from its mean plane, relative to its length.
   double planarity = 0;
+  /// Whether it leads from border to border of a sheet, there on one side of it and back on the other.
+  bool is_open = false;
   /// The vertex of the finest surface from which it was found.
   Index source = no_index;
   /// The level of detail on which it was found.
@@ -118,6 +121,31 @@ void curve_points(const Surface& surface, const Separator& separator, std::vecto
     points = *separator.points;
   } else {
     crossing_points(surface, separator.crossings, points);
+  }
+}
+
+/// The sides of a sheet that the curve of `crossings` passes: bit 0 for the first, bit 1 for the second. An open
+/// separator is a curve around a doubled sheet, and passes both.
+/// \param side_of_sheet gives for a vertex 1 or 2, or 0 where there is no sheet
+template <class Surface, class Sides>
+unsigned sides_of_sheet(const Surface& surface, const Sides& side_of_sheet, const std::vector<Edge_crossing>& crossings)
+{
+  unsigned sides = 0;
+  for (const Edge_crossing& crossing : crossings) {
+    sides |= unsigned(side_of_sheet(surface.origin(crossing.halfedge)));
+    sides |= unsigned(side_of_sheet(surface.target(crossing.halfedge)));
+  }
+  return sides;
+}
+
+/// Sets whether `separator` of `solid` is open.
+template <class Solid>
+void mark_open([[maybe_unused]] const Solid& solid, [[maybe_unused]] Separator& separator)
+{
+  if constexpr (CSCD_IS_VALID(const Solid&, t.side_of_sheet(Index()))) {
+    const auto side = [&solid](Index vertex) { return solid.side_of_sheet(vertex); };
+    separator.is_open =
+        solid.number_of_sheets() > 0 && sides_of_sheet(solid.triangulation(), side, separator.crossings) == 3;
   }
 }
 

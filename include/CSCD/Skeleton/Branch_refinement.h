@@ -7,6 +7,7 @@
 #define CSCD_SKELETON_BRANCH_REFINEMENT_H
 
 #include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
@@ -72,7 +73,8 @@ inline bool is_direct(const Vector_3& before, const Vector_3& node, const Vector
 class Branch_refinement
 {
 public:
-  Branch_refinement(const Triangulated_solid& solid, Skeleton_builder& builder) : m_builder(builder), m_section(solid)
+  Branch_refinement(const Triangulated_solid& solid, Skeleton_builder& builder)
+      : m_builder(builder), m_section(solid), m_sheet_section(solid)
   {
   }
 
@@ -134,28 +136,38 @@ private:
     Skeleton_builder::Node& center_node = m_builder[node];
     const Vector_3& before = m_builder[center_node.neighbors[0]].position;
     const Vector_3& after = m_builder[center_node.neighbors[1]].position;
-    const std::optional<Section_disc> disc =
-        m_section(center_node.position, (after - before).normalized(), center_node.radius);
-    if (!disc || (disc->center - center_node.position).norm() > max_shift * center_node.radius ||
-        !is_direct(before, disc->center, after)) {
+    const std::optional<Vector_3> middle = middle_of_section(center_node, (after - before).normalized());
+    if (!middle || (*middle - center_node.position).norm() > max_shift * center_node.radius ||
+        !is_direct(before, *middle, after)) {
       return false;
     }
-    center_node.position = disc->center;
+    center_node.position = *middle;
     return true;
+  }
+
+  std::optional<Vector_3> middle_of_section(const Skeleton_builder::Node& node, const Vector_3& axis)
+  {
+    if (node.is_on_sheet) {
+      return m_sheet_section(node.position, axis, node.radius);
+    }
+    const std::optional<Section_disc> disc = m_section(node.position, axis, node.radius);
+    return disc ? std::optional<Vector_3>(disc->center) : std::nullopt;
   }
 
   Skeleton_builder& m_builder;
   Branch_section m_section;
+  Sheet_section m_sheet_section;
   std::vector<Index> m_inserted;
 };
 
-/// Moves every node of degree 2 halfway to the middle of its neighbors, all at once. More such steps decenter bends.
+/// Moves every node of degree 2 halfway to the middle of its neighbors, all at once, but for those on sheets. More such
+/// steps decenter bends.
 inline void smooth_branches(Skeleton_builder& builder)
 {
   std::vector<Vector_3> smoothed(builder.size());
   for (Index node = 0; node < builder.size(); ++node) {
     smoothed[node] = builder[node].position;
-    if (builder.is_regular(node)) {
+    if (builder.is_regular(node) && !builder[node].is_on_sheet) {
       const std::vector<Index>& neighbors = builder[node].neighbors;
       smoothed[node] = smoothed[node] / 2 + (builder[neighbors[0]].position + builder[neighbors[1]].position) / 4;
     }
@@ -178,7 +190,8 @@ public:
     std::vector<Index> centered;
     std::vector<Vector_3> positions;
     for (Index node = 0; node < m_builder.size(); ++node) {
-      const std::optional<Vector_3> center = m_builder.is_regular(node) ? section_center(node) : std::nullopt;
+      const bool has_section = m_builder.is_regular(node) && !m_builder[node].is_on_sheet;
+      const std::optional<Vector_3> center = has_section ? section_center(node) : std::nullopt;
       if (center) {
         centered.push_back(node);
         positions.push_back(m_builder[node].position + centering_share * (*center - m_builder[node].position));

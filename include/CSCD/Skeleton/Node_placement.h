@@ -11,6 +11,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Bridged_borders.h>
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -99,7 +100,8 @@ private:
 
 /// Builds the builder of a skeleton from a cut graph: a node for each separator, one for each piece with three or more
 /// separators (a junction), one for the tip of each long piece with one separator, and one for each piece without any.
-/// Where a limb ends at a border of the input, its last node is in the middle of the border.
+/// Where a limb ends at a border of the input, its last node is in the middle of the border. Nodes of sheets are
+/// between their sides, those of open separators in the middle of these.
 class Node_placement
 {
 public:
@@ -123,6 +125,7 @@ public:
     for (const Opening& opening : m_openings) {
       place_opening(builder, opening);
     }
+    Sheet_placement(m_solid, builder).finish();
     return builder;
   }
 
@@ -137,6 +140,8 @@ private:
   static constexpr double region_share = 0.5;
   /// A piece at the end of a limb gets a tip if it is higher than this, relative to the radius of the limb ...
   static constexpr double min_tip_height = 0.7;
+  /// ... or, on a sheet, whose ends are mostly straight, than this, ...
+  static constexpr double min_tip_height_on_sheet = 1.5;
   /// ... and the tip stays this far below the surface ...
   static constexpr double tip_depth = 0.75;
   /// ... and this far from the node that it is joined to, likewise.
@@ -188,6 +193,7 @@ private:
       const Vector_3 centroid = region[i].sum / region[i].weight;
       const Index node = builder.add_node(region_share * centroid + (1 - region_share) * disc.center, disc.radius());
       builder[node].separators = {i};
+      Sheet_placement(m_solid, builder).place(node, separator);
     }
   }
 
@@ -230,7 +236,8 @@ private:
     const double radius = builder[base].radius;
     const float height = m_pieces.height(piece);
     const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
-    if (!(height > min_tip_height * radius) || !(far.weight > 0)) {
+    const double min_height = builder[base].is_on_sheet ? min_tip_height_on_sheet : min_tip_height;
+    if (!(height > min_height * radius) || !(far.weight > 0)) {
       return;
     }
     extend(builder, base, piece, (far.sum / far.weight - builder[base].position).normalized(), radius);

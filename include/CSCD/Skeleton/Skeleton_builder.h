@@ -37,6 +37,8 @@ public:
     /// Whether the node is in the middle of a border of the input, at which a limb ends; its radius is that of the
     /// border.
     bool is_opening = false;
+    /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
+    bool is_on_sheet = false;
     /// Whether the node was merged into another one.
     bool is_removed = false;
   };
@@ -71,6 +73,7 @@ public:
     replace_one(m_nodes[a].neighbors, b, node);
     replace_one(m_nodes[b].neighbors, a, node);
     m_nodes[node].neighbors = {a, b};
+    m_nodes[node].is_on_sheet = m_nodes[a].is_on_sheet;
     return node;
   }
 

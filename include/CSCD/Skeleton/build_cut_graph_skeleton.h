@@ -11,6 +11,7 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
@@ -42,6 +43,7 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Branch_straightening straightening(solid, result.graph);
   straightening.drop_folds();
   Inside_repair(solid, result.graph)();
+  Sheet_placement(solid, result.graph).finish();
   straightening.drop_scarce_nodes(
       Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).numbers_of_vertices());
   straightening.blunt_turns();

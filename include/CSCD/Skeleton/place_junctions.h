@@ -145,7 +145,7 @@ inline Ball inscribed_ball(const Triangulated_solid& solid, const Vector_3& star
 inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& builder)
 {
   for (Index node = 0; node < builder.size(); ++node) {
-    if (!builder.is_junction(node)) {
+    if (!builder.is_junction(node) || builder[node].is_on_sheet) {
       continue;
     }
     double radius = 0;

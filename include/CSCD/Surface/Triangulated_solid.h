@@ -28,6 +28,14 @@ namespace internal {
 class Solid_queries;
 }
 
+/// What becomes of the borders of a surface.
+enum class Border_treatment
+{
+  automatic, ///< components that are sheets are doubled along their wide borders, all other borders are bridged
+  bridge,    ///< all are bridged by faces without weight: the surface is that of a body with holes
+  open       ///< components with borders are sheets, and all of their borders wide
+};
+
 /// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
 /// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
 ///
@@ -39,8 +47,11 @@ public:
   /// Closes, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
   /// \param triangles finite points, each with a face; the faces before `first_hole_filling_face` have an area
   /// \param pairing that of the faces, without conflicts and pinched vertices
+  /// \param treatment which components are doubled first: a sheet becomes a thin body, of two sides and a rim along its
+  ///        wide borders, and its separators from border to border become closed curves around that
   /// \throw Input_error if the surface has no extent or no area
-  Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing);
+  Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                     Border_treatment treatment = Border_treatment::bridge);
   Triangulated_solid(Triangulated_solid&&) = delete;
   ~Triangulated_solid();
 
@@ -61,6 +72,17 @@ public:
   std::size_t genus() const;
   /// From the coordinates of the triangles as they were given.
   const Normalization& normalization() const { return m_normalization; }
+  /// @}
+
+  /// \name Sheets
+  /// @{
+
+  /// The number of components that are doubled sheets.
+  std::size_t number_of_sheets() const { return m_number_of_sheets; }
+  /// The number of borders of the input that are rims of sheets now.
+  std::size_t number_of_wide_borders() const { return m_number_of_wide_borders; }
+  /// The side of its sheet on which `vertex` is, 1 or 2; 0 on a component that is no sheet.
+  int side_of_sheet(Index vertex) const { return m_side_of_sheet.empty() ? 0 : m_side_of_sheet[vertex]; }
   /// @}
 
   /// \name Body
@@ -104,8 +126,11 @@ private:
 
   std::unique_ptr<const Surface_levels> m_levels;
   std::vector<Index> m_input_vertex;
-  std::vector<Index> m_component_begin; ///< the first vertex of every component, and the number of vertices
+  std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
+  std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
   Normalization m_normalization;
+  std::size_t m_number_of_sheets = 0;
+  std::size_t m_number_of_wide_borders = 0;
   std::size_t m_number_of_bridged_borders = 0;
   std::size_t m_number_of_inserted_vertices = 0;
   std::size_t m_number_of_degenerate_faces = 0;

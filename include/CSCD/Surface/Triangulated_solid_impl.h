@@ -16,12 +16,16 @@
 
 namespace CSCD {
 
-CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                                   Border_treatment treatment)
 {
-  internal::Compiled_surface compiled = internal::compile_surface(std::move(triangles), std::move(pairing));
+  internal::Compiled_surface compiled = internal::compile_surface(std::move(triangles), std::move(pairing), treatment);
   m_input_vertex = std::move(compiled.input_point);
   m_component_begin = std::move(compiled.component_begin);
   m_normalization = compiled.normalization;
+  m_side_of_sheet = std::move(compiled.side_of_sheet);
+  m_number_of_sheets = compiled.number_of_sheets;
+  m_number_of_wide_borders = compiled.number_of_wide_borders;
   m_number_of_bridged_borders = compiled.number_of_bridged_borders;
   m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
   m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
@@ -86,6 +90,8 @@ CSCD_INLINE void Triangulated_solid::describe(Skeletonization_report& report) co
 {
   report.number_of_surface_components = number_of_components();
   report.number_of_bridged_borders = number_of_bridged_borders();
+  report.number_of_sheets = number_of_sheets();
+  report.number_of_wide_borders = number_of_wide_borders();
   report.number_of_inserted_vertices = number_of_inserted_vertices();
   report.number_of_degenerate_faces = number_of_degenerate_faces();
   report.number_of_levels = levels().size();
@@ -98,6 +104,8 @@ CSCD_INLINE void Triangulated_solid::warn(Skeletonization_report& report) const
                      "vertices without a face: they belong to no node");
   report.add_warning(number_of_bridged_borders(), "border: bridged by faces without weight",
                      "borders: bridged by faces without weight");
+  report.add_warning(number_of_sheets(), "sheet: its separators lead from border to border",
+                     "sheets: their separators lead from border to border");
   report.add_warning(number_of_degenerate_faces(), "face with (nearly) no area", "faces with (nearly) no area");
   report.add_warning(number_of_reversed_components(), "component that faced inwards: turned",
                      "components that faced inwards: turned");

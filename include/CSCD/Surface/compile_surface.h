@@ -10,9 +10,11 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/double_sheets.h>
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 
@@ -33,6 +35,9 @@ struct Compiled_surface
   Normalization normalization;
   std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
   std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
+  std::vector<signed char> side_of_sheet; ///< of every vertex, 1 or 2, or 0; empty without sheets
+  std::size_t number_of_sheets = 0;
+  std::size_t number_of_wide_borders = 0;
   std::size_t number_of_bridged_borders = 0;
   std::size_t number_of_inserted_vertices = 0;
   std::size_t number_of_degenerate_faces = 0;
@@ -55,16 +60,48 @@ inline std::size_t count_degenerate_faces(const Indexed_triangles& triangles)
   return std::size_t(std::count_if(triangles.faces.begin(), triangles.faces.end(), is_degenerate));
 }
 
+/// Gives the vertices of `triangles` that have been inserted since `side` was filled the side of some neighbor; linear
+/// for each level of insertion.
+inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed char>& side)
+{
+  constexpr signed char unknown = -1;
+  side.resize(triangles.points.size(), unknown);
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      const signed char known = std::max({side[face[0]], side[face[1]], side[face[2]]});
+      for (const Index corner : face) {
+        if (side[corner] == unknown && known != unknown) {
+          side[corner] = known;
+          is_changed = true;
+        }
+      }
+    }
+  }
+}
+
 /// Closes, orients, refines, renumbers and normalizes `triangles`, and compiles them; near linear.
+/// \param treatment which components are doubled as sheets instead of being closed
 /// \pre the points are finite, each has a face, and `pairing`, that of the faces, has no conflict and no pinched vertex
 /// \throw Input_error if the surface has no extent or no area
-inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
+inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                        Border_treatment treatment)
 {
   Compiled_surface result;
   const std::size_t number_of_input_points = triangles.points.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
   result.number_of_degenerate_faces = count_degenerate_faces(triangles);
-  result.number_of_bridged_borders = bridge_borders(triangles, pairing);
+  Doubled_sheets sheets;
+  if (treatment != Border_treatment::bridge && pairing.has_border()) {
+    sheets = double_sheets(triangles, pairing, treatment == Border_treatment::open);
+  }
+  if (sheets.number_of_sheets > 0) {
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  const std::size_t number_of_copied_points = triangles.points.size() - number_of_input_points;
+  result.number_of_sheets = sheets.number_of_sheets;
+  result.number_of_wide_borders = sheets.number_of_wide_borders;
+  result.number_of_bridged_borders = bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
@@ -72,10 +109,17 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
   refine_large_faces(triangles, pairing, components);
-  result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points;
+  result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points - number_of_copied_points;
+  if (sheets.number_of_sheets > 0) {
+    extend_sides(triangles, sheets.side);
+  }
 
   Canonical_order order = canonical_order(triangles, pairing, components);
   renumber(triangles, order.vertices);
+  result.side_of_sheet.resize(sheets.side.size());
+  for (std::size_t i = 0; i < sheets.side.size(); ++i) {
+    result.side_of_sheet[i] = sheets.side[order.vertices[i]];
+  }
   result.input_point = std::move(order.vertices);
   for (Index& point : result.input_point) {
     point = point < number_of_input_points ? point : no_index;

@@ -29,9 +29,9 @@ namespace CSCD {
 
 /// The adapter of a triangle mesh to a `Triangulated_solid`; a model of `SkeletonizationTraits`.
 ///
-/// The mesh is checked, its borders are bridged by faces without weight, components that are oriented inwards are
-/// reversed, faces that are too large are refined; the result is renumbered and normalized, so that it depends on the
-/// shape alone. Its vertices are those of the input that have a face, and inserted ones.
+/// The mesh is checked, its borders are bridged by faces without weight or are rims of sheets, components that are
+/// oriented inwards are reversed, faces that are too large are refined; the result is renumbered and normalized, so
+/// that it depends on the shape alone. Its vertices are those of the input that have a face, and inserted ones.
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
@@ -52,15 +52,17 @@ public:
   /// @}
 
   /// Compiles `mesh`, which is not referred to later; near linear.
+  /// \param treatment which borders are bridged, and which are rims of sheets
   /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges or
   ///        vertices where it is no oriented manifold, coordinates that are not finite, or no extent or area
-  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map)
+  explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
+                                Border_treatment treatment = Border_treatment::bridge)
   {
     const auto start = std::chrono::steady_clock::now();
     auto collected = internal::collect_triangles(mesh, point_map);
     m_descriptors = std::move(collected.descriptors);
     m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
-    m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing));
+    m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing), treatment);
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   /// The same, with the point map of `mesh`.
