@@ -375,6 +375,60 @@ TEST(Degenerate_input, needle)
   expect_skeleton(CSCD::test::box("foil", {1, 1, 1e-9}));
 }
 
+/// A prism of height 1 over a polygon, which is given with the triangles that fill it.
+Shape prism(const std::vector<Triple>& polygon, const std::vector<CSCD::test::Triangle>& fill)
+{
+  const std::size_t n = polygon.size();
+  Shape shape = triangles(polygon, {});
+  for (const Triple& p : polygon) {
+    shape.points.push_back({p[0], p[1], 1});
+  }
+  for (const auto& [a, b, c] : fill) {
+    shape.triangles.push_back({a, c, b});
+    shape.triangles.push_back({n + a, n + b, n + c});
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    shape.triangles.push_back({i, next, n + next});
+    shape.triangles.push_back({i, n + next, n + i});
+  }
+  return shape;
+}
+
+TEST(Degenerate_input, prisms_over_stars_and_combs_hold_their_skeletons)
+{
+  for (const std::size_t arms : {40, 400}) {
+    std::vector<Triple> polygon; // a tip, a valley, and so on
+    std::vector<CSCD::test::Triangle> fill;
+    for (std::size_t i = 0; i < 2 * arms; ++i) {
+      const double angle = CGAL_PI * double(i) / double(arms);
+      const double radius = i % 2 == 0 ? 5 : 1;
+      polygon.push_back({radius * std::cos(angle), radius * std::sin(angle), 0});
+      if (i % 2 == 0) {
+        fill.push_back({i, i + 1, (i + 2 * arms - 1) % (2 * arms)});
+      } else if (i > 1 && i + 2 < 2 * arms) {
+        fill.push_back({1, i, i + 2}); // slivers
+      }
+    }
+    EXPECT_EQ(expect_skeleton(prism(polygon, fill)).number_of_edges_outside, 0u) << arms << " arms";
+  }
+  constexpr std::size_t teeth = 30;
+  std::vector<Triple> polygon{{double(teeth), -10, 0}}; // of the back, and then the teeth from the right to the left
+  std::vector<CSCD::test::Triangle> fill;
+  for (std::size_t i = teeth; i-- > 0;) {
+    const double x = 2 * double(i);
+    const std::size_t first = polygon.size();
+    polygon.insert(polygon.end(), {{x + 1, 1, 0}, {x + 1, 6, 0}, {x, 6, 0}, {x, 1, 0}});
+    fill.push_back({first, first + 1, first + 2});
+    fill.push_back({first, first + 2, first + 3});
+    fill.push_back({0, first, first + 3});
+    if (i > 0) {
+      fill.push_back({0, first + 3, first + 4});
+    }
+  }
+  EXPECT_EQ(expect_skeleton(prism(polygon, fill)).number_of_edges_outside, 0u);
+}
+
 /// Cubes of side `width` at the points of a lattice of n x n x n, those beside each other joined by struts of eight
 /// faces.
 Shape wire_lattice(std::size_t n, double width)

@@ -94,6 +94,7 @@ Json to_json(const CSCD::Match_count& m)
   return {{"number_in_first", m.number_in_first},
           {"number_in_second", m.number_in_second},
           {"number_matched", m.number_matched},
+          {"is_estimate", m.is_estimate},
           {"fraction", m.fraction()}};
 }
 
@@ -148,8 +149,8 @@ void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)
 /// A line of the table of matches.
 void write_match(std::ostream& out, const char* name, const CSCD::Match_count& match)
 {
-  out << name << match.number_matched << " of " << match.number_in_first << " and " << match.number_in_second
-      << " match\n";
+  out << name << (match.is_estimate ? "about " : "") << match.number_matched << " of " << match.number_in_first
+      << " and " << match.number_in_second << " match\n";
 }
 
 void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_distance& distance)

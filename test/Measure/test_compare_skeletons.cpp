@@ -313,6 +313,39 @@ TEST(Compare_skeletons, of_many_arms_at_one_hub_each_is_found)
   EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
 }
 
+/// An edge between any two of random points in a cube.
+Skeleton complete_graph(std::size_t number_of_nodes, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> coordinate;
+  std::vector<Point> points;
+  Edges edges;
+  for (std::size_t i = 0; i < number_of_nodes; ++i) {
+    const double x = coordinate(generator);
+    const double y = coordinate(generator);
+    points.emplace_back(x, y, coordinate(generator));
+    for (std::size_t j = 0; j < i; ++j) {
+      edges.emplace_back(i, j);
+    }
+  }
+  return make_skeleton(points, edges);
+}
+
+TEST(Compare_skeletons, of_complete_graphs_some_branches_stand_for_all)
+{
+  constexpr std::size_t number_of_nodes = 150;
+  constexpr std::size_t number_of_edges = number_of_nodes * (number_of_nodes - 1) / 2; // no end, if all are matched
+  const Skeleton graph = complete_graph(number_of_nodes, 1);
+  const Skeleton_comparison same = compare_skeletons(graph, graph);
+  EXPECT_TRUE(same.branches.is_estimate);
+  EXPECT_FALSE(same.junctions.is_estimate);
+  EXPECT_EQ(same.junctions.number_matched, number_of_nodes);
+  EXPECT_EQ(same.branches.number_in_first, number_of_edges);
+  EXPECT_EQ(same.branches.number_matched, number_of_edges);
+  EXPECT_TRUE(same.has_same_structure);
+  EXPECT_NEAR(0, same.hausdorff_distance(), 1e-12);
+}
+
 TEST(Compare_skeletons, structure_of_a_long_caterpillar)
 {
   // A line with a twig at each node, or, in the middle, two at one and none at the next.

@@ -283,6 +283,38 @@ TEST(Evaluate_skeleton, measures_points_too)
   }
 }
 
+TEST(Evaluate_skeleton, hubs_and_complete_graphs_are_measured)
+{
+  const Mesh mesh = mesh_of(capsule(8, 1, 32));
+  constexpr std::size_t number_of_nodes = 4500;
+  constexpr std::size_t number_of_complete = 90; // of which all are joined
+  Skeleton star, complete;
+  for (std::size_t v = 0; v < number_of_nodes; ++v) {
+    const double angle = 2.4 * double(v); // about the golden angle: spread around the axis
+    const double radius = 0.8 * double(v % 7) / 7;
+    const double x = 8 * double(v) / number_of_nodes;
+    const Point point(x, radius * std::cos(angle), radius * std::sin(angle));
+    star[add_vertex(star)].point = v == 0 ? Point(4, 0, 0) : point;
+    if (v > 0) {
+      add_edge(0, v, star);
+    }
+    if (v % (number_of_nodes / number_of_complete) == 0) {
+      const auto last = add_vertex(complete);
+      complete[last].point = point;
+      for (auto u = last; u-- > 0;) {
+        add_edge(u, last, complete);
+      }
+    }
+  }
+  for (const Skeleton* skeleton : {&star, &complete}) {
+    const Skeleton_measures m = evaluate_skeleton(mesh, *skeleton, coarse);
+    EXPECT_EQ(m.counts.number_of_edges, num_edges(*skeleton));
+    EXPECT_EQ(m.counts.betti_number, num_edges(*skeleton) + 1 - num_vertices(*skeleton));
+    EXPECT_GT(m.position.fraction_of_length_inside, 0.999);
+    EXPECT_LT(m.round_cones.maximum, 1);
+  }
+}
+
 TEST(Evaluate_skeleton, takes_skeletons_of_other_types)
 {
   const Shape shape = torus(3, 1, 16);

@@ -343,6 +343,40 @@ TEST(Estimate_radii, interpolates_where_no_point_is_near)
   EXPECT_NEAR(3, radii[5], 1e-12); // nothing is known of its component: the mean of all distances
 }
 
+TEST(Estimate_radii, are_interpolated_over_thousands_of_cycles)
+{
+  // Points are around the ends of the first edge only. Nodes beside it are joined at random: factors of that matrix
+  // would take gigabytes.
+  constexpr Index number_of_nodes = 20000;
+  std::mt19937 generator(2);
+  std::uniform_real_distribution<double> uniform;
+  Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}}, {}, {{0, 1}}};
+  std::vector<std::vector<Index>> neighbors(number_of_nodes);
+  for (Index v = 2; v < number_of_nodes; ++v) {
+    const double x = uniform(generator);
+    const double y = uniform(generator);
+    s.points.emplace_back(x, y + 10, uniform(generator));
+    for (const Index u : {v - 1, Index(generator() % v)}) {
+      s.edges.push_back({u, v});
+      neighbors[u].push_back(v);
+      neighbors[v].push_back(u);
+    }
+  }
+  const std::vector<double> radii = estimate_radii({{-0.1, -1, 0}, {1.1, -3, 0}}, s);
+  EXPECT_LT(radii[0], 1.2);
+  EXPECT_GT(radii[1], 2.8);
+  for (Index v = 2; v < number_of_nodes; ++v) {
+    double sum = 0;
+    double weights = 0;
+    for (const Index u : neighbors[v]) {
+      const double weight = 1 / (s.points[u] - s.points[v]).norm();
+      sum += weight * radii[u];
+      weights += weight;
+    }
+    ASSERT_NEAR(radii[v], sum / weights, 1e-4) << v;
+  }
+}
+
 TEST(Estimate_radii, do_not_depend_on_scale)
 {
   const Indexed_skeleton s = ring(1, 0, 8);

@@ -203,6 +203,25 @@ TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
   EXPECT_EQ(edges + 1, builder.size());
 }
 
+TEST(Inside_repair, leads_an_edge_along_the_surface)
+{
+  const Shape_solid solid(CSCD::test::bent_tube(3, 3, 0.6, 24));
+  Skeleton_builder builder;
+  const Index first = builder.add_node(solid.at(3 * std::cos(0.2), 3 * std::sin(0.2), 0), 0.6 / solid.unit());
+  const Index last = builder.add_node(solid.at(3 * std::cos(2.8), 3 * std::sin(2.8), 0), 0.6 / solid.unit());
+  const std::vector<Vector_3> way =
+      CSCD::internal::Way_inside(*solid).find(builder[first].position, builder[last].position);
+  ASSERT_FALSE(way.empty());
+  EXPECT_LT(way.size(), 12u) << "far ones are seen";
+  builder.add_edge(first, last);
+  Index previous = first;
+  for (const Vector_3& point : way) {
+    previous = builder.split_edge(previous, last, point, 0);
+  }
+  EXPECT_EQ(CSCD::internal::Inside_repair(*solid, builder).number_of_nodes_outside(), 0u);
+  EXPECT_EQ(CSCD::internal::Inside_repair(*solid, builder).number_of_edges_outside(), 0u);
+}
+
 TEST(Inside_repair, traces_few_lines_where_many_edges_are_outside)
 {
   const Shape_solid shape(CSCD::test::capsule(6, 1, 24));
@@ -217,7 +236,7 @@ TEST(Inside_repair, traces_few_lines_where_many_edges_are_outside)
   }
   CSCD::internal::Inside_repair repair(solid, builder);
   repair();
-  EXPECT_LT(solid.number_of_lines, std::size_t(10) * number) << "26 directions for each edge would be more";
+  EXPECT_LT(solid.number_of_lines, std::size_t(10) * number) << "of the rounds";
   EXPECT_EQ(repair.number_of_edges_outside(), number - 1);
 }
 

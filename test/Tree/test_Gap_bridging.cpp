@@ -6,6 +6,7 @@
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Neighbor_graph.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
 
 #include <gtest/gtest.h>
 
@@ -94,6 +95,18 @@ TEST(Gap_bridging, enters_each_piece_once)
   for (const auto& gap : entries) {
     EXPECT_NEAR(0.6, gap.length, 0.1);
   }
+}
+
+TEST(Gap_bridging, refuses_lines_whose_triangulation_would_fill_the_memory)
+{
+  constexpr int number = 4000; // on each of two skew lines, which have so many tetrahedra squared
+  std::vector<Vector_3> points;
+  for (int i = 0; i < number; ++i) {
+    points.emplace_back(0.001 * i, 0, 0);
+    points.emplace_back(0, 0.001 * i, 1);
+  }
+  const Neighbor_graph graph(points);
+  EXPECT_THROW(Gap_bridging(points, graph), CSCD::Input_error);
 }
 
 } // namespace

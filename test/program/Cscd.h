@@ -57,10 +57,11 @@ class Cscd : public testing::Test
 {
 protected:
   /// Runs the program in the test's folder, in a shell: arguments may redirect.
-  Outcome run(const std::string& arguments)
+  /// \param before what the shell does first, with a semicolon, or the variables that the program gets
+  Outcome run(const std::string& arguments, const std::string& before = "")
   {
-    const std::string command = "cd '" + m_folder.path().string() + "' && '" CSCD_PROGRAM "' " + arguments + " > '" +
-                                m_streams.file("out") + "' 2> '" + m_streams.file("err") + "'";
+    const std::string command = "cd '" + m_folder.path().string() + "' && " + before + " '" CSCD_PROGRAM "' " +
+                                arguments + " > '" + m_streams.file("out") + "' 2> '" + m_streams.file("err") + "'";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(m_streams.file("out")),
             read_file(m_streams.file("err"))};

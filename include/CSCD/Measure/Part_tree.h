@@ -16,10 +16,24 @@
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <random>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Objects 0 to `number` - 1 in an order that has nothing to do with their numbers, always the same: those before a
+/// place stand for all, where all would be too much work.
+inline std::vector<Index> in_random_order(std::size_t number)
+{
+  std::vector<Index> order(number);
+  std::iota(order.begin(), order.end(), Index(0));
+  std::mt19937 generator;
+  for (std::size_t i = number; i > 1; --i) {
+    std::swap(order[i - 1], order[generator() % i]);
+  }
+  return order;
+}
 
 /// A balanced binary tree over objects of several parts, such as the two ends of a segment. A node has a box for each
 /// part, and objects are divided where the places of one part differ most. So objects that share one part are told
@@ -47,6 +61,14 @@ public:
     Index object = no_index;
   };
 
+  /// Where a search ends before it has seen all that could be less.
+  struct Limits
+  {
+    std::size_t max_number_of_nodes = std::numeric_limits<std::size_t>::max(); ///< that are looked into, at least 64
+    double enough = -std::numeric_limits<double>::infinity(); ///< a value up to this need not be the least
+    std::size_t* work = nullptr; ///< to which the number of nodes that were looked into is added
+  };
+
   /// O(n log n).
   explicit Part_tree(const std::vector<Parts>& objects) : m_objects(objects.size()), m_leaf(objects.size(), no_index)
   {
@@ -63,8 +85,9 @@ public:
   /// \param bound `bound(n)` is at most the value of every object of node number n
   /// \param value `value(object, least)` is the value of an object if it is at most `least`, and else greater than that
   /// \param best what has to be surpassed: without an object, an equal value surpasses it
+  /// \param limits of the search, which goes to the nearest first: what it has found then is near, if not the least
   template <class Bound, class Value>
-  Candidate minimize(const Bound& bound, const Value& value, Candidate best = {}) const
+  Candidate minimize(const Bound& bound, const Value& value, Candidate best = {}, const Limits& limits = {}) const
   {
     constexpr std::size_t max_depth = 64; // of a balanced tree over 32-bit numbers, with room
     std::array<std::pair<double, Index>, max_depth> to_do;
@@ -72,12 +95,14 @@ public:
     if (!m_nodes.empty()) {
       to_do[number_to_do++] = {-std::numeric_limits<double>::infinity(), 0};
     }
-    while (number_to_do > 0) {
+    std::size_t number_of_nodes = 0; // that were looked into
+    while (number_to_do > 0 && number_of_nodes < limits.max_number_of_nodes && best.value > limits.enough) {
       const auto [least, n] = to_do[--number_to_do];
       const Node& node = m_nodes[n];
       if (!surpasses(least, node.first_object, best)) {
         continue;
       }
+      ++number_of_nodes;
       if (node.second_child == no_index) {
         for (Index i = node.begin; i < node.end; ++i) {
           if (const Candidate candidate{value(m_objects[i], best.value), m_objects[i]};
@@ -94,6 +119,9 @@ public:
         to_do[number_to_do++] = farther;
         to_do[number_to_do++] = nearer;
       }
+    }
+    if (limits.work != nullptr) {
+      *limits.work += number_of_nodes;
     }
     return best;
   }

@@ -17,6 +17,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -108,9 +109,15 @@ public:
 
   bool empty() const { return m_segments.empty(); }
 
+  /// Nodes of the tree after which those who ask for means should be content with what they asked for so far: a
+  /// second or two. Well spread segments take a hundred for a query, those of a complete graph each tenth.
+  static constexpr std::size_t enough_work = std::size_t(1) << 24;
+
   /// The point of all segments that is nearest to `point`; on ties that of the first segment.
+  /// \param enough a distance: any point up to there will do
+  /// \param work the number of nodes of the tree that were looked into is added to this
   /// \pre there are segments
-  Segment_point nearest(const Vector_3& point) const
+  Segment_point nearest(const Vector_3& point, double enough = 0, std::size_t* work = nullptr) const
   {
     CGAL_precondition(!empty());
     const auto [least, segment] = m_tree.minimize(
@@ -118,20 +125,28 @@ public:
           const double distance = std::max(bound(n, point), 0.);
           return distance * distance;
         },
-        [&](Index i, double) { return squared_distance(i, point); });
+        [&](Index i, double) { return squared_distance(i, point); }, {},
+        {std::numeric_limits<std::size_t>::max(), enough * enough, work});
     return {segment, parameter(segment, point), std::sqrt(least)};
   }
 
-  /// The least value of a segment, where that of one is at least the distance from it less its radius.
+  /// The least value of a segment, where that of one is at least the distance from it less its radius. In tangles of
+  /// some thousand long segments and more, which are near each other everywhere, one of the least.
   template <class Value>
   double least_value(const Vector_3& point, const Value& value) const
   {
-    return m_tree.minimize([&](Index n) { return bound(n, point); }, [&](Index i, double) { return value(i); }).value;
+    return m_tree
+        .minimize([&](Index n) { return bound(n, point); }, [&](Index i, double) { return value(i); }, {},
+                  {max_number_of_nodes, -std::numeric_limits<double>::infinity(), nullptr})
+        .value;
   }
 
 private:
   /// Source, and direction, as a vector of the length `m_direction_length`.
   using Tree = Part_tree<2>;
+
+  /// A search for the least value looks into as many nodes of the tree at most.
+  static constexpr std::size_t max_number_of_nodes = 1 << 12;
 
   /// Nodes of the tree are divided by direction where the sources are nearer to each other than this. In mean lengths
   /// of a segment.

@@ -134,6 +134,7 @@ struct Match_count
   std::size_t number_in_first = 0;  ///< features of the first skeleton
   std::size_t number_in_second = 0; ///< features of the second skeleton
   std::size_t number_matched = 0;   ///< pairs of features at the same place; each is in one pair at most
+  bool is_estimate = false;         ///< whether some features stood for all, since these are very many
 
   /// 1 if all are matched, 0 if none are; 1 if there are none.
   double fraction() const

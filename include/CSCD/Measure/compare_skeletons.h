@@ -23,8 +23,8 @@ Skeleton_comparison compare_skeletons(Indexed_skeleton&& first, Indexed_skeleton
 /// Distances are those of points of one skeleton from the nearest point of the other, in both directions. Two tips
 /// match if they are not farther apart than the match distance, and likewise two junctions; two branches if the mean
 /// distance of each from the other is not greater. Nearest pairs are matched first, each feature at most once. See
-/// `doc/measures.md`. O(n log n) for n nodes and samples, of which there are 65,536 at most, where features are well
-/// spread; around a hub of many arms about n^1.3 was measured.
+/// `doc/measures.md`. O(n log n) for n nodes and edges. Where tens of thousands of branches cross or share a hub,
+/// some branches and points stand for all, so that the work is bounded.
 ///
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph`
 /// \param first,second skeletons in the same coordinates

@@ -11,6 +11,7 @@
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -220,21 +222,43 @@ inline bool have_same_structure(const Branch_graph& a, const Branch_graph& b)
 /// Matches the objects of two trees, each at most once, nearest pairs first, on ties those of least numbers. From any
 /// object the path to the nearest of the other side, from there back to the nearest, and so on, gets shorter with every
 /// step until two are the nearest of each other; these are matched, whatever the others do. So O(m + n) objects are
-/// searched for.
+/// searched for, from objects of the first tree in random order. When that has become too much work, those that were
+/// begun with stand for all.
 /// \param distance `distance(i, j, most)` of object `i` of the first tree and `j` of the second if it is at most `most`,
 ///        and else more than that
 /// \param bound_in_second `bound_in_second(i, node)` is at most the distance of `i` from each object of the node
 /// \param bound_in_first likewise, for objects of the second tree and nodes of the first
 /// \param match_distance maximum distance of a pair
+/// \param max_work how many distances and bounds may be computed
 template <class Tree, class Distance, class Bound1, class Bound2>
 Match_count match_nearest_first(Tree first, std::size_t m, Tree second, std::size_t n, const Distance& distance,
-                                const Bound1& bound_in_second, const Bound2& bound_in_first, double match_distance)
+                                const Bound1& bound_in_second, const Bound2& bound_in_first, double match_distance,
+                                std::size_t max_work)
 {
-  Match_count result{m, n, 0};
-  std::vector<char> is_removed(m, 0);
+  std::size_t work = 0;
+  const auto to_second = [&](Index i, const typename Tree::Candidate& best) {
+    return second.minimize([&](Index node) { return ++work, bound_in_second(i, second.nodes()[node]); },
+                           [&](Index j, double least) { return ++work, distance(i, j, least); }, best);
+  };
+  const auto to_first = [&](Index j, const typename Tree::Candidate& best) {
+    return first.minimize([&](Index node) { return ++work, bound_in_first(j, first.nodes()[node]); },
+                          [&](Index i, double least) { return ++work, distance(i, j, least); }, best);
+  };
+  enum State : char
+  {
+    open,
+    alone,
+    matched
+  };
+  std::vector<State> state(m, open);
   std::vector<Index> path; // objects of the first and the second tree in turn
-  for (Index start = 0; start < m; ++start) {
-    while (is_removed[start] == 0) {
+  std::size_t number_begun = 0;
+  std::size_t number_matched = 0; // of those that were begun with
+  for (const Index start : in_random_order(m)) {
+    if (work > max_work) {
+      break;
+    }
+    while (state[start] == open) {
       if (path.empty()) {
         path.push_back(start);
       }
@@ -246,27 +270,29 @@ Match_count match_nearest_first(Tree first, std::size_t m, Tree second, std::siz
         best = {is_in_first ? distance(last, previous, match_distance) : distance(previous, last, match_distance),
                 previous};
       }
-      best = is_in_first ? second.minimize([&](Index node) { return bound_in_second(last, second.nodes()[node]); },
-                                           [&](Index j, double least) { return distance(last, j, least); }, best)
-                         : first.minimize([&](Index node) { return bound_in_first(last, first.nodes()[node]); },
-                                          [&](Index i, double least) { return distance(i, last, least); }, best);
+      best = is_in_first ? to_second(last, best) : to_first(last, best);
       if (best.object == no_index) {
         first.remove(last);
-        is_removed[last] = 1;
+        state[last] = alone;
         path.pop_back();
       } else if (path.size() > 1 && best.object == path[path.size() - 2]) {
         const Index i = is_in_first ? last : best.object;
         first.remove(i);
         second.remove(is_in_first ? best.object : last);
-        is_removed[i] = 1;
-        ++result.number_matched;
+        state[i] = matched;
         path.resize(path.size() - 2);
       } else {
         path.push_back(best.object);
       }
     }
+    ++number_begun;
+    number_matched += std::size_t(state[start] == matched ? 1 : 0);
   }
-  return result;
+  if (number_begun < m) {
+    const double fraction = double(number_matched) / double(number_begun);
+    return {m, n, std::min(std::size_t(std::llround(fraction * double(m))), n), true};
+  }
+  return {m, n, number_matched, false};
 }
 
 /// A branch as a curve of its own.
@@ -280,8 +306,21 @@ public:
   /// \param path nodes of `skeleton`
   /// \param number_of_samples for means, a multiple of `number_of_pieces`
   Branch_curve(const Indexed_skeleton& skeleton, const std::vector<Index>& path, std::size_t number_of_samples)
-      : Branch_curve(sub_skeleton(skeleton, path), number_of_samples)
   {
+    Indexed_skeleton curve;
+    for (Index i = 0; i < path.size(); ++i) {
+      curve.points.push_back(skeleton.points[path[i]]);
+      m_box.extend(curve.points.back());
+      if (i > 0) {
+        curve.edges.push_back({i - 1, i});
+      }
+    }
+    sample(curve, number_of_samples);
+    if (curve.edges.size() > max_number_without_tree) {
+      m_tree = std::make_unique<const Segment_bvh>(segment_tree(curve, curve.edges));
+    } else {
+      m_points = std::move(curve.points);
+    }
   }
 
   /// The greater one of the mean distances of each curve from the other, if it is at most `max_distance`, and otherwise
@@ -312,7 +351,7 @@ public:
     double from_node = 0;
     for (std::size_t piece = 0; piece < number_of_pieces; ++piece) {
       const Bounding_box& box = node.boxes[piece];
-      from_node += std::max(m_tree.nearest((box.min() + box.max()) / 2).distance - box.diagonal() / 2, 0.);
+      from_node += std::max(distance((box.min() + box.max()) / 2) - box.diagonal() / 2, 0.);
     }
     double to_node = 0;
     for (const Vector_3& sample : m_samples) {
@@ -322,8 +361,12 @@ public:
   }
 
 private:
-  Branch_curve(const Indexed_skeleton& curve, std::size_t number_of_samples) : m_tree(segment_tree(curve, curve.edges))
+  /// Few segments are faster looked at one by one, and a tree for each of a million takes gigabytes.
+  static constexpr std::size_t max_number_without_tree = 4;
+
+  void sample(const Indexed_skeleton& curve, std::size_t number_of_samples)
   {
+    m_samples.reserve(number_of_samples);
     double length = 0;
     for (const auto& edge : curve.edges) {
       length += curve.length(edge);
@@ -338,21 +381,18 @@ private:
                                      curve.points.front().begin(), curve.points.front().end())) {
       std::reverse(m_samples.begin(), m_samples.end()); // so that the pieces of curves side by side are, too
     }
-    for (const Vector_3& point : curve.points) {
-      m_box.extend(point);
-    }
   }
 
-  static Indexed_skeleton sub_skeleton(const Indexed_skeleton& skeleton, const std::vector<Index>& path)
+  double distance(const Vector_3& point) const
   {
-    Indexed_skeleton curve;
-    for (Index i = 0; i < path.size(); ++i) {
-      curve.points.push_back(skeleton.points[path[i]]);
-      if (i > 0) {
-        curve.edges.push_back({i - 1, i});
-      }
+    if (m_tree) {
+      return m_tree->nearest(point).distance;
     }
-    return curve;
+    double result = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < m_points.size(); ++i) {
+      result = std::min(result, distance_to_segment(point, m_points[i - 1], m_points[i]));
+    }
+    return result;
   }
 
   /// \return infinity if it is more than `max_distance`
@@ -363,12 +403,13 @@ private:
     const double max_sum = max_distance * double(number);
     double sum = 0;
     for (std::size_t i = 0; i < number && sum <= max_sum; ++i) {
-      sum += other.m_tree.nearest(m_samples[i * stride % number]).distance;
+      sum += other.distance(m_samples[i * stride % number]);
     }
     return sum <= max_sum ? sum / double(number) : std::numeric_limits<double>::infinity();
   }
 
-  Segment_bvh m_tree;
+  std::vector<Vector_3> m_points;            ///< without tree
+  std::unique_ptr<const Segment_bvh> m_tree; ///< of many segments
   std::vector<Vector_3> m_samples;
   Bounding_box m_box;
 };
@@ -402,17 +443,28 @@ public:
     Skeleton_distance result;
     std::size_t number_matched = 0;
     const std::vector<Vector_3> samples = sample_by_length(spacing);
-    for (const Vector_3& sample : samples) {
-      const double d = other.m_tree.nearest(sample).distance;
+    std::size_t number = 0;
+    std::size_t work = 0;
+    for (const Index i : in_random_order(samples.size())) {
+      const double d = other.m_tree.nearest(samples[i], 0, &work).distance;
       result.mean += d;
       result.maximum = std::max(result.maximum, d);
       number_matched += d <= match_distance ? 1 : 0;
+      ++number;
+      if (work > Segment_bvh::enough_work) {
+        break;
+      }
     }
-    result.mean /= double(samples.size());
-    result.fraction_matched = double(number_matched) / double(samples.size());
+    result.mean /= double(number);
+    result.fraction_matched = double(number_matched) / double(number);
     if (!m_skeleton.edges.empty()) { // otherwise the samples are the nodes
-      for (const Vector_3& point : m_skeleton.points) {
-        result.maximum = std::max(result.maximum, other.m_tree.nearest(point).distance);
+      work = 0;
+      for (const Index node : in_random_order(m_skeleton.points.size())) {
+        const double d = other.m_tree.nearest(m_skeleton.points[node], result.maximum, &work).distance;
+        result.maximum = std::max(result.maximum, d);
+        if (work > Segment_bvh::enough_work) {
+          break;
+        }
       }
     }
     return result;
@@ -439,7 +491,7 @@ public:
     return match_nearest_first(
         tree_of(mine), mine.size(), tree_of(theirs), theirs.size(),
         [&](Index i, Index j, double) { return (mine[i] - theirs[j]).norm(); }, bound(mine), bound(theirs),
-        match_distance);
+        match_distance, max_work_for_nodes);
   }
 
   /// Matches branches by the distances of their curves.
@@ -460,10 +512,15 @@ public:
     return match_nearest_first(
         tree_of(m_curves), m_curves.size(), tree_of(other.m_curves), other.m_curves.size(),
         [&](Index i, Index j, double most) { return m_curves[i].distance(other.m_curves[j], most); }, bound(m_curves),
-        bound(other.m_curves), match_distance);
+        bound(other.m_curves), match_distance, max_work_for_branches);
   }
 
 private:
+  /// Distances and bounds that are computed to match nodes, which takes some seconds; and branches. Bodies need some
+  /// thousand, a hub of 10,000 arms some million.
+  static constexpr std::size_t max_work_for_nodes = std::size_t(1) << 27;
+  static constexpr std::size_t max_work_for_branches = std::size_t(1) << 21;
+
   /// Samples of the edges; the nodes where there is no length.
   std::vector<Vector_3> sample_by_length(double spacing) const
   {

@@ -6,12 +6,14 @@
 #ifndef CSCD_MEASURE_ESTIMATE_RADII_H
 #define CSCD_MEASURE_ESTIMATE_RADII_H
 
+#include <CSCD/Measure/Part_tree.h>
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -104,10 +106,26 @@ private:
     }
     Eigen::SparseMatrix<double> laplacian(Eigen::Index(nodes.size()), Eigen::Index(nodes.size()));
     laplacian.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(right);
+    const Eigen::VectorXd solution = solve(laplacian, right);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       radii[nodes[i]] = std::max(solution[Eigen::Index(i)], 0.);
     }
+  }
+
+  /// By factors, where those have about as many entries as the matrix, as trees and graphs of some cycles have; of
+  /// others they would fill the memory, but then a bounded number of steps of an iteration leads as near as radii need.
+  Eigen::VectorXd solve(const Eigen::SparseMatrix<double>& laplacian, const Eigen::VectorXd& right) const
+  {
+    constexpr std::size_t max_number_of_cycles = 1 << 11; // the factors have at most the square of it more entries
+    if (m_skeleton.edges.size() <= m_skeleton.number_of_nodes() + max_number_of_cycles) {
+      return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(right);
+    }
+    constexpr int max_number_of_steps = 300;
+    constexpr double tolerance = 1e-9; // of the residual
+    Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> iteration(laplacian);
+    iteration.setMaxIterations(max_number_of_steps);
+    iteration.setTolerance(tolerance);
+    return iteration.solveWithGuess(right, Eigen::VectorXd::Constant(right.size(), m_default_radius));
   }
 
   const Indexed_skeleton& m_skeleton;
@@ -120,7 +138,7 @@ private:
 /// Each point is assigned to the nearest point of the skeleton, at distance d and at parameter t of an edge; it counts
 /// for the source of the edge with weight 1 - t and for the target with weight t. The radius of a node is the weighted
 /// mean of the d's; nodes to which no point was assigned are interpolated from their neighbors.
-/// O(p log e) for p points and e edges, where those are well spread.
+/// O(p log e) for p points and e edges, where those are well spread; in tangles some points stand for all.
 /// \pre there are points and nodes
 inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Indexed_skeleton& skeleton)
 {
@@ -130,8 +148,14 @@ inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, c
   std::vector<double> sum(skeleton.number_of_nodes(), 0.);
   std::vector<double> weight(skeleton.number_of_nodes(), 0.);
   double total = 0;
-  for (const Vector_3& point : points) {
-    const Segment_point nearest = tree.nearest(point);
+  std::size_t number = 0;
+  std::size_t work = 0;
+  for (const Index i : in_random_order(points.size())) {
+    if (work > Segment_bvh::enough_work) {
+      break;
+    }
+    const Segment_point nearest = tree.nearest(points[i], 0, &work);
+    ++number;
     const double t = nearest.parameter;
     const auto& [source, target] = ends[nearest.segment];
     sum[source] += (1 - t) * nearest.distance;
@@ -149,7 +173,7 @@ inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, c
       is_known[v] = 1;
     }
   }
-  Radius_interpolation(skeleton, is_known, total / double(points.size()))(radii);
+  Radius_interpolation(skeleton, is_known, total / double(number))(radii);
   return radii;
 }
 

@@ -94,8 +94,8 @@ public:
   }
 
   /// F at `point`. Linear in the number of edges up to some thousands; of more, those that are far and near each other
-  /// count as one place, which changes their part of F by some percent, and the cost is O(log n) where they are well
-  /// spread.
+  /// count as one place, which changes their part of F by some percent. The cost is O(log n) where they are well
+  /// spread, and bounded in tangles, where edges count as one place that are not far.
   double convolution(const Vector_3& point) const
   {
     if (!m_clusters.empty()) {
@@ -137,6 +137,7 @@ private:
     Vector_3 center = Vector_3::Zero(); ///< of mass
     double radius = 0;                  ///< of a ball around the center that holds them
     double mass = 0;                    ///< F is about this over the fourth power of the distance
+    double spread = 0;                  ///< mean square of the distances from the center, by mass
   };
 
   /// Above this, sums over all edges would take minutes. Skeletons of bodies have fewer.
@@ -153,14 +154,14 @@ private:
   {
     if (object >= m_edges.size()) {
       const Ball& ball = m_balls[object - m_edges.size()];
-      return {ball.center, 0, ball.radius * ball.radius * ball.radius * ball.radius};
+      return {ball.center, 0, ball.radius * ball.radius * ball.radius * ball.radius, 0};
     }
     const Edge& edge = m_edges[object];
     const double a = edge.source_radius;
     const double b = edge.target_radius;
     const double mean_cube = (a + b) * (a * a + b * b) / 4; // of the radius along the edge
     return {edge.source + edge.length / 2 * edge.direction, 0,
-            boost::math::double_constants::two_div_pi * edge.length * mean_cube};
+            boost::math::double_constants::two_div_pi * edge.length * mean_cube, edge.length * edge.length / 12};
   }
 
   void build_clusters()
@@ -176,48 +177,63 @@ private:
     m_clusters.resize(m_tree.nodes().size());
     for (Index n = Index(m_clusters.size()); n-- > 0;) {
       const auto& node = m_tree.nodes()[n];
-      Cluster& cluster = m_clusters[n]; // until here, centers were summed times masses
+      Cluster& cluster = m_clusters[n]; // until here, centers and squares from the origin were summed times masses
       for (Index i = node.begin; node.second_child == no_index && i < node.end; ++i) {
         const Cluster object = cluster_of(m_tree.objects()[i]);
         cluster.center += object.mass * object.center;
         cluster.mass += object.mass;
+        cluster.spread += object.mass * (object.center.squaredNorm() + object.spread);
       }
       if (node.parent != no_index) {
         m_clusters[node.parent].center += cluster.center;
         m_clusters[node.parent].mass += cluster.mass;
+        m_clusters[node.parent].spread += cluster.spread;
       }
       Bounding_box box = node.boxes[0];
       box.extend(node.boxes[1]);
       cluster.center = cluster.mass > 0 ? Vector_3(cluster.center / cluster.mass) : box.min();
+      cluster.spread =
+          cluster.mass > 0 ? std::max(cluster.spread / cluster.mass - cluster.center.squaredNorm(), 0.) : 0;
       cluster.radius = (cluster.center - box.min()).cwiseMax(box.max() - cluster.center).norm();
     }
   }
 
+  /// What is near is divided first, and what is left when enough was divided counts as if it were far.
   double sum_of_clusters(const Vector_3& point) const
   {
-    constexpr double far = 8; // in radii of the cluster: its part of F is right to some percent
+    constexpr double far = 4;                        // in radii of the cluster: its part of F is right to some percent
+    constexpr std::size_t max_number_divided = 1024; // of well spread edges there are some hundred; of tangles, no end
+    const auto square_to = [&](Index n) { return (point - m_clusters[n].center).squaredNorm(); };
     double sum = 0;
     double sum_of_edges = 0;
+    std::size_t number_divided = 0;
     std::vector<Index> to_do{0};
     while (!to_do.empty()) {
       const Index n = to_do.back();
       to_do.pop_back();
       const Cluster& cluster = m_clusters[n];
       const auto& node = m_tree.nodes()[n];
-      const double square = (point - cluster.center).squaredNorm();
-      if (square > far * far * cluster.radius * cluster.radius && square > min_square) {
-        sum += cluster.mass / (square * square);
-      } else if (node.second_child != no_index) {
-        to_do.push_back(node.second_child);
-        to_do.push_back(n + 1);
-      } else {
-        for (Index i = node.begin; i < node.end; ++i) {
-          const Index object = m_tree.objects()[i];
-          if (object < m_edges.size()) {
-            sum_of_edges += integral(m_edges[object], point);
-          } else {
-            sum += value(m_balls[object - m_edges.size()], point);
-          }
+      const double square = square_to(n);
+      const bool is_far = square > far * far * cluster.radius * cluster.radius && square > min_square;
+      if (is_far || number_divided == max_number_divided) {
+        const double limited = std::max({square, cluster.radius * cluster.radius, min_square});
+        // The second term of the expansion around the center, averaged over all directions, is the spread's.
+        sum += cluster.mass / (limited * limited) * (1 + 2 * cluster.spread / limited);
+        continue;
+      }
+      ++number_divided;
+      if (node.second_child != no_index) {
+        const bool is_first_nearer = square_to(n + 1) < square_to(node.second_child);
+        to_do.push_back(is_first_nearer ? node.second_child : n + 1);
+        to_do.push_back(is_first_nearer ? n + 1 : node.second_child);
+        continue;
+      }
+      for (Index i = node.begin; i < node.end; ++i) {
+        const Index object = m_tree.objects()[i];
+        if (object < m_edges.size()) {
+          sum_of_edges += integral(m_edges[object], point);
+        } else {
+          sum += value(m_balls[object - m_edges.size()], point);
         }
       }
     }

@@ -8,6 +8,7 @@
 
 #include <CSCD/Reconstruction/orient_coherently.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/insert_points.h>
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Advancing_front_surface_reconstruction_cell_base_3.h>
@@ -25,7 +26,6 @@
 #include <cstddef>
 #include <tuple>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -146,12 +146,7 @@ public:
           return limit.normal != Vector_3::Zero();
         }))
   {
-    std::vector<std::pair<Point, std::size_t>> numbered_points;
-    numbered_points.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      numbered_points.emplace_back(Point(points[i].x(), points[i].y(), points[i].z()), i);
-    }
-    insert(numbered_points.begin(), numbered_points.end());
+    insert_points(*this, points);
   }
 
   Finite_facets_iterator finite_facets_begin()

@@ -7,17 +7,216 @@
 #define CSCD_SKELETON_INSIDE_REPAIR_H
 
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Finds ways inside a body around what is outside: along its surface, and as far below it as there is room.
+class Way_inside
+{
+public:
+  /// \param solid is referred to
+  explicit Way_inside(const Triangulated_solid& solid)
+      : m_solid(solid), m_surface(solid.query_surface()), m_search(m_surface.number_of_faces()),
+        m_entered(m_surface.number_of_faces(), no_index), m_work_left(max_work * m_surface.number_of_faces())
+  {
+  }
+
+  /// Points inside such that each sees the next, the first one `from` and the last one `to`; none, where no way was
+  /// found, as in bodies that cut themselves, or the ways before took too much work. \pre both are inside
+  std::vector<Vector_3> find(const Vector_3& from, const Vector_3& to)
+  {
+    if (m_work_left == 0 || !trace_surface(from, to)) {
+      return {};
+    }
+    std::vector<Vector_3> way;
+    const bool is_found = follow_surface(from, to, way);
+    return is_found ? way : std::vector<Vector_3>();
+  }
+
+private:
+  /// How many faces may be passed and lines be traced for all ways, relative to the number of faces.
+  static constexpr std::size_t max_work = 8;
+  /// A way of more nodes is no good skeleton.
+  static constexpr std::size_t max_number_of_nodes = 64;
+  /// Halvings of the depth below the surface, where the way is not free.
+  static constexpr int max_halvings = 12;
+
+  /// A point of the surface, from where one goes inwards.
+  struct Start
+  {
+    Vector_3 point;
+    Vector_3 inward; ///< of unit length
+  };
+
+  void count_work() { m_work_left -= m_work_left > 0 ? 1 : 0; }
+
+  /// Writes the way on the surface from where the segment leaves the body first to where it enters it last to
+  /// `m_starts`. \return false if there is none
+  bool trace_surface(const Vector_3& from, const Vector_3& to)
+  {
+    m_starts.clear();
+    m_solid.crossings(from, to, m_crossings);
+    if (m_crossings.size() < 2) {
+      return false;
+    }
+    const Vector_3 direction = (to - from).normalized();
+    const Surface_point leaving = m_solid.closest_point(from + m_crossings.front() * direction);
+    const Surface_point entering = m_solid.closest_point(from + m_crossings.back() * direction);
+    if (!search_faces(entering.face, leaving.face)) {
+      return false;
+    }
+    m_starts.push_back({leaving.point, inward_of(leaving.face)});
+    for (Index face = leaving.face; face != entering.face;) {
+      m_starts.push_back({center_of(face), inward_of(face)});
+      const Index h = m_entered[face]; // of the next face
+      const Index next = Triangulated_surface::face(h);
+      m_starts.push_back({(m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h))) / 2,
+                          unit_vector(inward_of(face) + inward_of(next))});
+      face = next;
+    }
+    m_starts.push_back({center_of(entering.face), inward_of(entering.face)});
+    m_starts.push_back({entering.point, inward_of(entering.face)});
+    return true;
+  }
+
+  /// Searches for the shortest way over centers of faces, backwards, so that `m_entered` has for each face on it the
+  /// halfedge of the next one. \return whether there is one
+  bool search_faces(Index first, Index last)
+  {
+    bool is_found = false;
+    m_search.clear();
+    m_search.reach(first, 0);
+    m_search.spread([&](Index face, float distance) {
+      count_work();
+      is_found = face == last;
+      if (is_found || m_work_left == 0) {
+        m_search.clear();
+        return;
+      }
+      const Vector_3 center = center_of(face);
+      for (const Index h : Triangulated_surface::face_halfedges(face)) {
+        const Index neighbor = Triangulated_surface::face(m_surface.twin(h));
+        if (m_search.reach(neighbor, distance + float((center_of(neighbor) - center).norm()))) {
+          m_entered[neighbor] = h;
+        }
+      }
+    });
+    return is_found;
+  }
+
+  bool follow_surface(const Vector_3& from, const Vector_3& to, std::vector<Vector_3>& way)
+  {
+    std::size_t next = 0; // behind the last start that was passed
+    Vector_3 here = from;
+    while (!sees(here, to)) {
+      if (way.size() > max_number_of_nodes || m_work_left == 0 || next == m_starts.size()) {
+        return false;
+      }
+      const std::optional<std::size_t> seen = farthest_seen(here, next);
+      if (seen) {
+        way.push_back(*below(m_starts[*seen], 0));
+        next = *seen + 1;
+      } else if (!step_below_surface(here, next, way)) {
+        return false;
+      } else {
+        ++next;
+      }
+      here = way.back();
+    }
+    return true;
+  }
+
+  /// Of some starts from `next` on, far ones first, the one whose middle of the body can be seen.
+  std::optional<std::size_t> farthest_seen(const Vector_3& here, std::size_t next)
+  {
+    for (std::size_t step = m_starts.size() - next; step > 0; step /= 2) {
+      const std::optional<Vector_3> middle = below(m_starts[next + step - 1], 0);
+      if (middle && m_solid.is_inside(*middle) && sees(here, *middle)) {
+        return next + step - 1;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Goes to the start `next` so near to the surface that the way is free, from near the one before.
+  bool step_below_surface(const Vector_3& here, std::size_t next, std::vector<Vector_3>& way)
+  {
+    for (int halvings = 1; halvings <= max_halvings; ++halvings) {
+      const std::optional<Vector_3> to = below(m_starts[next], halvings);
+      const std::optional<Vector_3> from = next > 0 ? below(m_starts[next - 1], halvings) : std::nullopt;
+      if (to && sees(here, *to)) {
+        way.push_back(*to);
+        return true;
+      }
+      if (to && from && sees(here, *from) && sees(*from, *to)) {
+        way.push_back(*from);
+        way.push_back(*to);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The middle of the body below `start`, or as many times nearer.
+  std::optional<Vector_3> below(const Start& start, int halvings)
+  {
+    constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
+    count_work();
+    if (!(start.inward.squaredNorm() > 0)) {
+      return std::nullopt; // at a face without area, or where two lie upon each other
+    }
+    const std::optional<Surface_hit> hit =
+        m_solid.first_hit(start.point + relative_offset * start.inward, start.inward);
+    if (!hit) {
+      return std::nullopt;
+    }
+    return Vector_3(start.point + std::ldexp(hit->distance, -1 - halvings) * start.inward);
+  }
+
+  bool sees(const Vector_3& from, const Vector_3& to)
+  {
+    count_work();
+    m_solid.crossings(from, to, m_crossings);
+    return m_crossings.empty();
+  }
+
+  Vector_3 center_of(Index face) const
+  {
+    return (m_surface.point(m_surface.origin(3 * face)) + m_surface.point(m_surface.target(3 * face)) +
+            m_surface.point(m_surface.opposite_vertex(3 * face))) /
+           3;
+  }
+
+  Vector_3 inward_of(Index face) const { return unit_vector(-m_surface.face_vector(face)); }
+
+  static Vector_3 unit_vector(const Vector_3& vector)
+  {
+    const double norm = vector.norm();
+    return norm > 0 ? Vector_3(vector / norm) : vector;
+  }
+
+  const Triangulated_solid& m_solid;
+  const Triangulated_surface& m_surface;
+  Dijkstra_search m_search;        ///< over faces
+  std::vector<Index> m_entered;    ///< for every face, the halfedge of the next one on the way
+  std::vector<Start> m_starts;     ///< along the way on the surface
+  std::vector<double> m_crossings; ///< working memory
+  std::size_t m_work_left;
+};
 
 /// Moves nodes that lie outside of the body to its middle, and bends edges that leave it by further nodes.
 /// \tparam Surface a model of `SkeletonizationSurface`
@@ -42,11 +241,9 @@ public:
     std::vector<Edge> edges;
     m_builder.for_each_edge([&](Index a, Index b) { edges.emplace_back(a, b); });
     for (int round = 0; round < max_rounds && !edges.empty(); ++round) {
-      if (round == rounds_to_nearest && number_outside(edges) > max_edges_led_around) {
-        return;
-      }
-      edges = repair_edges(edges, round >= rounds_to_nearest);
+      edges = repair_edges(edges);
     }
+    lead_around(edges);
   }
 
   std::size_t number_of_nodes_outside() const
@@ -64,13 +261,8 @@ public:
 private:
   using Edge = std::pair<Index, Index>;
 
-  /// Edges that are still outside after this many rounds are led where the way is free ...
-  static constexpr int rounds_to_nearest = 4;
-  /// ... in the rounds that are left. Twice as many bring no further edge of the Princeton meshes inside.
-  static constexpr int max_rounds = 8;
-  /// Meshes of bodies have one or two such edges. Where there are more, the surface cuts itself, and looking for ways
-  /// around would take most of the time.
-  static constexpr std::size_t max_edges_led_around = 8;
+  /// Edges that are still outside after this many rounds are led along the surface.
+  static constexpr int max_rounds = 4;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
@@ -126,9 +318,9 @@ private:
     }));
   }
 
-  /// Splits those of `edges` that leave the body, by nodes behind the nearest surface or, if `is_thorough`, wherever
-  /// the way is free. \return the parts, which may leave it again
-  std::vector<Edge> repair_edges(const std::vector<Edge>& edges, bool is_thorough)
+  /// Splits those of `edges` that leave the body, by nodes behind the nearest surface. \return the parts, which may
+  /// leave it again
+  std::vector<Edge> repair_edges(const std::vector<Edge>& edges)
   {
     std::vector<Edge> parts;
     for (const auto& [a, b] : edges) {
@@ -136,11 +328,8 @@ private:
       if (!outside) {
         continue;
       }
-      const std::optional<Vector_3> middle =
-          is_thorough ? middle_around(*outside, {a, b}) : m_surface.middle_behind(*outside);
-      if (middle) {
-        const Index node = m_builder.split_edge(a, b, *middle, (m_builder[a].radius + m_builder[b].radius) / 2);
-        m_is_outside.push_back(0);
+      if (const std::optional<Vector_3> middle = m_surface.middle_behind(*outside)) {
+        const Index node = split_edge(a, b, *middle);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
       } else {
@@ -150,69 +339,27 @@ private:
     return parts;
   }
 
-  /// Of the middles of the body along lines from `outside` in directions all around, the nearest that sees both ends of
-  /// `edge`.
-  std::optional<Vector_3> middle_around(const Vector_3& outside, const Edge& edge)
+  Index split_edge(Index a, Index b, const Vector_3& position)
   {
-    std::optional<Vector_3> best;
-    double least = std::numeric_limits<double>::max();
-    for (const Vector_3& direction : directions(outside - m_builder[edge.first].position, outside)) {
-      const std::optional<Vector_3> middle = middle_along(outside, direction);
-      if (!middle || (*middle - m_builder[edge.first].position).norm() <= m_offset ||
-          (*middle - m_builder[edge.second].position).norm() <= m_offset) {
-        continue; // none, or an end of the edge, which may have been moved there itself
-      }
-      const double distance = (*middle - outside).squaredNorm();
-      if (distance < least && sees_ends(*middle, edge)) {
-        best = middle;
-        least = distance;
-      }
-    }
-    return best;
+    m_is_outside.push_back(0);
+    return m_builder.split_edge(a, b, position, (m_builder[a].radius + m_builder[b].radius) / 2);
   }
 
-  bool sees_ends(const Vector_3& point, const Edge& edge)
+  /// Leads those of `edges` that leave the body along its surface.
+  void lead_around(const std::vector<Edge>& edges)
   {
-    for (const Index end : {edge.first, edge.second}) {
-      m_surface.crossings(m_builder[end].position, point, m_crossings);
-      if (!m_crossings.empty()) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /// The middle of the first stretch of the body that the ray from `outside` along `direction` meets.
-  std::optional<Vector_3> middle_along(const Vector_3& outside, const Vector_3& direction)
-  {
-    m_surface.crossings(outside, outside + m_diagonal * direction, m_crossings);
-    if (m_crossings.size() < 2) {
-      return std::nullopt;
-    }
-    const Vector_3 middle = outside + (m_crossings[0] + m_crossings[1]) / 2 * direction;
-    return m_surface.is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
-  }
-
-  /// Directions all around: those to the faces, edges and corners of a cube with a side along `first`, turned towards
-  /// `second`, so that they turn with the body.
-  static std::vector<Vector_3> directions(const Vector_3& first, const Vector_3& second)
-  {
-    const Vector_3 x = first.norm() > 0 ? first.normalized() : Vector_3(Vector_3::UnitX());
-    const Vector_3 across = second - second.dot(x) * x;
-    const Vector_3 y = across.norm() > 0 ? across.normalized() : x.unitOrthogonal();
-    const Vector_3 z = x.cross(y);
-    std::vector<Vector_3> result;
-    result.reserve(26);
-    for (int i = -1; i <= 1; ++i) {
-      for (int j = -1; j <= 1; ++j) {
-        for (int k = -1; k <= 1; ++k) {
-          if (i != 0 || j != 0 || k != 0) {
-            result.push_back((double(i) * x + double(j) * y + double(k) * z).normalized());
-          }
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      Way_inside way(m_surface);
+      for (const auto& [a, b] : edges) {
+        if (m_is_outside[a] != 0 || m_is_outside[b] != 0 || !first_stretch_outside(a, b)) {
+          continue;
+        }
+        Index last = a;
+        for (const Vector_3& point : way.find(m_builder[a].position, m_builder[b].position)) {
+          last = split_edge(last, b, point);
         }
       }
     }
-    return result;
   }
 
   const Surface& m_surface;

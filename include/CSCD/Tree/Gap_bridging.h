@@ -9,6 +9,7 @@
 #include <CSCD/Tree/Neighbor_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/insert_points.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -158,11 +159,8 @@ private:
     using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
     using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
     using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base>>;
-    std::vector<std::pair<Kernel::Point_3, Index>> sites;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      sites.emplace_back(Kernel::Point_3(m_points[point].x(), m_points[point].y(), m_points[point].z()), point);
-    }
-    const Triangulation triangulation(sites.begin(), sites.end());
+    Triangulation triangulation;
+    insert_points(triangulation, m_points);
     for (const auto& edge : triangulation.finite_edges()) {
       const auto [a, b] = std::minmax(edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info());
       if (m_pieces.find(a) != m_pieces.find(b)) {
