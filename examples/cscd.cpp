@@ -481,7 +481,7 @@ void add_loops(CLI::App& app, cscd::Loops_options& options)
 {
   CLI::App* command = add_application(
       app, "loops", "find closed geodesics around handles, tunnels and constrictions of the body of a mesh",
-      "file for the loops: .json, or - for it, or as of skeletons, by the ending", options);
+      "file for the loops: .json, or - for it, .html for a page, or as of skeletons, by the ending", options);
   command->add_flag("--handles", options.handles, "write handle loops; without such options, all kinds are written");
   command->add_flag("--tunnels", options.tunnels, "write tunnel loops");
   command->add_flag("--constrictions", options.constrictions, "write constrictions");

@@ -6,6 +6,7 @@
 #include "loops.h"
 
 #include "commands.h"
+#include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/IO/write_file.h>
@@ -36,15 +37,19 @@ bool is_json(const std::string& filename)
   return filename == standard_stream || std::filesystem::path(filename).extension() == ".json";
 }
 
+bool is_page(const std::string& filename)
+{
+  return std::filesystem::path(filename).extension() == ".html";
+}
+
 bool is_wanted(const Loops_options& options, CSCD::Loop_kind kind)
 {
   const std::array<bool, 3> chosen{options.handles, options.tunnels, options.constrictions};
   return chosen == std::array<bool, 3>{} || chosen[static_cast<std::size_t>(kind)];
 }
 
-Loops find_loops(const Loops_options& options)
+Loops find_loops(const Loops_options& options, const Input& input)
 {
-  const Input input = read_mesh(options.input, options.format, options.is_quiet);
   try {
     Loops loops = CSCD::find_surface_loops(input.mesh, CSCD::parameters::default_values(), options.min_depth);
     loops.erase(
@@ -74,6 +79,18 @@ void write_loops_as_json(std::ostream& out, const Loops& loops)
   out << list.dump() << '\n';
 }
 
+/// The viewer page of the mesh, with the loops in the place of the separators of its skeleton.
+void write_loops_as_page(std::ostream& out, const std::string& name, Input& input, const Loops& loops)
+{
+  Skeletonization_result result = compute_skeleton(input, Skeletonize_options(), nullptr);
+  result.separators.clear();
+  result.separators.reserve(loops.size());
+  for (const CSCD::Surface_loop<Point>& loop : loops) {
+    result.separators.push_back(loop.points);
+  }
+  write_page(out, input, result, std::filesystem::path(name).filename().string() + ": loops as separators");
+}
+
 /// The loops as cycles of a graph, which every format of skeletons can hold; the radius of a node is that of a circle
 /// as long as its loop.
 Skeleton to_graph(const Loops& loops)
@@ -97,14 +114,23 @@ Skeleton to_graph(const Loops& loops)
 
 void write_loops(const Loops_options& options)
 {
-  check_skeleton_outputs({options.output}, options.input);
-  const Loops loops = find_loops(options);
+  if (is_page(options.output)) {
+    check_is_not_input(options.output, options.input, "--output");
+    check_viewer_source("--output");
+  } else {
+    check_skeleton_outputs({options.output}, options.input);
+  }
+  Input input = read_mesh(options.input, options.format, options.is_quiet);
+  const Loops loops = find_loops(options, input);
   if (options.output == standard_stream) {
     write_loops_as_json(std::cout, loops);
     return;
   }
   if (is_json(options.output)) {
     CSCD::write_file(options.output, [&](std::ostream& out) { write_loops_as_json(out, loops); });
+  } else if (is_page(options.output)) {
+    CSCD::write_file(options.output,
+                     [&](std::ostream& out) { write_loops_as_page(out, name_of(options.input), input, loops); });
   } else {
     CSCD::write_skeleton(options.output, to_graph(loops));
   }

@@ -128,8 +128,8 @@ void check_outputs(const Skeletonize_options& options)
   for (const auto& [option, file] : other_outputs(options)) {
     check_is_not_input(file, options.input, option);
   }
-  if (!options.html.empty() && CSCD::three_js_source().empty()) {
-    throw Usage_error("--html: this program was built without three.js; install libjs-three and build it again");
+  if (!options.html.empty()) {
+    check_viewer_source("--html");
   }
 }
 
@@ -463,6 +463,13 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
     }
   }
   return result;
+}
+
+void check_viewer_source(const std::string& option)
+{
+  if (CSCD::three_js_source().empty()) {
+    throw Usage_error(option + ": this program was built without three.js; install libjs-three and build it again");
+  }
 }
 
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)

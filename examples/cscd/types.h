@@ -118,6 +118,9 @@ void write_results(CSCD::File_group& files, const Input& input, const Skeletoniz
 /// \param name of the input, without its folder, which means nothing to whom the page is given
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
 
+/// Checks that pages can be written. \param option that asks for one \throw Usage_error
+void check_viewer_source(const std::string& option);
+
 /// Measures `skeleton` against `input`, and writes the reconstructed surfaces for which `options` name files.
 /// \throw `CSCD::Input_error`, `CSCD::File_error`
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);

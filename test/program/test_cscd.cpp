@@ -185,6 +185,8 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
   EXPECT_EQ(2U, nlohmann::json::parse(run("loops torus.off -o -").out).size());
   EXPECT_NE(std::string::npos, run("loops torus.off -o loops.obj").out.find("2 loops"));
   EXPECT_NE(std::string::npos, content("loops.obj").find("\nl 1 2 3 "));
+  EXPECT_NE(std::string::npos, run("loops torus.off -o loops.html").out.find("2 loops"));
+  EXPECT_NE(std::string::npos, content("loops.html").find("\"separators\": 2,"));
   expect_refusal("loops torus.off -o a.txt", 1, {".obj"});
   expect_refusal("loops torus.off -o a.json --min-depth deep", 1, {"--min-depth"});
   expect_refusal("loops torus.off", 1, {"--output"});

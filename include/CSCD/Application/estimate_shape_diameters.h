@@ -28,6 +28,10 @@ namespace internal {
 /// Twice the distances of the vertices from the parts of the skeleton that they belong to, smoothed.
 std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps);
 
+/// Averages values of the vertices along the surface: in each step, half of a value becomes the mean of the neighbors.
+void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps,
+                          std::vector<double>& values);
+
 /// The means of `vertex_values` over the corners of the faces.
 std::vector<double> face_means(const Skeletonized_surface& surface, const std::vector<double>& vertex_values);
 

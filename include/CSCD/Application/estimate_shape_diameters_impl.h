@@ -21,6 +21,27 @@
 
 namespace CSCD::internal {
 
+CSCD_INLINE void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps,
+                                      std::vector<double>& values)
+{
+  const std::size_t n = values.size();
+  std::vector<double> sum(n);
+  std::vector<double> weight(n); // an edge counts once for each of its faces
+  for (std::size_t step = 0; step < number_of_steps; ++step) {
+    std::fill(sum.begin(), sum.end(), 0.);
+    std::fill(weight.begin(), weight.end(), 0.);
+    for (const std::array<Index, 3>& face : surface.triangles.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        sum[face[k]] += values[face[(k + 1) % 3]] + values[face[(k + 2) % 3]];
+        weight[face[k]] += 2;
+      }
+    }
+    for (std::size_t v = 0; v < n; ++v) {
+      values[v] = (values[v] + sum[v] / weight[v]) / 2;
+    }
+  }
+}
+
 CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface,
                                                        std::size_t number_of_smoothing_steps)
 {
@@ -30,21 +51,7 @@ CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surfac
   for (std::size_t v = 0; v < n; ++v) {
     diameters[v] = 2 * distance_to_edges(surface.skeleton, neighbors, surface.node[v], surface.triangles.points[v]);
   }
-  std::vector<double> sum(n);
-  std::vector<double> weight(n); // an edge counts once for each of its faces
-  for (std::size_t step = 0; step < number_of_smoothing_steps; ++step) {
-    std::fill(sum.begin(), sum.end(), 0.);
-    std::fill(weight.begin(), weight.end(), 0.);
-    for (const std::array<Index, 3>& face : surface.triangles.faces) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        sum[face[k]] += diameters[face[(k + 1) % 3]] + diameters[face[(k + 2) % 3]];
-        weight[face[k]] += 2;
-      }
-    }
-    for (std::size_t v = 0; v < n; ++v) {
-      diameters[v] = (diameters[v] + sum[v] / weight[v]) / 2;
-    }
-  }
+  smooth_along_surface(surface, number_of_smoothing_steps, diameters);
   return diameters;
 }
 

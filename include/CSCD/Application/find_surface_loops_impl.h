@@ -25,6 +25,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/config.h>
 
 #include <boost/math/constants/constants.hpp>
@@ -63,18 +64,31 @@ class Parallel_curves
 {
 public:
   explicit Parallel_curves(const Triangulated_surface& surface)
-      : m_surface(surface), m_front(surface.number_of_vertices()), m_side(surface.number_of_vertices())
+      : m_surface(surface), m_front(surface.number_of_vertices()), m_side(surface.number_of_vertices()),
+        m_is_listed(surface.number_of_faces()), m_levels(surface.number_of_faces(), 0)
   {
   }
 
-  /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`.
-  /// O(k log k) for the k vertices within reach.
-  double depth(const Surface_path& curve)
+  /// By how much the curve must get longer if it is to move away to either side, see `Surface_loop::depth`; anything
+  /// less than `min_depth` if it is less. O(k log k) for the k vertices within reach.
+  double depth(const Surface_path& curve, double min_depth)
   {
     const double step = curve.length / boost::math::double_constants::pi / levels_per_diameter;
-    measure_distances(curve, step * number_of_levels);
-    const std::array<std::vector<double>, 2> pieces = longest_pieces(step);
-    return std::max(std::min(climb(pieces[0], curve.length), climb(pieces[1], curve.length)) / curve.length - 1, 0.);
+    Climb lower;
+    Climb higher;
+    for (const int levels : reaches) {
+      measure_distances(curve, step * levels);
+      const std::array<std::vector<double>, 2> pieces = longest_pieces(step, levels);
+      lower = climb(pieces[0], curve.length);
+      higher = climb(pieces[1], curve.length);
+      if (higher.length < lower.length) {
+        std::swap(lower, higher);
+      }
+      if (lower.has_ended && (higher.has_ended || lower.length < (1 + min_depth) * curve.length)) {
+        break;
+      }
+    }
+    return std::max(lower.length / curve.length - 1, 0.);
   }
 
 private:
@@ -84,17 +98,25 @@ private:
   static constexpr int number_of_levels = 3 * levels_per_diameter;
   /// Of these, so many must be one curve, or have a piece as long: half a diameter. Loops that cut off several limbs at
   /// once, such as an arm together with the head, come apart before.
-  static constexpr std::size_t min_levels = levels_per_diameter / 2;
+  static constexpr int min_levels = levels_per_diameter / 2;
+  /// So far, in levels, as long as that does not tell the depth: most curves come apart soon.
+  static constexpr std::array<int, 3> reaches{min_levels, levels_per_diameter, number_of_levels};
   /// Relative to the length of the curve: a parallel curve shorter by more is beyond what makes the constriction. Less
   /// comes of measuring distances along triangles.
   static constexpr double tolerance = 0.02;
 
-  /// The longest of the parallel curves on one side, before they get shorter than the curve or come apart.
-  static double climb(const std::vector<double>& pieces, double length)
+  /// The parallel curves on one side, before they get shorter than the curve or come apart.
+  struct Climb
+  {
+    double length = 0;      // of the longest
+    bool has_ended = false; // within reach
+  };
+
+  static Climb climb(const std::vector<double>& pieces, double length)
   {
     const auto end =
         std::find_if(pieces.begin(), pieces.end(), [&](double piece) { return piece < (1 - tolerance) * length; });
-    return std::size_t(end - pieces.begin()) < min_levels ? 0. : *std::max_element(pieces.begin(), end);
+    return {end - pieces.begin() < min_levels ? 0. : *std::max_element(pieces.begin(), end), end != pieces.end()};
   }
 
   /// Distances from `curve` of all vertices up to `reach`, and of those beyond next to them.
@@ -124,15 +146,15 @@ private:
         }
       }
     });
+    m_is_listed.clear();
     for (const Index vertex : m_reached) {
       for (const Index h : m_surface.outgoing(vertex)) {
-        if (!m_surface.is_hole_filling(Triangulated_surface::face(h))) {
-          m_faces.push_back(Triangulated_surface::face(h));
+        const Index face = Triangulated_surface::face(h);
+        if (m_is_listed.mark(face) && !m_surface.is_hole_filling(face)) {
+          m_faces.push_back(face);
         }
       }
     }
-    std::sort(m_faces.begin(), m_faces.end());
-    m_faces.erase(std::unique(m_faces.begin(), m_faces.end()), m_faces.end());
   }
 
   void reach_vertex(Index vertex, double distance, bool is_left)
@@ -183,13 +205,13 @@ private:
     return (m_side[vertex] != 0 ? double(m_front.distance(vertex)) : -double(m_front.distance(vertex))) / step;
   }
 
-  /// The lengths of the longest connected pieces of the parallel curves on the right and on the left, at the multiples
-  /// of `step`. Linear in the number of faces and of the pieces of curves in them.
-  std::array<std::vector<double>, 2> longest_pieces(double step)
+  /// The lengths of the longest connected pieces of the parallel curves on the right and on the left, at the first
+  /// `levels` multiples of `step`. Linear in the number of faces and of the pieces of curves in them.
+  std::array<std::vector<double>, 2> longest_pieces(double step, int levels)
   {
     std::array<std::vector<double>, 2> longest;
-    longest.fill(std::vector<double>(number_of_levels, 0));
-    mark_levels(step);
+    longest.fill(std::vector<double>(std::size_t(levels), 0));
+    mark_levels(step, levels);
     for (const Index face : m_faces) {
       for (int bit = 0; m_levels[face] != 0; ++bit) {
         if ((m_levels[face] >> bit & 1U) != 0) {
@@ -204,11 +226,11 @@ private:
 
   /// Which multiple of the step is at a place of the bits of `m_levels`: those on the right, then those on the left.
   static double level_at(int bit) { return bit < number_of_levels ? -bit - 1. : bit - number_of_levels + 1.; }
+  static int bit_of(int level) { return level < 0 ? -level - 1 : level + number_of_levels - 1; }
 
   /// Sets, for each face around the curve, the bits of the levels that cross it.
-  void mark_levels(double step)
+  void mark_levels(double step, int levels)
   {
-    m_levels.resize(m_surface.number_of_faces(), 0);
     for (const Index face : m_faces) {
       double lowest = number_of_levels + 1;
       double highest = -lowest;
@@ -220,9 +242,12 @@ private:
         lowest = std::min(lowest, distance);
         highest = std::max(highest, distance);
       }
-      for (int bit = 0; is_reached && bit < 2 * number_of_levels; ++bit) {
-        if (lowest < level_at(bit) && level_at(bit) <= highest) {
-          m_levels[face] |= std::uint64_t(1) << bit;
+      // Those above the lowest corner, up to the highest.
+      const int first = int(std::floor(std::clamp(lowest, -levels - 1., double(levels)))) + 1;
+      const int last = int(std::floor(std::clamp(highest, -levels - 1., double(levels))));
+      for (int level = first; is_reached && level <= last; ++level) {
+        if (level != 0) {
+          m_levels[face] |= std::uint64_t(1) << bit_of(level);
         }
       }
     }
@@ -261,6 +286,7 @@ private:
   std::vector<Edge_crossing> m_crossings;
   std::vector<Index> m_reached;
   std::vector<Index> m_faces;
+  Epoch_marks m_is_listed; // of faces: whether among these
   std::vector<std::uint64_t>
       m_levels; // of faces: a bit for each parallel curve that crosses it and is not yet measured
 };
@@ -579,7 +605,7 @@ private:
         continue;
       }
       seen.push_back(&candidate);
-      const double depth = parallel_curves.depth(candidate.path);
+      const double depth = parallel_curves.depth(candidate.path, min_depth);
       if (depth >= min_depth && push_off_vertices(m_surface, candidate.path, crossings) &&
           arrangement.insert(Index(result.size()), crossings)) {
         result.push_back(to_loop(Loop_kind::constriction, candidate, depth));

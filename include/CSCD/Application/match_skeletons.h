@@ -66,8 +66,11 @@ Skeleton_match match_skeletons(const Skeleton1& first, const Skeleton2& second)
 /// carries labels of the faces of a mesh to a mesh of the same body in another pose, which needs to have neither the
 /// same faces nor the same number of them.
 ///
-/// Every node of the first skeleton gets the label that the greatest area around it has, and every face of the second
-/// mesh the label of the node to which that of most of its vertices corresponds.
+/// Every vertex has its distances from the ends that correspond: along the skeleton, averaged over the surface around,
+/// and, with half the weight, along edges. A vertex of the second mesh gets the label of the vertex of the first whose
+/// distances are the most similar, and a face that of most of its vertices.
+///
+/// O(n log n + n m k) for n vertices, m nodes and k ends, beside match_skeletons().
 ///
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph` of which all faces are triangles
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph` whose nodes list vertex descriptors of the meshes

@@ -7,6 +7,7 @@
 #define CSCD_APPLICATION_MATCH_SKELETONS_IMPL_H
 
 #include <CSCD/Application/Skeletonized_surface.h>
+#include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
@@ -335,39 +336,201 @@ CSCD_INLINE Skeleton_match match_skeletons(const Indexed_skeleton& first, const 
   return result;
 }
 
-/// The label of the greatest area around each node; nodes without any take that of the nearest along the skeleton.
-CSCD_INLINE std::vector<std::size_t> labels_of_nodes(const Skeletonized_surface& surface,
-                                                     const std::vector<std::size_t>& labels)
+/// For each vertex of a surface, how far it is from ends of the skeleton. Parts of limbs keep these numbers in other
+/// poses.
+class End_distances
 {
-  std::vector<std::map<std::size_t, double>> areas(surface.skeleton.number_of_nodes());
+public:
+  End_distances(const Skeletonized_surface& surface, const std::vector<Index>& ends)
+      : m_surface(surface), m_number_of_ends(ends.size()), m_values(2 * ends.size() * surface.node.size())
+  {
+    const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
+    const std::vector<std::vector<Index>> edges = vertex_neighbors();
+    std::vector<Skeleton_distances> along;
+    along.reserve(ends.size());
+    for (const Index end : ends) {
+      along.push_back(distances_along(surface.skeleton, neighbors, {end}));
+    }
+    const double unit = mean_distance(along, ends);
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      std::vector<double> values;
+      values.reserve(surface.node.size());
+      for (const Index node : surface.node) {
+        values.push_back(std::min(along[i].distance[node] / unit, max_distance));
+      }
+      smooth_along_surface(surface, number_of_smoothing_steps, values);
+      const std::vector<double> on_surface = surface_distances(ends[i], edges);
+      for (std::size_t v = 0; v < values.size(); ++v) {
+        m_values[v * size() + i] = values[v];
+        m_values[v * size() + ends.size() + i] = surface_weight * std::min(on_surface[v] / unit, max_distance);
+      }
+    }
+  }
+
+  /// How many numbers a vertex has.
+  std::size_t size() const { return 2 * m_number_of_ends; }
+  const double* of_vertex(Index vertex) const { return m_values.data() + vertex * size(); }
+
+private:
+  /// Nodes are some way apart, and a skeleton is not where it was in another pose: so often, values are averaged along
+  /// the surface. On odd-numbered poses of FAUST, more is no better.
+  static constexpr std::size_t number_of_smoothing_steps = 10;
+  /// How much distances along the edges of the surface count in those along the skeleton; likewise better than none, or
+  /// as much.
+  static constexpr double surface_weight = 0.5;
+  /// What is further, in another component too, counts as being so far, relative to the mean distance of the ends.
+  static constexpr double max_distance = 4;
+
+  std::vector<std::vector<Index>> vertex_neighbors() const
+  {
+    std::vector<std::vector<Index>> result(m_surface.node.size());
+    for (const std::array<Index, 3>& face : m_surface.triangles.faces) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        result[face[k]].push_back(face[(k + 1) % 3]);
+        result[face[(k + 1) % 3]].push_back(face[k]); // twice where two faces meet, which does no harm
+      }
+    }
+    return result;
+  }
+
+  /// Between ends that are connected; 1 if none are.
+  static double mean_distance(const std::vector<Skeleton_distances>& along, const std::vector<Index>& ends)
+  {
+    double sum = 0;
+    double number = 0;
+    for (const Skeleton_distances& distances : along) {
+      for (const Index end : ends) {
+        if (distances.distance[end] > 0 && distances.distance[end] < Skeleton_distances::unreachable) {
+          sum += distances.distance[end];
+          number += 1;
+        }
+      }
+    }
+    return sum > 0 ? sum / number : 1;
+  }
+
+  /// Along edges, from the vertices that belong to a node, or from the nearest to it.
+  std::vector<double> surface_distances(Index end, const std::vector<std::vector<Index>>& edges) const
+  {
+    const std::vector<Vector_3>& points = m_surface.triangles.points;
+    std::vector<Index> starts;
+    Index nearest = 0;
+    for (Index v = 0; v < points.size(); ++v) {
+      if (m_surface.node[v] == end) {
+        starts.push_back(v);
+      }
+      const auto squared_distance = [&](Index u) { return (points[u] - m_surface.skeleton.points[end]).squaredNorm(); };
+      nearest = squared_distance(v) < squared_distance(nearest) ? v : nearest;
+    }
+    if (starts.empty()) {
+      starts.push_back(nearest);
+    }
+    Dijkstra_search front(points.size());
+    for (const Index start : starts) {
+      front.reach(start, 0);
+    }
+    std::vector<double> result(points.size(), std::numeric_limits<double>::infinity());
+    front.spread([&](Index vertex, float distance) {
+      result[vertex] = distance;
+      for (const Index next : edges[vertex]) {
+        front.reach(next, distance + float((points[next] - points[vertex]).norm()));
+      }
+    });
+    return result;
+  }
+
+  const Skeletonized_surface& m_surface;
+  std::size_t m_number_of_ends;
+  std::vector<double> m_values; // of each vertex one after the other
+};
+
+/// Finds the vertex of a surface that is at the most similar distances from the ends.
+class Similar_vertex_search
+{
+public:
+  Similar_vertex_search(const Skeletonized_surface& surface, const End_distances& distances)
+      : m_distances(distances), m_neighbors(node_neighbors(surface.skeleton)), m_vertices(m_neighbors.size()),
+        m_means(m_neighbors.size() * distances.size(), 0)
+  {
+    for (Index v = 0; v < surface.node.size(); ++v) {
+      m_vertices[surface.node[v]].push_back(v);
+    }
+    for (Index node = 0; node < m_vertices.size(); ++node) {
+      for (const Index v : m_vertices[node]) {
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+          m_means[node * distances.size() + i] += distances.of_vertex(v)[i] / double(m_vertices[node].size());
+        }
+      }
+    }
+  }
+
+  /// Among the vertices of the node whose vertices are the most similar in the mean, and of its neighbors.
+  /// Linear in the number of nodes. \param wanted the distances
+  Index operator()(const double* wanted) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    Index best_node = 0;
+    for (Index node = 0; node < m_vertices.size(); ++node) {
+      if (!m_vertices[node].empty()) {
+        keep_less(difference(&m_means[node * m_distances.size()], wanted), node, least, best_node);
+      }
+    }
+    least = std::numeric_limits<double>::infinity();
+    Index best = m_vertices[best_node].front();
+    const auto look_among = [&](Index node) {
+      for (const Index v : m_vertices[node]) {
+        keep_less(difference(m_distances.of_vertex(v), wanted), v, least, best);
+      }
+    };
+    look_among(best_node);
+    std::for_each(m_neighbors[best_node].begin(), m_neighbors[best_node].end(), look_among);
+    return best;
+  }
+
+private:
+  double difference(const double* first, const double* second) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < m_distances.size(); ++i) {
+      sum += std::abs(first[i] - second[i]);
+    }
+    return sum;
+  }
+
+  static void keep_less(double value, Index candidate, double& least, Index& best)
+  {
+    if (value < least) {
+      least = value;
+      best = candidate;
+    }
+  }
+
+  const End_distances& m_distances;
+  std::vector<std::vector<Index>> m_neighbors;
+  std::vector<std::vector<Index>> m_vertices; // of each node
+  std::vector<double> m_means;                // over them
+};
+
+/// The label of the greatest area around each vertex.
+inline std::vector<std::size_t> labels_of_vertices(const Skeletonized_surface& surface,
+                                                   const std::vector<std::size_t>& labels)
+{
+  std::vector<std::map<std::size_t, double>> areas(surface.node.size());
   for (std::size_t f = 0; f < labels.size(); ++f) {
     const auto& [a, b, c] = surface.triangles.faces[f];
     const auto& points = surface.triangles.points;
     const double area = triangle_area(points[a], points[b], points[c]);
     for (const Index v : {a, b, c}) {
-      areas[surface.node[v]][labels[f]] += area;
+      areas[v][labels[f]] += area;
     }
   }
-  std::vector<std::size_t> greatest(areas.size(), labels.front());
-  Multi_source_dijkstra_search front(areas.size());
-  for (Index node = 0; node < areas.size(); ++node) {
-    if (!areas[node].empty()) {
-      greatest[node] = std::max_element(areas[node].begin(), areas[node].end(), [](const auto& a, const auto& b) {
-                         return a.second < b.second;
-                       })->first;
-      front.reach(node, 0, node);
-    }
-  }
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
-  front.spread([&](Index node, const auto& visit) {
-    for (const Index next : neighbors[node]) {
-      visit(next, float(surface.skeleton.length({node, next})));
-    }
-  });
-  for (Index node = 0; node < areas.size(); ++node) {
-    if (front.label(node) != no_index) {
-      greatest[node] = greatest[front.label(node)];
-    }
+  std::vector<std::size_t> greatest;
+  greatest.reserve(areas.size());
+  for (const std::map<std::size_t, double>& areas_of_labels : areas) {
+    greatest.push_back(
+        std::max_element(areas_of_labels.begin(), areas_of_labels.end(), [](const auto& a, const auto& b) {
+          return a.second < b.second;
+        })->first);
   }
   return greatest;
 }
@@ -376,15 +539,24 @@ CSCD_INLINE std::vector<std::size_t> carry_labels(const Skeletonized_surface& fi
                                                   const std::vector<std::size_t>& labels,
                                                   const Skeletonized_surface& second, const Skeleton_match& match)
 {
-  const std::vector<std::size_t> of_node = labels_of_nodes(first, labels);
+  std::array<std::vector<Index>, 2> ends;
+  for (const auto& [first_end, second_end] : match.ends) {
+    ends[0].push_back(first_end);
+    ends[1].push_back(second_end);
+  }
+  const End_distances first_distances(first, ends[0]);
+  const End_distances second_distances(second, ends[1]);
+  const Similar_vertex_search similar_vertex(first, first_distances);
+  const std::vector<std::size_t> of_first = labels_of_vertices(first, labels);
+  std::vector<std::size_t> of_second;
+  of_second.reserve(second.node.size());
+  for (Index v = 0; v < second.node.size(); ++v) {
+    of_second.push_back(of_first[similar_vertex(second_distances.of_vertex(v))]);
+  }
   std::vector<std::size_t> result;
   result.reserve(second.triangles.faces.size());
-  for (const std::array<Index, 3>& face : second.triangles.faces) {
-    std::array<std::size_t, 3> corners{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      corners[i] = of_node[match.nodes[second.node[face[i]]]];
-    }
-    result.push_back(corners[1] == corners[2] ? corners[1] : corners[0]);
+  for (const auto& [a, b, c] : second.triangles.faces) {
+    result.push_back(of_second[b] == of_second[c] ? of_second[b] : of_second[a]);
   }
   return result;
 }
