@@ -10,6 +10,7 @@
 #include "support/invariants.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
+#include "support/sheet_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Separator/Cut_loop_finder.h>
@@ -104,6 +105,29 @@ TEST(Published_policies, find_the_tips_of_limbs)
   EXPECT_EQ(tips(CSCD::test::y_tube(0.15)), 3u);
   EXPECT_EQ(tips(CSCD::test::star(5, 3, 0.35, 0.12)), 5u);
   EXPECT_EQ(tips(CSCD::test::torus(3, 1, 24)), 0u);
+}
+
+TEST(Published_policies, follow_the_middle_of_sheets)
+{
+  for (const CSCD::test::Sheet_shape& sheet :
+       {CSCD::test::strip_sheet(8, 2), CSCD::test::torus_sheet(CSCD::test::pi)}) {
+    SCOPED_TRACE(sheet.shape.name);
+    const Mesh mesh = CSCD::test::to_mesh<Mesh>(sheet.shape);
+    const Traits traits(mesh, get(CGAL::vertex_point, mesh), CSCD::Border_treatment::automatic);
+    Skeletonization skeletonization(traits);
+    skeletonization.set_maximum_number_of_sources(number_of_sources);
+    Skeleton skeleton;
+    const Skeletonization_report& report = skeletonization.run(skeleton);
+    EXPECT_EQ(report.number_of_sheets, 1u);
+    EXPECT_GT(report.number_of_open_separators, 0u);
+    EXPECT_EQ(report.betti_number, sheet.betti_number);
+    double sum = 0;
+    const Plain_skeleton plain = CSCD::test::plain(mesh, skeleton);
+    for (const CSCD::test::Triple& point : plain.points) {
+      sum += sheet.distance_from_middle(point) / sheet.half_width;
+    }
+    EXPECT_LT(sum / double(plain.points.size()), 0.05);
+  }
 }
 
 TEST(Published_policies, answer_the_same_for_any_number_of_threads)

@@ -11,6 +11,7 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/concepts.h>

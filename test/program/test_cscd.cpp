@@ -830,6 +830,9 @@ TEST_F(Cscd, reports_as_json)
   EXPECT_EQ(skeleton.at("edges").size(), report.at("number_of_edges"));
   EXPECT_EQ(0, report.at("number_of_tips"));
   EXPECT_EQ(0, report.at("number_of_junctions"));
+  EXPECT_EQ(0, report.at("number_of_sheets"));
+  EXPECT_EQ(0, report.at("number_of_wide_borders"));
+  EXPECT_EQ(0, report.at("number_of_open_separators"));
   for (const char* key :
        {"number_of_isolated_vertices", "number_of_bridged_borders", "number_of_inserted_vertices",
         "number_of_degenerate_faces", "number_of_levels", "number_of_sources", "number_of_sources_without_cut",

@@ -7,6 +7,7 @@
 #define CSCD_SELECTION_BALANCE_AND_ROUNDNESS_H
 
 #include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Vector_3.h>
@@ -117,7 +118,7 @@ double span_inside_share(const Surface& surface, const std::vector<Vector_3>& po
 ///
 /// The published text says that local separators are weighed as Baerentzen and Rotenberg do, by the ratio of the sizes
 /// of their two fronts: 1 on a tube, less at its ends and where a limb branches off. The areas of two bands are that
-/// for a curve. Roundness is the square root of the isoperimetric quotient.
+/// for a curve. Roundness is the square root of the isoperimetric quotient; open separators have none.
 /// \tparam Surface a model of `SkeletonizationSurface`
 template <class Surface>
 class Balance_and_roundness
@@ -142,14 +143,15 @@ public:
     weight = 0;
     const double squared_length = separator.length * separator.length;
     const double width = band_width * separator.length;
-    const double min_area = Detail::max_loop_area_ratio * squared_length;
+    const double min_area = min_area_ratio(separator) * squared_length;
     const typename Sides::Side left = m_sides.measure(separator, true, width, min_area);
     const typename Sides::Side right = m_sides.measure(separator, false, width, min_area);
     if (std::min(left.area, right.area) < min_area) {
       return Verdict::bump;
     }
     curve_points(m_surface.triangulation(), separator, m_points);
-    if (span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
+    // Between the two sides of a sheet there is nothing to be spanned.
+    if (!separator.is_open && span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
       return Verdict::tunnel;
     }
     weight = weight_of_good(separator,
@@ -165,6 +167,11 @@ private:
   /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
   static constexpr double min_inside_share = 0.7;
 
+  static double min_area_ratio(const Separator& separator)
+  {
+    return separator.is_open ? open_area_factor * Detail().min_branch_area_ratio() : Detail::max_loop_area_ratio;
+  }
+
   double weight_of_good(const Separator& separator, double balance) const
   {
     switch (m_rule) {
@@ -175,8 +182,10 @@ private:
     case Weight_rule::balance:
       return balance;
     default:
-      return balance * std::sqrt(std::min(1., 4 * boost::math::double_constants::pi * separator.area /
-                                                  (separator.length * separator.length)));
+      return separator.is_open
+                 ? balance
+                 : balance * std::sqrt(std::min(1., 4 * boost::math::double_constants::pi * separator.area /
+                                                        (separator.length * separator.length)));
     }
   }
 

@@ -48,6 +48,14 @@ struct Indexed_triangles
   std::size_t first_hole_filling_face = 0;
 };
 
+/// What becomes of the borders of a surface.
+enum class Border_treatment
+{
+  automatic, ///< components that are sheets are doubled along their wide borders, all other borders are bridged
+  bridge,    ///< all are bridged by faces without weight: the surface is that of a body with holes
+  open       ///< components with borders are sheets, and all of their borders wide
+};
+
 /// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
 /// order.
 inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)

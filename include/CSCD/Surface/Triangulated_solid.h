@@ -28,14 +28,6 @@ namespace internal {
 class Solid_queries;
 }
 
-/// What becomes of the borders of a surface.
-enum class Border_treatment
-{
-  automatic, ///< components that are sheets are doubled along their wide borders, all other borders are bridged
-  bridge,    ///< all are bridged by faces without weight: the surface is that of a body with holes
-  open       ///< components with borders are sheets, and all of their borders wide
-};
-
 /// A closed triangulated surface in levels of detail and the queries for the body that it bounds. The model of
 /// `SkeletonizationSurface` for everything that is made of triangles, and the only one for `Local_policies`.
 ///

@@ -10,7 +10,6 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Surface_components.h>
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>

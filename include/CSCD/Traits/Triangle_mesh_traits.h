@@ -8,6 +8,7 @@
 
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/collect_triangles.h>
