@@ -18,8 +18,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -39,22 +37,6 @@ struct Compiled_surface
   std::size_t number_of_reversed_components = 0;
 };
 
-/// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
-inline constexpr double degenerate_height = 1e-8;
-
-/// Counts the faces that have (nearly) no area for their longest side; linear.
-inline std::size_t count_degenerate_faces(const Indexed_triangles& triangles)
-{
-  const auto is_degenerate = [&triangles](const std::array<Index, 3>& face) {
-    const Vector_3 ab = triangles.points[face[1]] - triangles.points[face[0]];
-    const Vector_3 bc = triangles.points[face[2]] - triangles.points[face[1]];
-    const Vector_3 ca = triangles.points[face[0]] - triangles.points[face[2]];
-    const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-    return !(ab.cross(ca).norm() > degenerate_height * longest);
-  };
-  return std::size_t(std::count_if(triangles.faces.begin(), triangles.faces.end(), is_degenerate));
-}
-
 /// Closes, orients, refines, renumbers and normalizes `triangles`, and compiles them; near linear.
 /// \pre the points are finite, each has a face, and `pairing`, that of the faces, has no conflict and no pinched vertex
 /// \throw Input_error if the surface has no extent or no area
@@ -63,18 +45,19 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   Compiled_surface result;
   const std::size_t number_of_input_points = triangles.points.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
-  result.number_of_degenerate_faces = count_degenerate_faces(triangles);
   result.number_of_bridged_borders = bridge_borders(triangles, pairing);
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
   Surface_components components(triangles, pairing);
+  result.number_of_degenerate_faces = components.number_of_degenerate_faces;
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
   refine_large_faces(triangles, pairing, components);
   result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points;
 
   Canonical_order order = canonical_order(triangles, pairing, components);
+  pairing = {}; // before memory is taken for those of the new numbers
   renumber(triangles, order.vertices);
   result.input_point = std::move(order.vertices);
   for (Index& point : result.input_point) {
