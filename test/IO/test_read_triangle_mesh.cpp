@@ -227,6 +227,25 @@ TEST(Read_triangle_mesh, accepts_the_variants_of_ply)
   EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(read(content, CSCD::Mesh_format::ply).mesh));
 }
 
+/// Triangles of nothing but corners are read at once; others between them must not disturb that.
+TEST(Read_triangle_mesh, reads_binary_ply_of_mixed_polygons)
+{
+  Mesh_file_content mesh = cube();
+  const Mesh_file_content squares = cube_of_squares();
+  mesh.points = squares.points;
+  mesh.polygons = squares.polygons;
+  for (const std::size_t i : {0u, 2u, 3u, 5u}) {
+    const std::vector<std::size_t> square = squares.polygons[i];
+    mesh.polygons[i] = {square[0], square[1], square[2]};
+    mesh.polygons.push_back({square[0], square[2], square[3]});
+  }
+  for (const bool is_little_endian : {true, false}) {
+    const Result result = read(binary_ply(mesh, is_little_endian), CSCD::Mesh_format::ply);
+    expect_cube(result.mesh);
+    EXPECT_EQ(Sentences{"2 polygons triangulated"}, result.report.sentences());
+  }
+}
+
 TEST(Read_triangle_mesh, accepts_very_small_numbers)
 {
   Mesh_file_content mesh = cube();
@@ -503,6 +522,8 @@ TEST(Read_triangle_mesh, refuses_malformed_ply)
   const std::size_t body = binary.find("end_header\n") + 11;
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(not_finite.data() + body + 16, &nan, sizeof nan);
+  std::string negative_index = binary;
+  negative_index.back() = '\xff';
   std::string long_list = binary;
   long_list[body + 8 * 12] = '\xff';
   for (const std::string& content : {
@@ -542,6 +563,7 @@ TEST(Read_triangle_mesh, refuses_malformed_ply)
            binary.substr(0, body + 50),
            not_finite,
            long_list,
+           negative_index,
        }) {
     refusal(content, F::ply);
   }

@@ -100,7 +100,7 @@ TEST(split_pinched_vertices, gives_every_fan_a_vertex)
     triangles.points[i].x() = i;
   }
   triangles.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}, {0, 7, 8}};
-  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
   const std::vector<Index> originals = split_pinched_vertices(triangles, pairing);
   EXPECT_EQ((std::vector<Index>{0, 0}), originals);
   ASSERT_EQ(11u, triangles.points.size());

@@ -44,7 +44,7 @@ TEST(Loop_projection, is_connected_simple_and_hardly_longer)
   ASSERT_GE(levels.size(), 2u);
   const Surface_level& coarse = levels[1];
   const Triangulated_surface& fine = levels.finest().surface;
-  CSCD::internal::Geodesic_polar_coordinates front(coarse.corners, coarse.surface.number_of_vertices());
+  CSCD::internal::Geodesic_polar_coordinates front(coarse.corners(), coarse.surface.number_of_vertices());
   Loop_projection project(levels);
   std::size_t number_of_loops = 0;
   for (Index source = 0; source < coarse.surface.number_of_vertices(); source += 31) {

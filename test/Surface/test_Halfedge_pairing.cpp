@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -37,6 +38,26 @@ Index target(const Faces& faces, Index h)
   return faces[h / 3][(h + 1) % 3];
 }
 
+/// The rows of `outgoing()` hold each halfedge once, and go counterclockwise from the border or the smallest one on.
+void expect_ordered_rows(const Faces& faces, const Halfedge_pairing& pairing)
+{
+  std::size_t number = 0;
+  for (Index vertex = 0; vertex < pairing.outgoing().number_of_rows(); ++vertex) {
+    const auto row = pairing.outgoing()[vertex];
+    number += row.size();
+    for (const Index* h = row.begin(); h != row.end(); ++h) {
+      ASSERT_EQ(source(faces, *h), vertex);
+      const bool is_last = h + 1 == row.end();
+      const Index expected = is_last ? (pairing.twin(*row.begin()) == no_index ? no_index : *row.begin()) : *(h + 1);
+      ASSERT_EQ(pairing.twin(Halfedge_pairing::previous(*h)), expected);
+    }
+    if (!row.empty() && pairing.twin(*row.begin()) != no_index) {
+      ASSERT_EQ(*row.begin(), *std::min_element(row.begin(), row.end()));
+    }
+  }
+  EXPECT_EQ(number, 3 * faces.size());
+}
+
 void expect_consistent(const Faces& faces, const Halfedge_pairing& pairing, std::size_t expected_border)
 {
   std::size_t border = 0;
@@ -53,6 +74,8 @@ void expect_consistent(const Faces& faces, const Halfedge_pairing& pairing, std:
   EXPECT_EQ(border, expected_border);
   EXPECT_EQ(pairing.has_border(), expected_border > 0);
   EXPECT_EQ(pairing.conflict(), no_index);
+  EXPECT_EQ(pairing.pinched_vertex(), no_index);
+  expect_ordered_rows(faces, pairing);
 }
 
 TEST(Halfedge_pairing, pairs_a_closed_surface)
@@ -69,10 +92,10 @@ TEST(Halfedge_pairing, leaves_the_border_without_partner)
 
 TEST(Halfedge_pairing, pairs_vertices_of_any_degree)
 {
-  // Below and above the size from which on a bucket is sorted.
-  for (std::size_t valence : {3u, 15u, 16u, 17u, 5000u}) {
+  // Below and above the sizes from which on fans are ordered in another way.
+  for (std::size_t valence : {3u, 8u, 9u, 16u, 17u, 5000u}) {
     const auto triangles = CSCD::test::to_indexed_triangles(CSCD::test::double_cone(valence));
-    // The apices become the smallest numbers, so that their buckets hold all incident edges.
+    // The apices become the smallest numbers.
     Faces faces = triangles.faces;
     const Index n = Index(triangles.points.size());
     for (auto& face : faces) {

@@ -182,7 +182,7 @@ TEST(Surface_levels, map_to_and_from_the_finest_level)
     for (Index vertex = 0; vertex < finest.number_of_vertices(); ++vertex) {
       ASSERT_LT(level.from_finest(vertex), level.surface.number_of_vertices());
       const double distance = (level.surface.point(level.from_finest(vertex)) - finest.point(vertex)).norm();
-      ASSERT_LT(distance, 4 * level.corners.mean_length()) << "it stands for vertices nearby";
+      ASSERT_LT(distance, 4 * level.corners().mean_length()) << "it stands for vertices nearby";
     }
   }
 }

@@ -93,7 +93,7 @@ int euler_number_of_voxels(const Volume& volume, std::uint32_t label, Voxel_conn
 bool is_closed_manifold(const Voxel_surface& surface)
 {
   return surface.pairing.conflict() == CSCD::no_index && !surface.pairing.has_border() &&
-         find_pinched_vertex(surface.triangles, surface.pairing) == CSCD::no_index;
+         surface.pairing.pinched_vertex() == CSCD::no_index;
 }
 
 int euler_number_of_surface(const Voxel_surface& surface)

@@ -158,8 +158,9 @@ private:
 };
 
 /// Cuts all polygons into triangles, whose order is that of the polygons. The points stay.
-inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& soup)
+inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& polygons)
 {
+  Polygon_soup soup = std::move(polygons); // its memory is free when the triangles are there
   Indexed_triangles result;
   result.faces.reserve(soup.corners.size() - 2 * soup.number_of_polygons());
   Polygon_triangulator triangulator(soup, result.faces);
@@ -179,7 +180,7 @@ inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& tr
     return std::nullopt;
   }
   Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  if (pairing.conflict() != no_index || find_pinched_vertex(triangles, pairing) != no_index) {
+  if (pairing.conflict() != no_index || pairing.pinched_vertex() != no_index) {
     return std::nullopt;
   }
   return pairing;

@@ -127,9 +127,10 @@ private:
   /// Counts the vertices of `level` that are at most `width` away from what the front has reached.
   void grow_band(Index level, float width)
   {
+    const Vertex_fan_table& corners = m_levels[level].corners();
     m_front.spread([&](Index vertex, float vertex_distance) {
       increase(m_count[level][vertex]);
-      for (const Corner& corner : m_levels[level].corners.neighbors(vertex)) {
+      for (const Corner& corner : corners.neighbors(vertex)) {
         const float distance = vertex_distance + corner.length;
         if (distance <= width) {
           m_front.reach(corner.neighbor, distance);
@@ -148,7 +149,7 @@ private:
         continue;
       }
       m_hint[vertex] = hint;
-      for (const Corner& corner : coarsest.corners.neighbors(vertex)) {
+      for (const Corner& corner : coarsest.corners().neighbors(vertex)) {
         m_hint[corner.neighbor] = hint;
       }
     }

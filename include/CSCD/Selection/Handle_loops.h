@@ -32,7 +32,7 @@ class Handle_loops
 public:
   /// Prepares to find loops on the surface `finest` cut along the separators in `arrangement`.
   Handle_loops(const Surface_level& finest, const Separator_arrangement& arrangement)
-      : m_surface(finest.surface), m_corners(finest.corners), m_arrangement(arrangement),
+      : m_surface(finest.surface), m_corners(finest.corners()), m_arrangement(arrangement),
         m_is_crossed(m_surface.number_of_halfedges(), 0), m_region(m_surface.number_of_halfedges()),
         m_capped(m_surface.number_of_faces() + 2 * arrangement.points().size()),
         m_front(m_surface.number_of_vertices()), m_parent(m_surface.number_of_vertices())

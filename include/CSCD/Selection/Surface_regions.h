@@ -41,8 +41,9 @@ public:
         reach_from(point, m_finest.surface.target(crossing.halfedge), i);
       }
     }
-    m_front.spread([this](Index vertex, const auto& visit) {
-      for (const Corner& corner : m_level.corners.neighbors(vertex)) {
+    const Vertex_fan_table& corners = m_level.corners();
+    m_front.spread([&corners](Index vertex, const auto& visit) {
+      for (const Corner& corner : corners.neighbors(vertex)) {
         visit(corner.neighbor, corner.length);
       }
     });

@@ -95,7 +95,7 @@ private:
   struct Workspace
   {
     explicit Workspace(const Surface_level& level)
-        : front(level.corners, level.surface.number_of_vertices()), bump_test(level.surface)
+        : front(level.corners(), level.surface.number_of_vertices()), bump_test(level.surface)
     {
     }
     internal::Geodesic_polar_coordinates front;

@@ -8,7 +8,6 @@
 
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Surface_levels.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
@@ -75,20 +74,21 @@ private:
         return true;
       }
       m_settled.mark(vertex);
-      for (const Corner& corner : m_levels.finest().corners.neighbors(vertex)) {
-        const float distance = m_labels[vertex].distance + corner.length;
-        const bool is_new = !m_reached.is_marked(corner.neighbor);
+      for (const Index halfedge : surface.outgoing(vertex)) {
+        const Index neighbor = surface.target(halfedge);
+        const float distance = m_labels[vertex].distance + float(surface.length(halfedge));
+        const bool is_new = !m_reached.is_marked(neighbor);
         // The estimates are consistent but for rounding: a vertex that has left the heap stays as it is.
-        if (distance >= limit || m_settled.is_marked(corner.neighbor) ||
-            (!is_new && distance >= m_labels[corner.neighbor].distance)) {
+        if (distance >= limit || m_settled.is_marked(neighbor) ||
+            (!is_new && distance >= m_labels[neighbor].distance)) {
           continue;
         }
-        const float estimate = distance + float((surface.point(corner.neighbor) - goal).norm());
-        reach(corner.neighbor, distance, vertex);
+        const float estimate = distance + float((surface.point(neighbor) - goal).norm());
+        reach(neighbor, distance, vertex);
         if (is_new) {
-          m_heap.push(corner.neighbor, estimate);
+          m_heap.push(neighbor, estimate);
         } else {
-          m_heap.decrease(corner.neighbor, estimate);
+          m_heap.decrease(neighbor, estimate);
         }
       }
     }

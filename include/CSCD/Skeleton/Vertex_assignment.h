@@ -33,14 +33,10 @@ public:
       m_node[vertex] =
           descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
     }
-    measure_radii();
   }
 
   /// The node to which `vertex` belongs.
   Index node(Index vertex) const { return m_node[vertex]; }
-  /// Mean distance of the surface around `node` from the curve, by area; for an opening, the radius of the border.
-  double radius(Index node) const { return m_radius[node]; }
-
   /// For each node, how many vertices belong to it.
   std::vector<Index> numbers_of_vertices() const
   {
@@ -51,11 +47,30 @@ public:
     return result;
   }
 
-  /// Hands both over to `skeleton`, and is empty afterwards.
+  /// Mean distance of the surface around each node from the curve, by area; of an opening, the radius of the border.
+  std::vector<double> radii() const
+  {
+    std::vector<double> weight(m_builder.size(), 0);
+    std::vector<double> result(m_builder.size(), 0);
+    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
+      const double vertex_weight = double(m_surface.vertex_area(vertex));
+      result[m_node[vertex]] +=
+          vertex_weight * std::sqrt(squared_distance_from_curve(m_surface.point(vertex), m_node[vertex]));
+      weight[m_node[vertex]] += vertex_weight;
+    }
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      // A node may lie in its only vertex, where a sheet has no thickness.
+      const bool is_measured = weight[node] > 0 && result[node] > 0 && !m_builder[node].is_opening;
+      result[node] = is_measured ? result[node] / weight[node] : m_builder[node].radius;
+    }
+    return result;
+  }
+
+  /// Hands nodes and radii over to `skeleton`, and is empty afterwards.
   void move_to(Embedded_skeleton& skeleton) &&
   {
+    skeleton.radius = radii();
     skeleton.node_of_vertex = std::move(m_node);
-    skeleton.radius = std::move(m_radius);
   }
 
 private:
@@ -125,27 +140,9 @@ private:
     return least;
   }
 
-  void measure_radii()
-  {
-    std::vector<double> weight(m_builder.size(), 0);
-    m_radius.assign(m_builder.size(), 0);
-    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
-      const double vertex_weight = double(m_surface.vertex_area(vertex));
-      m_radius[m_node[vertex]] +=
-          vertex_weight * std::sqrt(squared_distance_from_curve(m_surface.point(vertex), m_node[vertex]));
-      weight[m_node[vertex]] += vertex_weight;
-    }
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      // A node may lie in its only vertex, where a sheet has no thickness.
-      const bool is_measured = weight[node] > 0 && m_radius[node] > 0 && !m_builder[node].is_opening;
-      m_radius[node] = is_measured ? m_radius[node] / weight[node] : m_builder[node].radius;
-    }
-  }
-
   const Triangulated_surface& m_surface;
   const Skeleton_builder& m_builder;
   std::vector<Index> m_node;
-  std::vector<double> m_radius;
   std::vector<std::vector<Index>> m_starts;
 };
 

@@ -28,9 +28,10 @@ class Coarsening
 public:
   explicit Coarsening(const Triangulated_surface& fine) : m_fine(fine)
   {
-    copy_rings();
+    freeze_wide_stars();
     freeze_bridges();
     choose_kept_vertices();
+    copy_rings();
     collapse_others();
     number_coarse_vertices();
   }
@@ -67,7 +68,7 @@ private:
     frozen   ///< stays, and so do its faces
   };
 
-  /// Room for the ring of a vertex; vertices of higher degree are frozen. A bound keeps all rings in one flat array.
+  /// Vertices of higher degree are frozen. A bound keeps the working memory of a collapse small.
   static constexpr Index max_degree = 20;
   /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
   static constexpr Index max_degree_after = 16;
@@ -76,33 +77,41 @@ private:
   /// Weight of the turn of the normals against the squared length in the cost of a collapse.
   static constexpr double turn_weight = 3;
 
-  Index* ring(Index vertex) { return m_ring.data() + std::size_t(vertex) * max_degree; }
-  const Index* ring(Index vertex) const { return m_ring.data() + std::size_t(vertex) * max_degree; }
+  Index* ring(Index vertex) { return m_ring.data() + m_ring_begin[vertex]; }
+  const Index* ring(Index vertex) const { return m_ring.data() + m_ring_begin[vertex]; }
 
-  void copy_rings()
+  void freeze_wide_stars()
   {
-    const Index n = m_fine.number_of_vertices();
-    m_ring.resize(std::size_t(n) * max_degree);
-    m_degree.assign(n, 0);
-    m_status.assign(n, Status::open);
-    for (Index vertex = 0; vertex < n; ++vertex) {
+    m_status.assign(m_fine.number_of_vertices(), Status::open);
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
       if (m_fine.degree(vertex) > max_degree) {
-        freeze_star(vertex);
-        continue;
+        m_status[vertex] = Status::frozen;
+        for (Index halfedge : m_fine.outgoing(vertex)) {
+          m_status[m_fine.target(halfedge)] = Status::frozen;
+        }
       }
-      Index* at = ring(vertex);
-      for (Index halfedge : m_fine.outgoing(vertex)) {
-        *at++ = m_fine.target(halfedge);
-      }
-      m_degree[vertex] = std::uint8_t(m_fine.degree(vertex));
     }
   }
 
-  void freeze_star(Index vertex)
+  /// The ring of a kept vertex has room to grow; no other ring grows.
+  void copy_rings()
   {
-    m_status[vertex] = Status::frozen;
-    for (Index halfedge : m_fine.outgoing(vertex)) {
-      m_status[m_fine.target(halfedge)] = Status::frozen;
+    const Index n = m_fine.number_of_vertices();
+    m_degree.assign(n, 0);
+    m_ring_begin.resize(n);
+    Index size = 0;
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index degree = m_fine.degree(vertex);
+      m_degree[vertex] = std::uint8_t(degree <= max_degree ? degree : 0);
+      m_ring_begin[vertex] = size;
+      size += m_status[vertex] == Status::kept ? std::max(degree, max_degree_after) : Index(m_degree[vertex]);
+    }
+    m_ring.resize(size);
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      if (m_degree[vertex] > 0) {
+        const auto outgoing = m_fine.outgoing(vertex);
+        std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
+      }
     }
   }
 
@@ -120,9 +129,9 @@ private:
       if (m_status[vertex] != Status::open) {
         continue;
       }
-      const Index* begin = ring(vertex);
-      const bool is_free =
-          std::none_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::kept; });
+      const auto outgoing = m_fine.outgoing(vertex);
+      const bool is_free = std::none_of(outgoing.begin(), outgoing.end(),
+                                        [this](Index h) { return m_status[m_fine.target(h)] == Status::kept; });
       if (is_free) {
         m_status[vertex] = Status::kept;
       }
@@ -148,18 +157,21 @@ private:
     }
   }
 
+  /// Vectors around a vertex, twice one after the other, so that no index has to be wrapped around.
+  using Star = std::array<Vector_3, 2 * std::size_t(max_degree)>;
+
   /// The position in the ring of `vertex` of the kept neighbor that it is best collapsed into, or `no_index`.
-  Index best_collapse(Index vertex) const
+  Index best_collapse(Index vertex)
   {
     const Index degree = m_degree[vertex];
     const Index* neighbors = ring(vertex);
-    std::array<Vector_3, max_degree> incident_edge;
-    std::array<Vector_3, max_degree> face_vector;
+    Star& incident_edge = m_incident_edge;
+    Star& face_vector = m_face_vector;
     for (Index i = 0; i < degree; ++i) {
-      incident_edge[i] = m_fine.point(neighbors[i]) - m_fine.point(vertex);
+      incident_edge[i] = incident_edge[i + degree] = m_fine.point(neighbors[i]) - m_fine.point(vertex);
     }
     for (Index i = 0; i < degree; ++i) {
-      face_vector[i] = incident_edge[i].cross(incident_edge[(i + 1) % degree]);
+      face_vector[i] = face_vector[i + degree] = incident_edge[i].cross(incident_edge[i + 1]);
     }
     Index best = no_index;
     double best_cost = std::numeric_limits<double>::max();
@@ -179,14 +191,11 @@ private:
 
   /// The squared cosine of the maximal turn of a normal when the center moves along incident edge `side`; -1 if one
   /// turns by 90 degrees or more.
-  static double least_turn_squared_cosine(const std::array<Vector_3, max_degree>& incident_edge,
-                                          const std::array<Vector_3, max_degree>& face_vector, Index degree, Index side)
+  static double least_turn_squared_cosine(const Star& incident_edge, const Star& face_vector, Index degree, Index side)
   {
     double least = 1;
-    for (Index j = 1; j + 1 < degree; ++j) {
-      const Index a = (side + j) % degree;
-      const Index b = (side + j + 1) % degree;
-      const Vector_3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[b] - incident_edge[side]);
+    for (Index a = side + 1; a + 1 < side + degree; ++a) {
+      const Vector_3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[a + 1] - incident_edge[side]);
       const double product = moved.dot(face_vector[a]);
       const double norms = moved.squaredNorm() * face_vector[a].squaredNorm();
       if (product <= 0 || norms <= 0) {
@@ -304,10 +313,13 @@ private:
   }
 
   const Triangulated_surface& m_fine;
-  std::vector<Index> m_ring;
-  std::vector<std::uint8_t> m_degree;
+  std::vector<Index> m_ring; // of all vertices, one after the other
+  std::vector<Index> m_ring_begin;
+  std::vector<std::uint8_t> m_degree; // 0 where it is too high
   std::vector<Status> m_status;
   std::vector<Index> m_parent;
+  Star m_incident_edge; // of the vertex that is looked at, as the next; here, not to be set to zero each time
+  Star m_face_vector;
   std::vector<Index> m_fine_vertex;
   std::vector<Index> m_coarse_vertex;
 };

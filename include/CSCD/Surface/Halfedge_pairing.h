@@ -11,10 +11,11 @@
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/config.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -37,38 +38,40 @@ public:
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
   /// The twins of all halfedges.
   std::vector<Index> twins() && { return std::move(m_twin); }
+  /// The halfedges that leave each point, counterclockwise: at a border the first one of the fan comes first, elsewhere
+  /// the smallest. Without order where there is a conflict or a pinched vertex.
+  const internal::Compressed_rows<Index>& outgoing() const& { return m_outgoing; }
+  /// The same, to be taken over.
+  internal::Compressed_rows<Index> outgoing() && { return std::move(m_outgoing); }
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
   Index conflict() const { return m_conflict; }
+  /// The first vertex around which the faces form several fans, or `no_index`. \pre there is no conflict
+  Index pinched_vertex() const { return m_pinched_vertex; }
   /// Whether any halfedge has no twin.
   bool has_border() const { return m_has_border; }
 
 private:
-  /// An ascending halfedge, from its smaller to its larger end, in the bucket of the smaller one.
-  struct Entry
-  {
-    Index larger_end;
-    Index halfedge;
+  /// Most degrees are at most this, and nearly all the second one. Fans of more faces are ordered by sorting, so that
+  /// they do not cost their degree squared.
+  static constexpr std::size_t small_degree = 8;
+  static constexpr std::size_t medium_degree = 16;
+  /// Vertices ahead for which memory is asked for.
+  static constexpr Index prefetch_distance = 8;
 
-    bool operator<(const Entry& other) const
-    {
-      return std::tie(larger_end, halfedge) < std::tie(other.larger_end, other.halfedge);
-    }
-  };
-
-  /// Buckets of more entries than this are sorted, so that vertices of high degree do not cost their degree squared.
-  static constexpr Index small_bucket = 16;
-
-  void fill_buckets(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points);
-  bool is_sorted(Index vertex) const { return m_entries.size(vertex) > small_bucket; }
-  /// Seeks two entries for the same edge; sorts the bucket if it is large.
-  void check_bucket(Index vertex);
-  /// Pairs the halfedge `h` from `larger_end` to `smaller_end` with the ascending one of its edge, if there is one.
-  void pair_descending(Index h, Index larger_end, Index smaller_end);
+  /// Pairs the halfedges of the edges at `vertex` and orders those that leave it.
+  void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex);
+  /// Orders `row` counterclockwise from its first halfedge on, by searching one after the other; false if the faces do
+  /// not go once around.
+  template <std::size_t max_degree>
+  static bool order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row);
+  /// Pairs and orders by sorting, for faces of any kind; finds borders, conflicts and pinched vertices.
+  void order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex);
 
   std::vector<Index> m_twin;
-  internal::Compressed_rows<Entry> m_entries; // by bucket, while halfedges are paired
+  internal::Compressed_rows<Index> m_outgoing;
   Index m_conflict = no_index;
+  Index m_pinched_vertex = no_index;
   bool m_has_border = false;
 };
 
@@ -89,10 +92,6 @@ void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use&
   }
 }
 
-/// A vertex around which the faces form several fans, or `no_index`; linear.
-/// \param pairing of the faces, without conflict
-Index find_pinched_vertex(const Indexed_triangles& triangles, const Halfedge_pairing& pairing);
-
 /// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
 /// and that the faces around every vertex form one fan. Linear.
 /// \param name gives the number by which a message calls a vertex
@@ -100,9 +99,9 @@ Index find_pinched_vertex(const Indexed_triangles& triangles, const Halfedge_pai
 Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name);
 
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
-/// appended. The pairing remains valid. Linear. \return for every copy, in order, the vertex of which it is one
-/// \pre `pairing`, that of the faces, has no conflict
-std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, const Halfedge_pairing& pairing);
+/// appended. Linear. \return for every copy, in order, the vertex of which it is one
+/// \pre `pairing`, that of the faces, has no conflict; it is kept so
+std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing);
 
 } // namespace CSCD
 

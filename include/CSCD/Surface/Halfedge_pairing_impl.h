@@ -9,27 +9,18 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/exceptions.h>
 
+#include <CGAL/Iterator_range.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// Calls `function(halfedge, origin, target)` for all halfedges.
-template <class Function>
-void for_each_halfedge(const std::vector<std::array<Index, 3>>& faces, const Function& function)
-{
-  Index halfedge = 0;
-  for (const auto& [a, b, c] : faces) {
-    function(halfedge++, a, b);
-    function(halfedge++, b, c);
-    function(halfedge++, c, a);
-  }
-}
 
 /// Throws for the edge of `halfedge`, whose faces contradict each other.
 [[noreturn]] inline void refuse_edge(const Indexed_triangles& triangles, Index halfedge,
@@ -59,85 +50,129 @@ namespace CSCD {
 
 CSCD_INLINE Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces,
                                                std::size_t number_of_points)
-    : m_twin(3 * faces.size(), no_index)
+    : m_twin(3 * faces.size(), no_index), m_outgoing(number_of_points, [&faces](const auto& add) {
+        Index halfedge = 0;
+        for (const std::array<Index, 3>& face : faces) {
+          for (const Index corner : face) {
+            add(corner, halfedge++);
+          }
+        }
+      })
 {
-  fill_buckets(faces, number_of_points);
   for (Index vertex = 0; vertex < number_of_points; ++vertex) {
-    check_bucket(vertex);
-  }
-  internal::for_each_halfedge(faces, [this](Index halfedge, Index origin, Index target) {
-    if (origin > target) {
-      pair_descending(halfedge, origin, target);
-    }
-  });
-  m_entries = {};
-  m_has_border = std::find(m_twin.begin(), m_twin.end(), no_index) != m_twin.end();
-}
-
-CSCD_INLINE void Halfedge_pairing::fill_buckets(const std::vector<std::array<Index, 3>>& faces,
-                                                std::size_t number_of_points)
-{
-  m_entries = internal::Compressed_rows<Entry>(number_of_points, [&faces](const auto& add) {
-    internal::for_each_halfedge(faces, [&add](Index halfedge, Index origin, Index target) {
-      if (origin < target) {
-        add(origin, Entry{target, halfedge});
+#ifdef __GNUC__
+    // Half of the time went to waiting for faces: ask for those of a vertex that comes soon.
+    if (vertex + prefetch_distance < number_of_points) {
+      for (const Index h : m_outgoing[vertex + prefetch_distance]) {
+        __builtin_prefetch(&faces[face(h)]);
       }
-    });
-  });
-}
-
-CSCD_INLINE void Halfedge_pairing::check_bucket(Index vertex)
-{
-  Entry* const first = m_entries[vertex].begin();
-  Entry* const last = m_entries[vertex].end();
-  if (is_sorted(vertex)) {
-    std::sort(first, last);
-  }
-  const auto is_same_edge = [](const Entry& a, const Entry& b) { return a.larger_end == b.larger_end; };
-  for (Entry* it = first; it != last && m_conflict == no_index; ++it) {
-    Entry* const end = is_sorted(vertex) ? std::min(it + 2, last) : last;
-    const auto other = std::find_if(it + 1, end, [&](const Entry& entry) { return is_same_edge(*it, entry); });
-    m_conflict = other == end ? no_index : other->halfedge;
+    }
+#endif
+    pair_around(faces, vertex);
   }
 }
 
-CSCD_INLINE void Halfedge_pairing::pair_descending(Index h, Index larger_end, Index smaller_end)
+CSCD_INLINE void Halfedge_pairing::pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex)
 {
-  const Entry* first = std::as_const(m_entries)[smaller_end].begin();
-  const Entry* const last = std::as_const(m_entries)[smaller_end].end();
-  if (is_sorted(smaller_end)) {
-    first = std::lower_bound(first, last, Entry{larger_end, 0});
-  }
-  while (first != last && first->larger_end != larger_end) {
-    ++first;
-  }
-  if (first == last) {
+  const auto row = m_outgoing[vertex];
+  const auto degree = row.size();
+  if (degree <= small_degree ? !order_by_search<small_degree>(faces, row)
+                             : degree > medium_degree || !order_by_search<medium_degree>(faces, row)) {
+    order_by_sorting(faces, vertex);
     return;
   }
-  if (m_twin[first->halfedge] != no_index) {
-    m_conflict = m_conflict == no_index ? h : m_conflict;
-    return;
+  for (const Index* h = row.begin(); h != row.end(); ++h) {
+    m_twin[*h] = previous(h == row.begin() ? *(row.end() - 1) : *(h - 1));
   }
-  m_twin[h] = first->halfedge;
-  m_twin[first->halfedge] = h;
 }
 
-CSCD_INLINE Index find_pinched_vertex(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+template <std::size_t max_degree>
+bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row)
 {
-  std::vector<char> marked(pairing.number_of_halfedges(), 0);
-  std::vector<char> has_fan(triangles.points.size(), 0);
-  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
-    if (marked[halfedge]) {
-      continue;
-    }
-    const Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
-    if (has_fan[vertex]) {
-      return vertex;
-    }
-    has_fan[vertex] = 1;
-    for_each_in_fan(pairing, halfedge, [&marked](Index h) { marked[h] = 1; });
+  std::array<Index, max_degree> target{};
+  std::array<Index, max_degree> apex{};
+  std::array<Index, max_degree> ordered{};
+  target.fill(no_index);
+  const auto degree = std::size_t(row.size());
+  for (std::size_t i = 0; i < degree; ++i) {
+    const Index h = row.begin()[i];
+    const std::array<Index, 3>& corners = faces[face(h)];
+    target[i] = corners[next(h) % 3];
+    apex[i] = corners[previous(h) % 3];
   }
-  return no_index;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < degree; ++i) {
+    ordered[i] = row.begin()[at];
+    // All are compared, without a branch; the sum tells the place of one, and that there are none or several.
+    std::size_t sum = 0;
+    for (std::size_t j = 0; j < max_degree; ++j) {
+      sum += target[j] == apex[at] ? max_degree + j : 0;
+    }
+    at = sum - max_degree;
+    if (at >= degree || (at == 0) != (i + 1 == degree)) {
+      return false;
+    }
+  }
+  std::copy(ordered.begin(), ordered.begin() + std::ptrdiff_t(degree), row.begin());
+  return true;
+}
+
+CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex)
+{
+  struct Corner
+  {
+    Index target;
+    Index apex;
+    Index halfedge;
+    bool operator<(const Corner& other) const
+    {
+      return std::tie(target, halfedge) < std::tie(other.target, other.halfedge);
+    }
+  };
+  const auto row = m_outgoing[vertex];
+  if (row.empty()) {
+    return;
+  }
+  std::vector<Corner> corners;
+  corners.reserve(row.size());
+  for (const Index h : row) {
+    corners.push_back({faces[face(h)][next(h) % 3], faces[face(h)][previous(h) % 3], h});
+  }
+  std::sort(corners.begin(), corners.end());
+  const auto is_same_edge = [](const Corner& a, const Corner& b) { return a.target == b.target; };
+  const auto same = std::adjacent_find(corners.begin(), corners.end(), is_same_edge);
+  if (same != corners.end() && m_conflict == no_index) {
+    m_conflict = (same + 1)->halfedge;
+  }
+  const auto is_less = [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; };
+  auto first = std::min_element(corners.begin(), corners.end(), is_less);
+  std::vector<std::size_t> next_corner(corners.size(), corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto found = std::lower_bound(corners.begin(), corners.end(), Corner{corners[i].apex, 0, 0});
+    if (found != corners.end() && found->target == corners[i].apex) {
+      next_corner[i] = std::size_t(found - corners.begin());
+      m_twin[found->halfedge] = previous(corners[i].halfedge);
+    }
+  }
+  bool is_on_border = false;
+  for (auto it = corners.begin(); it != corners.end(); ++it) {
+    if (m_twin[it->halfedge] == no_index) {
+      first = is_on_border && is_less(*first, *it) ? first : it;
+      m_has_border = is_on_border = true;
+    }
+  }
+  std::vector<Index> ordered;
+  ordered.reserve(corners.size());
+  std::size_t at = std::size_t(first - corners.begin());
+  do {
+    ordered.push_back(corners[at].halfedge);
+    at = next_corner[at];
+  } while (at < corners.size() && ordered.size() < corners.size() && corners[at].halfedge != first->halfedge);
+  if (ordered.size() == corners.size()) {
+    std::copy(ordered.begin(), ordered.end(), row.begin());
+  } else if (m_pinched_vertex == no_index) {
+    m_pinched_vertex = vertex;
+  }
 }
 
 CSCD_INLINE Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name)
@@ -146,17 +181,19 @@ CSCD_INLINE Halfedge_pairing check_manifold(const Indexed_triangles& triangles, 
   if (pairing.conflict() != no_index) {
     internal::refuse_edge(triangles, pairing.conflict(), name);
   }
-  const Index pinched = find_pinched_vertex(triangles, pairing);
-  if (pinched != no_index) {
-    throw Input_error("vertex " + std::to_string(name(pinched)) +
+  if (pairing.pinched_vertex() != no_index) {
+    throw Input_error("vertex " + std::to_string(name(pairing.pinched_vertex())) +
                       " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
                       "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
   }
   return pairing;
 }
 
-CSCD_INLINE std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+CSCD_INLINE std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
 {
+  if (pairing.pinched_vertex() == no_index) {
+    return {};
+  }
   std::vector<char> is_visited(pairing.number_of_halfedges(), 0);
   std::vector<char> has_fan(triangles.points.size(), 0);
   std::vector<Index> originals;
@@ -177,6 +214,7 @@ CSCD_INLINE std::vector<Index> split_pinched_vertices(Indexed_triangles& triangl
       triangles.faces[h / 3][h % 3] = vertex;
     });
   }
+  pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   return originals;
 }
 

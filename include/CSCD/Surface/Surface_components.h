@@ -10,6 +10,7 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -41,14 +42,25 @@ struct Surface_components
     double area = 0;                      ///< without hole-filling faces
     double volume = 0;                    ///< signed: negative where the faces look inwards
     Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers where there is no area
+    double max_squared_length = 0;        ///< of the edges
   };
 
   Index number() const { return Index(measures.size()); }
+  /// The component of `vertex`, which has a face in `pairing`.
+  Index component_of_vertex(const Halfedge_pairing& pairing, Index vertex) const
+  {
+    return number() == 1 ? 0 : component[*pairing.outgoing()[vertex].begin() / 3];
+  }
 
   std::vector<Index> component;  ///< of every face
   std::vector<Measure> measures; ///< of every component
+  /// Faces with (nearly) no area for their longest side, in order, without hole-filling faces.
+  std::vector<Index> degenerate_faces;
 
 private:
+  /// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
+  static constexpr double degenerate_height = 1e-8;
+
   void flood(Index seed, const Halfedge_pairing& pairing, std::vector<Index>& stack)
   {
     component[seed] = number();
@@ -76,9 +88,16 @@ private:
       const Vector_3& b = triangles.points[face[1]];
       const Vector_3& c = triangles.points[face[2]];
       const Vector_3 vector = (b - a).cross(c - a);
-      const double area = f < triangles.first_hole_filling_face ? vector.norm() / 2 : 0.;
+      const double doubled_area = f < triangles.first_hole_filling_face ? vector.norm() : 0.;
+      const double area = doubled_area / 2;
       const Vector_3 center = (a + b + c) / 3;
+      const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+      const bool is_degenerate = f < triangles.first_hole_filling_face && !(doubled_area > degenerate_height * longest);
+      if (is_degenerate) {
+        degenerate_faces.push_back(Index(f));
+      }
       Measure& result = measures[component[f]];
+      result.max_squared_length = std::max(result.max_squared_length, longest);
       result.area += area;
       result.volume += a.dot(vector) / 6;
       result.centroid += area * center;

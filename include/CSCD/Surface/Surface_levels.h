@@ -12,6 +12,8 @@
 #include <CSCD/Vector_3.h>
 
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -20,20 +22,35 @@ namespace CSCD {
 /// One level of detail.
 struct Surface_level
 {
-  /// Builds the fans of `level_surface`; linear.
-  explicit Surface_level(Triangulated_surface&& level_surface) : surface(std::move(level_surface)), corners(surface) {}
+  /// Takes over `level_surface`.
+  explicit Surface_level(Triangulated_surface&& level_surface) : surface(std::move(level_surface)) {}
 
   /// The vertex of the finest level that `vertex` of this level is.
   Index to_finest(Index vertex) const { return finest_vertex.empty() ? vertex : finest_vertex[vertex]; }
   /// The vertex of this level that represents `vertex` of the finest level.
   Index from_finest(Index vertex) const { return level_vertex.empty() ? vertex : level_vertex[vertex]; }
 
+  /// The triangles around each vertex, as fronts read them. The first call builds them, which is linear: on large
+  /// surfaces no front runs on the finest levels. May be called by several threads at once.
+  const Vertex_fan_table& corners() const
+  {
+    std::call_once(m_fans->is_built, [this] { m_fans->corners = Vertex_fan_table(surface); });
+    return m_fans->corners;
+  }
+
   /// The triangles of the level.
   Triangulated_surface surface;
-  /// The triangles around each vertex, as fronts read them.
-  Vertex_fan_table corners;
   std::vector<Index> finest_vertex; ///< empty on the finest level
   std::vector<Index> level_vertex;  ///< empty on the finest level
+
+private:
+  struct Fans
+  {
+    std::once_flag is_built;
+    Vertex_fan_table corners;
+  };
+
+  std::unique_ptr<Fans> m_fans = std::make_unique<Fans>(); // in a place of its own: a flag cannot be moved
 };
 
 /// The levels of detail of a surface: level 0 is the surface itself, each further one has about 2/7 of its vertices.

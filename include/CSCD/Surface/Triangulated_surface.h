@@ -219,6 +219,8 @@ private:
     }
     std::vector<std::array<Index, 3>>().swap(triangles.faces);
     Index lone = pairing.conflict();
+    const Index pinched = pairing.pinched_vertex();
+    m_outgoing = std::move(pairing).outgoing();
     m_twin = std::move(pairing).twins();
     if (lone == no_index && must_be_closed) {
       const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
@@ -226,35 +228,10 @@ private:
     }
     if (lone != no_index) {
       m_defect = {m_origin[lone], target(lone)};
-      return;
-    }
-    order_outgoing();
-    if (!m_defect) {
+    } else if (pinched != no_index) {
+      m_defect = {pinched, no_index};
+    } else {
       measure_faces();
-    }
-  }
-
-  /// Sorts the outgoing halfedges of every vertex; finds the first vertex where they are not one fan.
-  void order_outgoing()
-  {
-    m_outgoing = internal::Compressed_rows<Index>(m_points.size(), [this](const auto& add) {
-      for (Index h = 0; h < number_of_halfedges(); ++h) {
-        add(m_origin[h], h);
-      }
-    });
-    for (Index vertex = 0; vertex < number_of_vertices(); ++vertex) {
-      const auto row = m_outgoing[vertex];
-      const auto border = std::find_if(row.begin(), row.end(), [this](Index h) { return m_twin[h] == no_index; });
-      const Index first = row.empty() ? no_index : *(border == row.end() ? row.begin() : border);
-      Index at = first;
-      for (Index& halfedge : row) {
-        if (at == no_index || (at == first && &halfedge != row.begin())) {
-          m_defect = {vertex, no_index};
-          return;
-        }
-        halfedge = at;
-        at = next_around_origin(at);
-      }
     }
   }
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -60,6 +61,8 @@ public:
 private:
   /// Distances that differ by less, relatively, are equal: they differ by rounding only, which depends on the order.
   static constexpr double distance_tolerance = 1e-9;
+  /// Vertices ahead for which memory is asked for.
+  static constexpr std::size_t prefetch_distance = 8;
 
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
   Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
@@ -80,24 +83,18 @@ private:
   void find_roots()
   {
     const std::size_t n = m_triangles.points.size();
-    std::vector<Index> outgoing(n); // some halfedge of every vertex
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      outgoing[origin(h)] = h;
-    }
-    std::vector<double> distance(n);
     m_greatest.assign(m_components.number(), 0.);
     for (Index vertex = 0; vertex < n; ++vertex) {
-      const Index component = m_components.component[outgoing[vertex] / 3];
-      distance[vertex] = squared_distance(vertex, component);
-      m_greatest[component] = std::max(m_greatest[component], distance[vertex]);
+      const Index component = m_components.component_of_vertex(m_pairing, vertex);
+      m_greatest[component] = std::max(m_greatest[component], squared_distance(vertex, component));
     }
     m_first.assign(m_components.number(), no_index);
     for (Index vertex = 0; vertex < n; ++vertex) {
-      const Index component = m_components.component[outgoing[vertex] / 3];
+      const Index component = m_components.component_of_vertex(m_pairing, vertex);
       Index& first = m_first[component];
-      if (distance[vertex] >= (1 - distance_tolerance) * m_greatest[component] &&
+      if (squared_distance(vertex, component) >= (1 - distance_tolerance) * m_greatest[component] &&
           (first == no_index || is_lexicographically_less(m_triangles.points[vertex], origin_point(first)))) {
-        first = outgoing[vertex];
+        first = *m_pairing.outgoing()[vertex].begin();
       }
     }
     for (Index component = 0; component < m_components.number(); ++component) {
@@ -128,24 +125,41 @@ private:
 
   Index next_around_origin(Index h) const { return m_pairing.twin(Halfedge_pairing::previous(h)); }
 
+  /// Asks for what the vertices that come soon need: where their numbers are scattered, most of the time goes to
+  /// waiting.
+  void prefetch_rows([[maybe_unused]] const std::vector<Index>& vertices, [[maybe_unused]] std::size_t i) const
+  {
+#ifdef __GNUC__
+    if (i + 2 * prefetch_distance < vertices.size()) {
+      __builtin_prefetch(m_pairing.outgoing()[vertices[i + 2 * prefetch_distance]].begin());
+      for (const Index h : m_pairing.outgoing()[vertices[i + prefetch_distance]]) {
+        __builtin_prefetch(&m_triangles.faces[h / 3]);
+      }
+    }
+#endif
+  }
+
   void append_component(Index first, std::vector<char>& is_numbered, std::vector<Index>& entry,
                         std::vector<Index>& vertices) const
   {
+    const std::size_t begin_of_component = vertices.size();
     vertices.push_back(origin(first));
     is_numbered[origin(first)] = 1;
     entry.assign(1, first);
     for (std::size_t i = 0; i < entry.size(); ++i) {
-      Index halfedge = entry[i];
-      do {
-        const Index neighbor = target(halfedge);
-        const Index twin = m_pairing.twin(halfedge);
-        if (!is_numbered[neighbor]) {
-          is_numbered[neighbor] = 1;
-          vertices.push_back(neighbor);
-          entry.push_back(twin);
+      prefetch_rows(vertices, begin_of_component + i);
+      const auto row = m_pairing.outgoing()[vertices[begin_of_component + i]];
+      const auto begin = std::find(row.begin(), row.end(), entry[i]);
+      for (const auto& [from, to] : {std::pair(begin, row.end()), std::pair(row.begin(), begin)}) {
+        for (auto halfedge = from; halfedge != to; ++halfedge) {
+          const Index neighbor = target(*halfedge);
+          if (!is_numbered[neighbor]) {
+            is_numbered[neighbor] = 1;
+            vertices.push_back(neighbor);
+            entry.push_back(m_pairing.twin(*halfedge));
+          }
         }
-        halfedge = next_around_origin(halfedge);
-      } while (halfedge != entry[i]);
+      }
     }
   }
 

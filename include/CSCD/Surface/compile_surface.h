@@ -43,22 +43,6 @@ struct Compiled_surface
   std::size_t number_of_reversed_components = 0;
 };
 
-/// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
-inline constexpr double degenerate_height = 1e-8;
-
-/// Counts the faces that have (nearly) no area for their longest side; linear.
-inline std::size_t count_degenerate_faces(const Indexed_triangles& triangles)
-{
-  const auto is_degenerate = [&triangles](const std::array<Index, 3>& face) {
-    const Vector_3 ab = triangles.points[face[1]] - triangles.points[face[0]];
-    const Vector_3 bc = triangles.points[face[2]] - triangles.points[face[1]];
-    const Vector_3 ca = triangles.points[face[0]] - triangles.points[face[2]];
-    const double longest = std::max({ab.squaredNorm(), bc.squaredNorm(), ca.squaredNorm()});
-    return !(ab.cross(ca).norm() > degenerate_height * longest);
-  };
-  return std::size_t(std::count_if(triangles.faces.begin(), triangles.faces.end(), is_degenerate));
-}
-
 /// Gives the vertices of `triangles` that have been inserted since `side` was filled the side of some neighbor; linear
 /// for each level of insertion.
 inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed char>& side)
@@ -88,8 +72,8 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
 {
   Compiled_surface result;
   const std::size_t number_of_input_points = triangles.points.size();
+  const std::size_t number_of_input_faces = triangles.faces.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
-  result.number_of_degenerate_faces = count_degenerate_faces(triangles);
   Doubled_sheets sheets;
   if (treatment != Border_treatment::bridge && pairing.has_border()) {
     sheets = double_sheets(triangles, pairing, treatment == Border_treatment::open);
@@ -105,6 +89,9 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
   Surface_components components(triangles, pairing);
+  result.number_of_degenerate_faces =
+      std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
+                                [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
   refine_large_faces(triangles, pairing, components);
@@ -114,6 +101,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   }
 
   Canonical_order order = canonical_order(triangles, pairing, components);
+  pairing = {}; // before memory is taken for those of the new numbers
   renumber(triangles, order.vertices);
   result.side_of_sheet.resize(sheets.side.size());
   for (std::size_t i = 0; i < sheets.side.size(); ++i) {

@@ -80,7 +80,7 @@ public:
   std::size_t refine()
   {
     const std::size_t number_of_points = m_triangles.points.size();
-    while (insert_midpoints()) {
+    while (has_long_edge() && insert_midpoints()) {
       split_faces();
       m_pairing = Halfedge_pairing(m_triangles.faces, m_triangles.points.size());
     }
@@ -117,11 +117,13 @@ private:
   {
     std::vector<std::size_t> number_of_vertices(m_components.number(), 0);
     std::vector<std::size_t> number_of_faces(m_components.number(), 0);
-    std::vector<char> is_counted(m_triangles.points.size(), 0);
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      const Index component = m_components.component[h / 3];
-      number_of_faces[component] += h % 3 == 0 ? 1 : 0;
-      number_of_vertices[component] += std::exchange(is_counted[origin(h)], 1) == 0 ? 1 : 0;
+    for (const Index component : m_components.component) {
+      ++number_of_faces[component];
+    }
+    for (Index vertex = 0; vertex < m_triangles.points.size(); ++vertex) {
+      if (m_pairing.outgoing().size(vertex) > 0) {
+        ++number_of_vertices[m_components.component_of_vertex(m_pairing, vertex)];
+      }
     }
     std::vector<std::size_t> genus(m_components.number());
     for (std::size_t i = 0; i < genus.size(); ++i) {
@@ -140,6 +142,17 @@ private:
       m_squared_bound.push_back(area > min_area ? area * edge_factor * edge_factor / size
                                                 : std::numeric_limits<double>::max());
     }
+  }
+
+  /// Whether any edge of the surface as it was given is long; asks the lengths that are known. Midpoints shorten edges.
+  bool has_long_edge() const
+  {
+    for (Index i = 0; i < m_components.number(); ++i) {
+      if (m_components.measures[i].max_squared_length > m_squared_bound[i]) {
+        return true;
+      }
+    }
+    return false;
   }
 
   std::size_t count_long_edges() const

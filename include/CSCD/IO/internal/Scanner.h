@@ -323,13 +323,20 @@ public:
                : boost::endian::endian_load<Number, sizeof(Number), boost::endian::order::big>(raw);
   }
 
-  /// Passes over `size` bytes.
+  /// Passes over `size` bytes and returns where they begin.
   /// \throw File_error if the data end before
-  void skip(std::size_t size)
+  const char* skip(std::size_t size)
   {
     skip_check(size);
+    const char* const first = m_bytes.data();
     m_bytes.remove_prefix(size);
+    return first;
   }
+
+  /// Where the data that are left begin.
+  const char* data() const { return m_bytes.data(); }
+  /// Whether the bytes of a number are in the order of this machine.
+  bool is_native() const { return m_order == boost::endian::order::native; }
 
 private:
   void skip_check(std::size_t size) const

@@ -12,32 +12,33 @@
 #include <CSCD/exceptions.h>
 
 #include <boost/endian/conversion.hpp>
-#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
 /// Hashes a point by its coordinates; equal points have equal hashes.
-struct Point_hash
+inline std::uint64_t hash_point(const Vector_3& point)
 {
-  std::size_t operator()(const Vector_3& point) const
-  {
-    std::size_t seed = 0;
-    for (double coordinate : point) {
-      boost::hash_combine(seed, coordinate + 0.0); // turns -0 into 0, which is equal
-    }
-    return seed;
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15; // 2^64 by the golden ratio, odd: spreads near numbers
+  std::uint64_t hash = 0;
+  for (double coordinate : point) {
+    coordinate += 0.0; // turns -0 into 0, which is equal
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &coordinate, sizeof(bits));
+    hash = (hash ^ bits) * factor;
+    hash ^= hash >> 32;
   }
-};
+  return hash;
+}
 
 /// Merges points of exactly equal coordinates into the first of them; the others keep their order. Linear.
 /// \param[out] new_index for each old point, its new index
@@ -45,16 +46,24 @@ struct Point_hash
 /// \pre the points are finite
 inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector<Index>& new_index)
 {
-  std::unordered_map<Vector_3, Index, Point_hash> index_of;
-  index_of.reserve(points.size());
+  // Open addressing in one array, at most half full: the nodes of std::unordered_map take five times as long.
+  std::size_t table_size = 1;
+  while (table_size < 2 * points.size()) {
+    table_size *= 2;
+  }
+  std::vector<Index> table(table_size, no_index);
   new_index.resize(points.size());
   Index size = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto [place, is_new] = index_of.emplace(points[i], size);
-    new_index[i] = place->second;
-    if (is_new) {
+    std::size_t place = std::size_t(hash_point(points[i])) & (table_size - 1);
+    while (table[place] != no_index && points[table[place]] != points[i]) {
+      place = (place + 1) & (table_size - 1);
+    }
+    if (table[place] == no_index) {
+      table[place] = size;
       points[size++] = points[i];
     }
+    new_index[i] = table[place];
   }
   const std::size_t number_of_merged_points = points.size() - size;
   points.resize(size);

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -165,6 +166,8 @@ public:
 
   std::size_t remaining() const { return m_scanner.remaining(); }
 
+  static constexpr bool is_binary = false;
+
   double number(Ply_type /* type */)
   {
     if (!m_scanner.skip_blanks()) {
@@ -185,12 +188,20 @@ public:
 
   std::size_t remaining() const { return m_scanner.remaining(); }
 
-  double number(Ply_type type)
+  static constexpr bool is_binary = true;
+  bool is_native() const { return m_scanner.is_native(); }
+  const char* data() const { return m_scanner.data(); }
+  const char* skip(std::size_t size) { return m_scanner.skip(size); }
+
+  double number(Ply_type type) { return next_number(m_scanner, number_type(type)); }
+
+  /// How a number of `type` is stored.
+  static Number_type number_type(Ply_type type)
   {
     constexpr std::array<Number_type, 8> types{
         // in the order of `Ply_type`
         {{'i', 1}, {'u', 1}, {'i', 2}, {'u', 2}, {'i', 4}, {'u', 4}, {'f', 4}, {'f', 8}}};
-    return next_number(m_scanner, types[std::size_t(type)]);
+    return types[std::size_t(type)];
   }
 
 private:
@@ -281,7 +292,9 @@ private:
     const bool has_normals = std::all_of(normal_names.begin(), normal_names.end(),
                                          [&](std::string_view name) { return has_number(element, name); });
     m_soup.points.reserve(std::min(element.number_of_items, m_source.remaining() / names.size() + 1));
-    for (std::size_t i = 0; i < element.number_of_items; ++i) {
+    const bool are_read =
+        !has_normals && (read_point_records<float>(element, names) || read_point_records<double>(element, names));
+    for (std::size_t i = are_read ? element.number_of_items : 0; i < element.number_of_items; ++i) {
       Vector_3 point = Vector_3::Zero();
       Vector_3 normal = Vector_3::Zero();
       read_item(element, [&](const Ply_property& property, std::size_t, double number) {
@@ -299,16 +312,91 @@ private:
     check_number_of_points(m_soup.points.size(), m_filename);
   }
 
-  void read_polygons(const Ply_element& element)
+  /// Reads binary vertices that are records of one size with coordinates of type `Coordinate`, at the speed of memory.
+  /// \return false, with nothing read, if they are not
+  template <class Coordinate>
+  bool read_point_records([[maybe_unused]] const Ply_element& element, [[maybe_unused]] const Names& names)
+  {
+    if constexpr (Source::is_binary) {
+      std::size_t record_size = 0;
+      std::array<std::size_t, 3> offset{};
+      for (const Ply_property& property : element.properties) {
+        const auto name = std::find(names.begin(), names.end(), property.name);
+        const Number_type type = Source::number_type(property.type);
+        if (property.is_list || (name != names.end() && (type.kind != 'f' || type.size != sizeof(Coordinate)))) {
+          return false;
+        }
+        if (name != names.end()) {
+          offset[std::size_t(name - names.begin())] = record_size;
+        }
+        record_size += type.size;
+      }
+      // A number of records that the file cannot hold is left to the other way, which tells where it ends.
+      if (!m_source.is_native() || element.number_of_items > m_source.remaining() / record_size) {
+        return false;
+      }
+      const char* record = m_source.skip(element.number_of_items * record_size);
+      for (std::size_t i = 0; i < element.number_of_items; ++i, record += record_size) {
+        std::array<Coordinate, 3> xyz;
+        for (std::size_t axis = 0; axis < xyz.size(); ++axis) {
+          std::memcpy(&xyz[axis], record + offset[axis], sizeof(Coordinate));
+        }
+        m_soup.points.emplace_back(double(xyz[0]), double(xyz[1]), double(xyz[2]));
+        if (!m_soup.points.back().allFinite()) {
+          fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
+        }
+      }
+      return true;
+    } else {
+      return false;
+    }
+  }
+
+  /// Reads binary triangles of nothing but their corners, one after the other, as long as there are such, and returns
+  /// their number.
+  std::size_t read_triangle_records([[maybe_unused]] const Ply_element& element)
   {
     std::size_t face = 0;
+    if constexpr (Source::is_binary) {
+      std::array<std::uint32_t, 3> corners{};
+      constexpr std::size_t record_size = 1 + sizeof(corners);
+      const Ply_property& list = element.properties.front();
+      const Number_type type = Source::number_type(list.type);
+      if (element.properties.size() > 1 || !list.is_list || list.size_type != Ply_type::uint8 || type.size != 4 ||
+          type.kind == 'f' || !is_list_of_corners(list) || !m_source.is_native()) {
+        return 0;
+      }
+      // Of signed numbers, the negative ones are those from here on.
+      const std::uint32_t end = type.kind == 'i' ? std::uint32_t(1) << 31 : no_index;
+      for (; face < element.number_of_items && m_source.remaining() >= record_size; ++face) {
+        const char* const record = m_source.data();
+        std::memcpy(corners.data(), record + 1, sizeof(corners));
+        if (*record != 3 || *std::max_element(corners.begin(), corners.end()) >= end) {
+          break;
+        }
+        m_source.skip(record_size);
+        m_soup.corners.insert(m_soup.corners.end(), corners.begin(), corners.end());
+        m_soup.end_polygon();
+      }
+    }
+    return face;
+  }
+
+  static bool is_list_of_corners(const Ply_property& property)
+  {
+    return property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index");
+  }
+
+  void read_polygons(const Ply_element& element)
+  {
     const std::size_t expected = std::min(element.number_of_items, m_source.remaining() / 3 + 1);
     m_soup.corners.reserve(3 * expected);
     m_soup.first_corner.reserve(expected + 1);
+    std::size_t face = element.properties.empty() ? 0 : read_triangle_records(element);
     for (; face < element.number_of_items && !element.properties.empty(); ++face) {
       const std::size_t first = m_soup.corners.size();
       read_item(element, [&](const Ply_property& property, std::size_t, double number) {
-        if (property.is_list && (property.name == "vertex_indices" || property.name == "vertex_index")) {
+        if (is_list_of_corners(property)) {
           m_soup.corners.push_back(corner(number, face));
         }
       });
