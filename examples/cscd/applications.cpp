@@ -11,7 +11,6 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
-#include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/mesh_segmentation.h>
@@ -51,17 +50,6 @@ Skeletonized_input skeletonized_input(const Application_options& options)
 {
   check_is_not_input(options.output, options.input, "--output");
   return skeletonized_mesh(options.input, options.format, options.is_quiet);
-}
-
-/// Calls `write(out)` with a stream to the output.
-template <class Write>
-void write_output(const Application_options& options, const Write& write)
-{
-  if (options.output == standard_stream) {
-    write(static_cast<std::ostream&>(std::cout));
-  } else {
-    CSCD::write_file(options.output, write);
-  }
 }
 
 /// CGAL's segmentation of shape diameters: the number of thicknesses that it tells apart is its default. Its default of
@@ -143,7 +131,7 @@ void segment(const Segment_options& options)
       : options.by == by_diameter ? segment_by_diameter(input, labels)
                                   : CSCD::segment_mesh(input.mesh, input.skeleton, labels,
                                                        CSCD::parameters::default_values(), options.number_of_parts);
-  write_output(options, [&](std::ostream& out) {
+  write_output(options.output, [&](std::ostream& out) {
     for (const Mesh::Face_index face : input.mesh.faces()) {
       out << labels[face] << '\n';
     }
@@ -158,7 +146,7 @@ void write_diameters(const Application_options& options)
   Skeletonized_input input = skeletonized_input(options);
   const auto diameters = input.mesh.add_property_map<Mesh::Vertex_index, double>("v:diameter").first;
   CSCD::estimate_vertex_shape_diameters(input.mesh, input.skeleton, diameters);
-  write_output(options, [&](std::ostream& out) {
+  write_output(options.output, [&](std::ostream& out) {
     out.precision(std::numeric_limits<double>::max_digits10);
     for (const Mesh::Vertex_index vertex : input.mesh.vertices()) {
       out << diameters[vertex] << '\n';

@@ -9,7 +9,6 @@
 #include "compute_skeleton.h"
 #include "types.h"
 #include <CSCD/Application/classify_shapes.h>
-#include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 
 #include <nlohmann/json.hpp>
@@ -111,13 +110,8 @@ void classify(const Classify_options& options)
     descriptions.push_back(describe((folder / file).string(), options));
   }
   const CSCD::Shape_classification result = CSCD::classify_shapes(descriptions, table.classes);
-  const std::string text = to_json(options, table, result).dump(2) + "\n";
-  if (options.output == standard_stream) {
-    std::cout << text;
-    return;
-  }
-  CSCD::write_file(options.output, [&](std::ostream& out) { out << text; });
-  if (!options.is_quiet) {
+  write_output(options.output, [&](std::ostream& out) { out << to_json(options, table, result).dump(2) << '\n'; });
+  if (!options.is_quiet && options.output != standard_stream) {
     std::cout << options.output << ": accuracy " << std::round(1000 * result.accuracy) / 1000 << ", F1 score "
               << std::round(1000 * result.macro_f1) / 1000 << '\n';
   }

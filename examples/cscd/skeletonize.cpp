@@ -151,17 +151,6 @@ void check_options(const Skeletonize_options& options)
   }
 }
 
-/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output.
-template <class Write>
-void write_to(CSCD::File_group& files, const std::string& filename, const Write& write)
-{
-  if (filename == standard_stream) {
-    write(static_cast<std::ostream&>(std::cout));
-  } else {
-    files.write(filename, write);
-  }
-}
-
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
   std::vector<Point> result;

@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <iostream>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -113,6 +114,26 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
 /// \throw `CSCD::File_error`; `CSCD::Input_error` if a file cannot hold this
 void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                    const Skeletonize_options& options);
+
+/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output.
+template <class Write>
+void write_to(CSCD::File_group& files, const std::string& filename, const Write& write)
+{
+  if (filename == standard_stream) {
+    write(static_cast<std::ostream&>(std::cout));
+  } else {
+    files.write(filename, write);
+  }
+}
+
+/// Calls `write(out)` with a stream to the file `filename`, or with standard output.
+template <class Write>
+void write_output(const std::string& filename, const Write& write)
+{
+  CSCD::File_group files;
+  write_to(files, filename, write);
+  files.publish();
+}
 
 /// Writes the viewer page.
 /// \param name of the input, without its folder, which means nothing to whom the page is given
