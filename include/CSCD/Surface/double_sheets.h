@@ -33,7 +33,7 @@ struct Border_cycle
 
 /// Finds the wide borders of a surface and the components that are sheets.
 ///
-/// Fronts start from all borders. Where two of them meet from opposite directions, the sides of a loop are known that
+/// Fronts start from borders. Where two of them meet from opposite directions, the sides of a loop are known that
 /// crosses a border or two: a path over the surface from border to border, and the chord between its ends in space. A
 /// border that is long compared with the loops across it is no end of a limb, which loops along the border surround.
 class Sheet_search
@@ -65,6 +65,9 @@ public:
   {
     find_meetings();
     choose_wide();
+    if (std::none_of(m_borders.begin(), m_borders.end(), [](const Border_cycle& border) { return border.is_wide; })) {
+      return;
+    }
     // Small holes stop fronts early, and do not count.
     find_meetings();
     choose_wide();
@@ -332,7 +335,11 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   constexpr double offset_of_second_side = 1 - 1e-3;
   Doubled_sheets result;
   Sheet_search search(triangles, pairing);
-  takes_all ? search.take_all() : search.choose();
+  if (takes_all) {
+    search.take_all();
+  } else {
+    search.choose();
+  }
 
   const std::size_t n = triangles.points.size();
   const std::size_t number_of_faces = triangles.faces.size();
