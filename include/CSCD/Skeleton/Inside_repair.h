@@ -31,7 +31,8 @@ public:
   /// \param solid is referred to
   explicit Way_inside(const Triangulated_solid& solid)
       : m_solid(solid), m_surface(solid.query_surface()), m_search(m_surface.number_of_faces()),
-        m_entered(m_surface.number_of_faces(), no_index), m_work_left(max_work * m_surface.number_of_faces())
+        m_entered(m_surface.number_of_faces(), no_index),
+        m_work_left(free_work + max_work * m_surface.number_of_faces())
   {
   }
 
@@ -50,6 +51,8 @@ public:
 private:
   /// How many faces may be passed and lines be traced for all ways, relative to the number of faces.
   static constexpr std::size_t max_work = 8;
+  /// So much more takes some tenths of a second.
+  static constexpr std::size_t free_work = 1 << 17;
   /// A way of more nodes is no good skeleton.
   static constexpr std::size_t max_number_of_nodes = 64;
   /// Halvings of the depth below the surface, where the way is not free.
