@@ -187,6 +187,10 @@ def difference(first, second):
     return 2 * sum(abs(a - b) for a, b in zip(first, second)) / (sum(first) + sum(second))
 
 
+def same_vertices(points):
+    return [(v, v) for v in range(len(points))]
+
+
 def noisy(points, faces, rng):
     """Moves vertices along their normals by one percent of the diagonal of the bounding box (standard deviation)."""
     normals = [[0., 0., 0.] for _ in points]
@@ -198,19 +202,22 @@ def noisy(points, faces, rng):
     for point, normal in zip(points, normals):
         step = rng.gauss(0, .01 * diagonal) / (math.hypot(*normal) or 1)
         result.append(tuple(p + step * n for p, n in zip(point, normal)))
-    return result, faces
+    return result, faces, same_vertices(points)
 
 
 def with_holes(points, faces, rng):
-    """Removes the faces around ten vertices, and those around these: all vertices that are left keep their numbers."""
+    """Removes the faces around ten vertices, and those around these."""
     removed = set(rng.sample(range(len(points)), 10))
     removed |= {v for face in faces if removed & set(face) for v in face}
-    return points, [face for face in faces if not removed & set(face)]
+    faces = [face for face in faces if not removed & set(face)]
+    kept = sorted({v for face in faces for v in face})
+    number = {v: i for i, v in enumerate(kept)}
+    return [points[v] for v in kept], [tuple(number[v] for v in face) for face in faces], list(zip(kept, range(len(kept))))
 
 
 def divided(points, faces, _):
-    """Divides each face into four: the old vertices keep their numbers."""
-    points, middle, result = list(points), {}, []
+    """Divides each face into four."""
+    same, points, middle, result = same_vertices(points), list(points), {}, []
 
     def between(a, b):
         key = (min(a, b), max(a, b))
@@ -222,7 +229,7 @@ def divided(points, faces, _):
     for a, b, c in faces:
         d, e, f = between(a, b), between(b, c), between(c, a)
         result += [(a, d, f), (d, b, e), (f, e, c), (d, e, f)]
-    return points, result
+    return points, result, same
 
 
 def diameters_table(runner, meshes, poses):
@@ -240,13 +247,13 @@ def diameters_table(runner, meshes, poses):
     with tempfile.TemporaryDirectory() as folder:
         for mesh in meshes:
             points, faces = read_off(mesh)
-            same = [(v, v) for v in range(len(points))]
             runs = {method: runner.measure(mesh, method) for method in ("skeleton", "rays")}
-            compare("by the other method", "skeleton", runs["skeleton"], runs["rays"], same)
+            compare("by the other method", "skeleton", runs["skeleton"], runs["rays"], same_vertices(points))
             for name, change in (("noise of 1 % of the diagonal", noisy), ("ten holes", with_holes),
                                  ("faces divided into four", divided)):
                 changed = pathlib.Path(folder) / f"{mesh.stem}_{change.__name__}.off"
-                write_off(changed, *change(points, faces, random.Random(1)))
+                *shape, same = change(points, faces, random.Random(1))
+                write_off(changed, *shape)
                 for method, run in runs.items():
                     compare(name, method, run, runner.measure(changed, method), same)
     for first, second, same in poses:
@@ -364,13 +371,11 @@ def main():
         for method in options.methods:
             print("\n" + segmentation_table(runner, options.princeton, method, options.parities, options.step), flush=True)
     poses = [files for folder in (options.tosca, options.faust) if folder for files in pose_files(folder).values()]
-    if options.princeton and "diameters" in options.tables:
-        meshes = [mesh for number, mesh in princeton_meshes(options.princeton, 0, 1) if number % MESHES_IN_A_CLASS == 10]
-        meshes, poses = meshes[::options.step], poses[::options.step]
-        pairs = [(files[0], files[2]) for files in poses if len(files) > 2]
+    if poses and "diameters" in options.tables:
         correspondences = [
-            (a, b, list(zip(*(read_numbers(m.parent.parent / "vts" / f"{m.stem}.vts") for m in (a, b))))) for a, b in pairs]
-        print("\n" + diameters_table(runner, meshes, correspondences), flush=True)
+            (files[0], files[2], list(zip(*(read_numbers(m.parent.parent / "vts" / f"{m.stem}.vts") for m in files[:3:2]))))
+            for files in poses[::options.step] if len(files) > 2]
+        print("\n" + diameters_table(runner, [first for first, _, _ in correspondences], correspondences), flush=True)
     if "classes" in options.tables:
         shapes = {}
         if options.princeton:
