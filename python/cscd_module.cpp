@@ -11,6 +11,9 @@
 #include "types.h"
 #include "write_measures.h"
 #include "write_report.h"
+#include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Application/find_surface_loops.h>
+#include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -244,6 +247,68 @@ std::string page(const Shown_skeleton& skeleton, const std::string& title)
   return out.str();
 }
 
+/// A copy of the mesh that was skeletonized, which takes labels. \throw Usage_error if rows of the arrays have no
+/// counterparts in it
+cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
+{
+  const cscd::Input& input = skeleton.source().input;
+  if (input.is_point_set || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
+    throw cscd::Usage_error("only a mesh that was not repaired has values of its own vertices and faces");
+  }
+  return input.mesh;
+}
+
+/// A new array of the values of a property map, in the order of `descriptors`.
+template <class Value, class Descriptors, class Map>
+std::vector<Value> values_of(const Descriptors& descriptors, const Map& map)
+{
+  std::vector<Value> result;
+  for (const auto descriptor : descriptors) {
+    result.push_back(Value(map[descriptor]));
+  }
+  return result;
+}
+
+std::vector<double> shape_diameters(const Shown_skeleton& skeleton)
+{
+  cscd::Mesh mesh = skeletonized_mesh(skeleton);
+  const auto map = mesh.add_property_map<cscd::Mesh::Vertex_index, double>("v:diameter").first;
+  CSCD::estimate_vertex_shape_diameters(mesh, skeleton.result().skeleton, map);
+  return values_of<double>(mesh.vertices(), map);
+}
+
+std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t number_of_parts)
+{
+  cscd::Mesh mesh = skeletonized_mesh(skeleton);
+  const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
+  CSCD::segment_mesh(mesh, skeleton.result().skeleton, map, CSCD::parameters::default_values(), number_of_parts);
+  return values_of<Signed_index>(mesh.faces(), map);
+}
+
+/// Kind, length, depth and points of each loop.
+py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
+{
+  Source source;
+  CSCD::internal::Polygon_soup soup = to_soup(points, corners);
+  std::vector<CSCD::Surface_loop<cscd::Point>> loops;
+  {
+    const py::gil_scoped_release release;
+    make_mesh(std::move(soup), source);
+    loops = CSCD::find_surface_loops(source.input.mesh, CSCD::parameters::random_seed(seed), min_depth);
+  }
+  constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
+  py::list result;
+  for (const CSCD::Surface_loop<cscd::Point>& loop : loops) {
+    std::vector<std::array<double, 3>> rows;
+    rows.reserve(loop.points.size());
+    for (const cscd::Point& point : loop.points) {
+      rows.push_back({point.x(), point.y(), point.z()});
+    }
+    result.append(py::make_tuple(names[static_cast<std::size_t>(loop.kind)], loop.length, loop.depth, rows));
+  }
+  return result;
+}
+
 /// An array that refers to memory of `owner`, for reading.
 template <class Value>
 py::array view(const py::object& owner, const Value* values, std::vector<py::ssize_t> shape)
@@ -368,6 +433,8 @@ PYBIND11_MODULE(_core, module)
       .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a, without_gil)
       .def("evaluate", &evaluate, "radii"_a, "resolution"_a, without_gil)
       .def("page", &page, "title"_a, without_gil)
+      .def("shape_diameters", &shape_diameters, without_gil)
+      .def("segment", &segment, "parts"_a, without_gil)
       .def(
           "save",
           [](const Shown_skeleton& skeleton, const std::string& filename) {
@@ -383,5 +450,6 @@ PYBIND11_MODULE(_core, module)
         }
         return result;
       });
+  module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

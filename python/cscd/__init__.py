@@ -28,7 +28,7 @@ from ._core import FileError, InputError, __version__
 if typing.TYPE_CHECKING:
     import networkx  # type: ignore[import]
 
-__all__ = ["Branch", "FileError", "InputError", "Skeleton", "skeletonize", "__version__"]
+__all__ = ["Branch", "FileError", "InputError", "Loop", "Skeleton", "find_loops", "skeletonize", "__version__"]
 
 FileError.__doc__ = "A file cannot be written. The message names the file and the remedy."
 InputError.__doc__ = "The input cannot be skeletonized. The message names the offending element and the remedy."
@@ -56,6 +56,19 @@ class Branch(typing.NamedTuple):
     """Over the nodes."""
     significance: float
     """How far its limb reaches beyond the body it stands on, in radii; infinite if it is never pruned."""
+
+
+class Loop(typing.NamedTuple):
+    """A closed geodesic on a surface."""
+
+    kind: str
+    """"handle", "tunnel" or "constriction"."""
+    length: float
+    """In the unit of the input."""
+    depth: float
+    """Of a constriction: how much longer a loop must become if it is to move away, relative to its length."""
+    points: FloatArray
+    """Along the loop, a row of three coordinates each; the last and the first are neighbors."""
 
 
 class Skeleton:
@@ -107,6 +120,19 @@ class Skeleton:
         """Counts, times and warnings of the skeletonization: what `cscd skeletonize --report` writes. That of a
         simplified skeleton is the report of the skeleton that it was."""
         return typing.cast("dict[str, typing.Any]", json.loads(self._core.report))
+
+    def shape_diameters(self) -> FloatArray:
+        """How thick the body is at each row of `V`: what `cscd diameter` writes. Raises ValueError unless `F` is a mesh
+        that needed no repair."""
+        return np.array(self._core.shape_diameters())
+
+    def segment(self, *, parts: int = 0) -> IndexArray:
+        """The part that each row of `F` belongs to, from 0 on: what `cscd segment` writes. Raises ValueError unless `F`
+        is a mesh that needed no repair.
+
+        parts: how many there should be; 0 lets the shape decide
+        """
+        return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
 
     def branches(self) -> list[Branch]:
         """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
@@ -361,3 +387,19 @@ def skeletonize(
     options.min_component = _count("min_component", min_component)
     options.join = join
     return Skeleton(_core.skeletonize(points, faces, directions, ends, options))
+
+
+def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:
+    """Closed geodesics around the handles, tunnels and constrictions of a body: what `cscd loops` writes.
+
+    V: vertices, a row of three coordinates each
+    F: faces, a row of three or more indices of vertices each; repaired where they are no oriented manifold
+    seed: of the random choice of sources
+    min_depth: constrictions that are less deep are left out
+
+    Raises InputError if this is no surface.
+    """
+    if not min_depth >= 0:
+        raise ValueError(f"min_depth: is {min_depth}; depths are not negative")
+    loops = _core.find_loops(_rows("V", V), _faces(F), _count("seed", seed), float(min_depth))
+    return [Loop(kind, length, depth, np.array(points)) for kind, length, depth, points in loops]

@@ -42,6 +42,31 @@ def test_every_vertex_belongs_to_a_node_nearby(ring):
     assert np.all(distances < 1.5)
 
 
+def test_a_torus_is_as_thick_as_its_tube_and_has_two_loops(ring):
+    V, F = shapes.torus()
+    np.testing.assert_allclose(ring.shape_diameters(), 2, atol=0.2)
+    parts = ring.segment(parts=3)
+    assert parts.shape == (len(F),) and set(parts) == {0, 1, 2}
+    loops = cscd.find_loops(V, F)
+    assert [loop.kind for loop in loops] == ["handle", "tunnel"]
+    np.testing.assert_allclose([loop.length for loop in loops], [2 * np.pi, 4 * np.pi], rtol=0.02)
+    for loop in loops:
+        sides = np.linalg.norm(np.roll(loop.points, -1, axis=0) - loop.points, axis=1)
+        assert np.isclose(sides.sum(), loop.length)
+
+
+def test_applications_refuse_what_has_no_rows():
+    V, F = shapes.torus()
+    for skeleton in (cscd.skeletonize(V), cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))):
+        for call in (skeleton.shape_diameters, skeleton.segment):
+            with pytest.raises(ValueError, match="repaired"):
+                call()
+    with pytest.raises(ValueError, match="min_depth"):
+        cscd.find_loops(V, F, min_depth=-1)
+    with pytest.raises(cscd.InputError):
+        cscd.find_loops(np.zeros((3, 3)), [[0, 1, 2]])
+
+
 def test_types_of_arrays(ring):
     assert ring.nodes.dtype == ring.radius.dtype == ring.significance.dtype == np.float64
     assert ring.edges.dtype == ring.vertex_to_node.dtype == np.int32

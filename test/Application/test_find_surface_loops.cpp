@@ -25,6 +25,7 @@
 #include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -282,14 +283,16 @@ TEST(Find_surface_loops, bodies_that_are_nowhere_constricted_have_no_loops)
   }
 }
 
-TEST(Find_surface_loops, depend_on_neither_numbering_nor_seed)
+TEST(Find_surface_loops, depend_on_neither_numbering_nor_seed_nor_resolution)
 {
-  for (const CSCD::test::Shape& shape : {CSCD::test::double_torus(0.15), body_with_neck(0.5, 32)}) {
+  // Each shape with half as many vertices.
+  for (const auto& [shape, coarse_shape] :
+       {std::pair(CSCD::test::double_torus(0.15), CSCD::test::double_torus(0.15 * std::sqrt(2))),
+        std::pair(body_with_neck(0.5, 32), body_with_neck(0.5, 23))}) {
     const std::vector<Mesh_loop> expected = loops_of(shape);
-    const std::vector<Mesh_loop> renumbered = loops_of(CSCD::test::renumbered(shape, 1).shape);
-    std::vector<std::vector<Mesh_loop>> others{renumbered};
-    for (unsigned seed = 1; seed < 4; ++seed) {
-      others.push_back(loops_of(shape, seed));
+    std::vector<std::vector<Mesh_loop>> others{loops_of(CSCD::test::renumbered(shape, 1).shape)};
+    for (unsigned seed = 0; seed < 10; ++seed) {
+      others.push_back(loops_of(coarse_shape, seed));
     }
     for (const std::vector<Mesh_loop>& other : others) {
       ASSERT_EQ(expected.size(), other.size());

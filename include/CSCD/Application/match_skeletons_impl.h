@@ -472,14 +472,14 @@ public:
     Index best_node = 0;
     for (Index node = 0; node < m_vertices.size(); ++node) {
       if (!m_vertices[node].empty()) {
-        keep_less(difference(&m_means[node * m_distances.size()], wanted), node, least, best_node);
+        keep_less(&m_means[node * m_distances.size()], wanted, node, least, best_node);
       }
     }
     least = std::numeric_limits<double>::infinity();
     Index best = m_vertices[best_node].front();
     const auto look_among = [&](Index node) {
       for (const Index v : m_vertices[node]) {
-        keep_less(difference(m_distances.of_vertex(v), wanted), v, least, best);
+        keep_less(m_distances.of_vertex(v), wanted, v, least, best);
       }
     };
     look_among(best_node);
@@ -488,19 +488,15 @@ public:
   }
 
 private:
-  double difference(const double* first, const double* second) const
+  /// Makes `candidate` the best if the distances `found` differ by less than `least` from those that are wanted.
+  void keep_less(const double* found, const double* wanted, Index candidate, double& least, Index& best) const
   {
     double sum = 0;
-    for (std::size_t i = 0; i < m_distances.size(); ++i) {
-      sum += std::abs(first[i] - second[i]);
+    for (std::size_t i = 0; i < m_distances.size() && sum < least; ++i) {
+      sum += std::abs(found[i] - wanted[i]);
     }
-    return sum;
-  }
-
-  static void keep_less(double value, Index candidate, double& least, Index& best)
-  {
-    if (value < least) {
-      least = value;
+    if (sum < least) {
+      least = sum;
       best = candidate;
     }
   }
