@@ -36,13 +36,15 @@ public:
   Index number_of_halfedges() const { return Index(m_twin.size()); }
   /// The oppositely directed halfedge of the same edge; `no_index` on a border.
   Index twin(Index halfedge) const { return m_twin[halfedge]; }
-  /// The twins of all halfedges.
-  std::vector<Index> twins() && { return std::move(m_twin); }
   /// The halfedges that leave each point, counterclockwise: at a border the first one of the fan comes first, elsewhere
   /// the smallest. Without order where there is a conflict or a pinched vertex.
-  const internal::Compressed_rows<Index>& outgoing() const& { return m_outgoing; }
-  /// The same, to be taken over.
-  internal::Compressed_rows<Index> outgoing() && { return std::move(m_outgoing); }
+  const internal::Compressed_rows<Index>& outgoing() const { return m_outgoing; }
+  /// Hands over the twins of all halfedges and the rows of `outgoing()`.
+  void move_to(std::vector<Index>& twins, internal::Compressed_rows<Index>& outgoing_rows) &&
+  {
+    twins = std::move(m_twin);
+    outgoing_rows = std::move(m_outgoing);
+  }
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
   Index conflict() const { return m_conflict; }

@@ -220,8 +220,7 @@ private:
     std::vector<std::array<Index, 3>>().swap(triangles.faces);
     Index lone = pairing.conflict();
     const Index pinched = pairing.pinched_vertex();
-    m_outgoing = std::move(pairing).outgoing();
-    m_twin = std::move(pairing).twins();
+    std::move(pairing).move_to(m_twin, m_outgoing);
     if (lone == no_index && must_be_closed) {
       const auto border = std::find(m_twin.begin(), m_twin.end(), no_index);
       lone = border == m_twin.end() ? no_index : Index(border - m_twin.begin());
