@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <memory>
@@ -546,6 +548,24 @@ void complain(std::string message)
   std::cerr << "cscd: " << cscd::printable(message) << std::endl;
 }
 
+constexpr const char* not_enough_memory = "not enough memory; simplify the input or use a machine with more";
+
+/// Ends the program where a destructor has found no memory: those of JSON values need some.
+[[noreturn]] void terminate()
+{
+  try {
+    if (const std::exception_ptr exception = std::current_exception()) {
+      std::rethrow_exception(exception);
+    }
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "cscd: %s\n", not_enough_memory);
+    std::_Exit(internal_failure);
+  } catch (...) {
+    std::fputs("cscd: internal failure; please report it together with the input\n", stderr);
+  }
+  std::abort();
+}
+
 int run(int argc, char** argv)
 {
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
@@ -617,6 +637,7 @@ int main(int argc, char** argv)
   mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, -1);
 #endif
+  std::set_terminate(terminate);
   try {
     return run(argc, argv);
   } catch (const cscd::Usage_error& error) {
@@ -629,7 +650,7 @@ int main(int argc, char** argv)
     complain(error.what());
     return bad_input;
   } catch (const std::bad_alloc&) {
-    complain("not enough memory; simplify the input or use a machine with more");
+    complain(not_enough_memory);
     return internal_failure;
   } catch (const std::exception& error) {
     complain(std::string("internal failure: ") + error.what() + "; please report it together with the input");

@@ -397,7 +397,7 @@ Shape prism(const std::vector<Triple>& polygon, const std::vector<CSCD::test::Tr
 
 TEST(Degenerate_input, prisms_over_stars_and_combs_hold_their_skeletons)
 {
-  for (const std::size_t arms : {40, 400}) {
+  for (const std::size_t arms : {40U, 400U}) {
     std::vector<Triple> polygon; // a tip, a valley, and so on
     std::vector<CSCD::test::Triangle> fill;
     for (std::size_t i = 0; i < 2 * arms; ++i) {
