@@ -298,6 +298,7 @@ def skeletonize(
     seed: int = 0,
     threads: int = 0,
     shape: str = "auto",
+    borders: str | None = None,
     root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
@@ -325,6 +326,8 @@ def skeletonize(
     seed: of the random choice of sources
     threads: their number, 0 for all that the machine has; the skeleton does not depend on it
     shape: what points sample: "surface" of a body, "tree" for trees and other thin shapes; "auto" decides by the points
+    borders: of a mesh: "bridge" them all, take components with borders for sheets whose skeleton runs along their middle,
+        "open", or let their shape decide, "auto"
     root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
         `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
         points
@@ -351,6 +354,7 @@ def skeletonize(
     for name, value, choices in (
         ("method", method, ("local", "published")),
         ("shape", shape, ("auto", "surface", "tree")),
+        ("borders", borders, ("auto", "bridge", "open")),
         ("target", target, ("euclidean", "geodesic")),
         ("shortening", shortening, ("flips", "variational")),
         ("cut_locus", cut_locus, ("points", "tree")),

@@ -19,6 +19,7 @@ class SkeletonizeOptions:
     intrinsic: bool
     multiscale: bool
     shape: str
+    borders: str
     domain: str
     neighbors: int
     root: str

@@ -151,6 +151,18 @@ def test_faces_that_are_turned_and_doubled_do_not_change_the_numbering(ring):
     )
 
 
+def test_a_strip_has_its_middle_as_skeleton():
+    x, y = np.meshgrid(np.linspace(0, 10, 41), np.linspace(-1, 1, 9), indexing="ij")
+    V = np.stack([x, y, 0 * x], axis=-1).reshape(-1, 3)
+    corner = (np.arange(40)[:, None] * 9 + np.arange(8)).reshape(-1)
+    F = np.stack([corner, corner + 9, corner + 10, corner + 1], axis=-1)
+    skeleton = cscd.skeletonize(V, F)
+    assert np.abs(skeleton.nodes[:, 1:]).max() < 0.05
+    assert np.ptp(skeleton.nodes[:, 0]) > 7
+    bridged = cscd.skeletonize(V, F, borders="bridge")
+    assert len(bridged.nodes) != len(skeleton.nodes)
+
+
 def test_points_get_the_skeleton_of_their_surface():
     V, _ = shapes.torus(120, 48)
     skeleton = cscd.skeletonize(V)

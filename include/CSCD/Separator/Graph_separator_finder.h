@@ -204,7 +204,8 @@ private:
   void queue_if_spare(Index vertex)
   {
     Index label = no_index;
-    if (number_of_sides(vertex, label) == 1 && m_queued.mark(vertex)) {
+    if (!m_queued.is_marked(vertex) && number_of_sides(vertex, label) == 1) {
+      m_queued.mark(vertex);
       m_heap.push(vertex, -m_key[vertex]);
     }
   }
