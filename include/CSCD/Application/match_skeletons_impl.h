@@ -472,7 +472,7 @@ public:
     Index best_node = 0;
     for (Index node = 0; node < m_vertices.size(); ++node) {
       if (!m_vertices[node].empty()) {
-        keep_less(&m_means[node * m_distances.size()], wanted, node, least, best_node);
+        keep_less(m_means.data() + node * m_distances.size(), wanted, node, least, best_node);
       }
     }
     least = std::numeric_limits<double>::infinity();
