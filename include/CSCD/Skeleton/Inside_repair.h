@@ -88,7 +88,7 @@ private:
       const Index h = m_entered[face]; // of the next face
       const Index next = Triangulated_surface::face(h);
       m_starts.push_back({(m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h))) / 2,
-                          unit_vector(inward_of(face) + inward_of(next))});
+                          (inward_of(face) + inward_of(next)).normalized()});
       face = next;
     }
     m_starts.push_back({center_of(entering.face), inward_of(entering.face)});
@@ -204,13 +204,7 @@ private:
            3;
   }
 
-  Vector_3 inward_of(Index face) const { return unit_vector(-m_surface.face_vector(face)); }
-
-  static Vector_3 unit_vector(const Vector_3& vector)
-  {
-    const double norm = vector.norm();
-    return norm > 0 ? Vector_3(vector / norm) : vector;
-  }
+  Vector_3 inward_of(Index face) const { return (-m_surface.face_vector(face)).normalized(); }
 
   const Triangulated_solid& m_solid;
   const Triangulated_surface& m_surface;

@@ -74,7 +74,7 @@ public:
     std::vector<double> area(m_triangles.points.size(), 0);
     std::vector<double> wide_area(m_triangles.points.size(), 0);
     for (const std::array<Index, 3>& face : m_triangles.faces) {
-      const double third = face_area(face) / 3;
+      const double third = triangle_area(point(face[0]), point(face[1]), point(face[2])) / 3;
       for (const Index vertex : face) {
         area[component(vertex)] += third;
         wide_area[component(vertex)] += is_near_wide_border(vertex) ? third : 0.;
@@ -122,10 +122,6 @@ private:
   Index target(Index h) const { return origin(Halfedge_pairing::next(h)); }
   const Vector_3& point(Index vertex) const { return m_triangles.points[vertex]; }
   double length(Index h) const { return (point(target(h)) - point(origin(h))).norm(); }
-  double face_area(const std::array<Index, 3>& face) const
-  {
-    return (point(face[1]) - point(face[0])).cross(point(face[2]) - point(face[0])).norm() / 2;
-  }
 
   void collect_borders()
   {
