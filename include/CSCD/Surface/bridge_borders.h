@@ -23,6 +23,32 @@
 
 namespace CSCD::internal {
 
+/// The halfedges of each border, in order against their direction. Linear.
+/// \pre `pairing` is that of the faces of `triangles`, and has no pinched vertex
+inline std::vector<std::vector<Index>> border_cycles(const Indexed_triangles& triangles,
+                                                     const Halfedge_pairing& pairing)
+{
+  const auto origin = [&triangles](Index h) { return triangles.faces[h / 3][h % 3]; };
+  // The border has one fan of faces at each of its vertices, hence one halfedge that ends there.
+  std::vector<Index> into(triangles.points.size(), no_index);
+  for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
+    if (pairing.twin(h) == no_index) {
+      into[origin(Halfedge_pairing::next(h))] = h;
+    }
+  }
+  std::vector<std::vector<Index>> cycles;
+  for (Index start = 0; start < into.size(); ++start) {
+    std::vector<Index> cycle;
+    for (Index vertex = start; into[vertex] != no_index; vertex = origin(cycle.back())) {
+      cycle.push_back(std::exchange(into[vertex], no_index));
+    }
+    if (!cycle.empty()) {
+      cycles.push_back(std::move(cycle));
+    }
+  }
+  return cycles;
+}
+
 /// Closes holes, one after the other, by cutting off the corner with the shortest diagonal again and again.
 /// A slit is thereby zipped across and a round hole filled evenly.
 class Border_bridge
@@ -46,25 +72,12 @@ public:
   /// Closes every hole and returns their number.
   std::size_t close_all(const Halfedge_pairing& pairing)
   {
-    // The border has one fan of faces at each of its vertices, hence one halfedge that ends there.
-    std::vector<Index> before(m_triangles.points.size(), no_index);
-    for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
-      if (pairing.twin(h) == no_index) {
-        before[target(h)] = origin(h);
-      }
+    const std::vector<std::vector<Index>> cycles = border_cycles(m_triangles, pairing);
+    for (std::vector<Index> hole : cycles) {
+      std::transform(hole.begin(), hole.end(), hole.begin(), [this](Index h) { return target(h); });
+      close(hole);
     }
-    std::size_t number_of_holes = 0;
-    for (Index start = 0; start < before.size(); ++start) {
-      std::vector<Index> hole;
-      for (Index vertex = start; before[vertex] != no_index; vertex = std::exchange(before[vertex], no_index)) {
-        hole.push_back(vertex);
-      }
-      if (!hole.empty()) {
-        close(hole);
-        ++number_of_holes;
-      }
-    }
-    return number_of_holes;
+    return cycles.size();
   }
 
 private:

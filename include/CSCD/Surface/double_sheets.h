@@ -8,6 +8,7 @@
 
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>
@@ -125,25 +126,15 @@ private:
 
   void collect_borders()
   {
-    std::vector<Index> into(m_triangles.points.size(), no_index); // the border halfedge that ends in a vertex
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      if (m_pairing.twin(h) == no_index) {
-        into[target(h)] = h;
-      }
-    }
-    for (Index start = 0; start < into.size(); ++start) {
+    for (std::vector<Index>& halfedges : border_cycles(m_triangles, m_pairing)) {
       Border_cycle border;
-      for (Index vertex = start; into[vertex] != no_index;) {
-        const Index h = std::exchange(into[vertex], no_index);
-        m_border_of_vertex[vertex] = Index(m_borders.size());
-        m_position[vertex] = border.length;
-        border.halfedges.push_back(h);
+      for (const Index h : halfedges) {
+        m_border_of_vertex[target(h)] = Index(m_borders.size());
+        m_position[target(h)] = border.length;
         border.length += length(h);
-        vertex = origin(h);
       }
-      if (!border.halfedges.empty()) {
-        m_borders.push_back(std::move(border));
-      }
+      border.halfedges = std::move(halfedges);
+      m_borders.push_back(std::move(border));
     }
   }
 
