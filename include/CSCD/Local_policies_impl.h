@@ -45,7 +45,7 @@ CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangu
     return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
   };
   const auto make_finder = [&]() -> Separator_finder {
-    const Separator_finder plain_finder = make_plain_finder();
+    Separator_finder plain_finder = make_plain_finder();
     if (solid.number_of_sheets() == 0) {
       return plain_finder;
     }
