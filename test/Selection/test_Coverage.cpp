@@ -35,7 +35,6 @@ TEST(Coverage, grows_around_separators_and_not_elsewhere)
   Search_result result;
   const Index source = CSCD::test::nearest_vertex(surface, {10, 0, 1});
   EXPECT_FALSE(coverage.is_covered(source));
-  EXPECT_EQ(coverage.level_hint(source), 0u) << "there is one level only";
   for (int i = 0; i < 4; ++i) {
     find(source, 0, result);
     ASSERT_EQ(result.outcome, Search_outcome::found);
@@ -45,6 +44,16 @@ TEST(Coverage, grows_around_separators_and_not_elsewhere)
   EXPECT_TRUE(coverage.is_covered(CSCD::test::nearest_vertex(surface, {10, 0, -1}))) << "all around the limb";
   EXPECT_FALSE(coverage.is_covered(CSCD::test::nearest_vertex(surface, {12, 0, 1})));
   EXPECT_FALSE(coverage.is_covered(CSCD::test::nearest_vertex(surface, {8, 0, 1})));
+}
+
+TEST(Coverage, starts_on_a_small_surface_itself_and_on_the_next_level_of_a_large_one)
+{
+  const Surface_levels small = to_levels(CSCD::test::sphere(4));
+  ASSERT_GE(small.size(), 2u);
+  EXPECT_EQ(Coverage(small).level_hint(42), 0u);
+  const Surface_levels large = to_levels(CSCD::test::torus(3, 1, 64));
+  ASSERT_GE(large.size(), 3u);
+  EXPECT_EQ(Coverage(large).level_hint(42), 1u);
 }
 
 TEST(Coverage, covers_every_source_that_was_tried_in_vain)

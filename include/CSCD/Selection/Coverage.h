@@ -65,7 +65,7 @@ public:
   Index level_hint(Index source) const
   {
     const std::uint8_t hint = m_hint[m_levels.coarsest().from_finest(source)];
-    return hint == no_hint ? std::min(first_level, m_levels.top()) : hint;
+    return hint == no_hint ? std::min(first_level, m_levels.finest_with_at_most(first_size)) : hint;
   }
 
   /// Takes note of the result of the search from `source`, which is not tried again.
@@ -95,8 +95,11 @@ private:
   static constexpr double band_width = 0.2;
   /// Radius of the band around a source without a cut point, relative to the square root of the surface's area.
   static constexpr double relative_failure_radius = 0.05;
-  /// Where nothing is known yet, fronts start on this level: most limbs are found there.
+  /// Where nothing is known yet, fronts start on this level: most limbs are found there ...
   static constexpr Index first_level = 1;
+  /// ... or on the surface itself if it has at most this many vertices: the smallest limbs of coarse surfaces are found
+  /// there alone.
+  static constexpr Index first_size = 6000;
   static constexpr std::uint8_t no_hint = std::numeric_limits<std::uint8_t>::max();
 
   static void increase(std::uint8_t& count)

@@ -172,19 +172,25 @@ public:
   {
     Field_search_settings settings_of_levels = settings;
     settings_of_levels.shortening_rule.reset(); // loops are shortened on the finest level only
-    for (Index level = finest_level(); level < levels.size(); ++level) {
+    for (Index level = finest_level(); level <= coarsest_level(); ++level) {
       m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings_of_levels));
     }
   }
 
   const Surface_levels& levels() const { return m_levels; }
+  /// The coarsest level that has distances.
+  Index coarsest_level() const { return m_levels.finest_with_at_most(coarsest_size); }
   /// The finest level that has distances.
-  Index finest_level() const { return std::min<Index>(1, m_levels.top()); }
-  /// \pre `level` is not below `finest_level()`
+  Index finest_level() const { return std::min<Index>(1, coarsest_level()); }
+  /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
   const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
   Separator_shortening make_shortening() const { return m_shortening.make_shortening(); }
 
 private:
+  /// Vertices of a level from which on there is no use in a coarser one: solves take little time, and estimated
+  /// distances need edges that are short beside the limbs.
+  static constexpr Index coarsest_size = 6000;
+
   const Surface_levels& m_levels;
   Loop_shortening_space<Triangulated_surface> m_shortening; ///< on the finest level
   std::vector<std::unique_ptr<const Level_space>> m_spaces;
@@ -200,7 +206,7 @@ public:
   explicit Multiscale_group_search(const Multiscale_search_space& space)
       : m_space(space), m_levels(space.levels()), m_projection(m_levels), m_shorten(space.make_shortening())
   {
-    for (Index level = space.finest_level(); level < m_levels.size(); ++level) {
+    for (Index level = space.finest_level(); level <= space.coarsest_level(); ++level) {
       m_finders.push_back(std::make_unique<Finder>(space[level]));
     }
   }
@@ -210,7 +216,7 @@ public:
     group.set_distance(m_levels.finest().surface.number_of_vertices());
     m_pending.resize(group.sources.size());
     std::iota(m_pending.begin(), m_pending.end(), std::size_t(0));
-    for (Index level = m_levels.top(); !m_pending.empty(); --level) {
+    for (Index level = m_space.coarsest_level(); !m_pending.empty(); --level) {
       search_level(level, group);
     }
   }
@@ -247,7 +253,7 @@ private:
       m_source_sets.push_back({m_level_sources.back().source});
     }
     space.heat_method()(m_source_sets, m_fields, finder.workspace);
-    if (level == m_levels.top()) {
+    if (level == m_space.coarsest_level()) {
       take_distances(group);
     }
     std::vector<std::size_t> refused;
@@ -275,7 +281,7 @@ private:
   void take_distances(Source_group& group) const
   {
     for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
-      const Index level_vertex = m_levels.coarsest().from_finest(vertex);
+      const Index level_vertex = m_levels[m_space.coarsest_level()].from_finest(vertex);
       for (std::size_t i = 0; i < group.sources.size(); ++i) {
         group.distance[vertex] = std::min(group.distance[vertex], float(m_fields[i].distances[level_vertex]));
       }

@@ -89,8 +89,10 @@ public:
   }
 
 private:
-  /// Vertices at which coarsening ends: below, a limb is too few edges around for its front.
-  static constexpr Index coarsest_size = 6000;
+  /// Vertices at which coarsening ends: on further levels no limb is enough edges around for its front. Of 800 to 6000,
+  /// found on 63 odd-numbered Princeton meshes: the search takes three fifths of the time that it takes at 6000, and at
+  /// 800 no less, while errors grow.
+  static constexpr Index coarsest_size = 1500;
   /// A pass that keeps a larger part of the vertices than this does not justify a level.
   static constexpr double min_reduction = 0.8;
 
