@@ -189,6 +189,35 @@ TEST_P(Handle_loops_of, every_piece_are_a_basis_of_its_homology)
   EXPECT_EQ(number_of_loops, 2 * shape.genus);
 }
 
+TEST_P(Handle_loops_of, bounded_length_are_independent_and_hold_the_shortest_through_their_root)
+{
+  const Cut_levels levels(GetParam().make(), {});
+  const Triangulated_surface& surface = levels.cut.surface;
+  constexpr Index root = 0;
+  const std::vector<Vertex_loop> all = levels.loops_of_piece_with(root);
+  for (const Vertex_loop& bound : all) {
+    if (std::find(bound.begin(), bound.end(), root) == bound.end()) {
+      continue; // its stem counts, too
+    }
+    const double max_length = (1 + 1e-4) * length(surface, bound);
+    const std::vector<Vertex_loop> loops =
+        Handle_loops(levels.levels.finest(), levels.cut.arrangement)(root, float(max_length));
+    std::vector<std::vector<bool>> crosses_oddly(all.size(), std::vector<bool>(all.size()));
+    ASSERT_LE(loops.size(), all.size());
+    double shortest = max_length;
+    for (std::size_t i = 0; i < loops.size(); ++i) {
+      EXPECT_TRUE(is_simple_loop(surface, loops[i]));
+      EXPECT_LE(length(surface, loops[i]), max_length);
+      shortest = std::min(shortest, length(surface, loops[i]));
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        crosses_oddly[i][k] = number_of_crossings(surface, loops[i], all[k]) % 2 == 1;
+      }
+    }
+    EXPECT_EQ(rank(crosses_oddly), loops.size());
+    EXPECT_LE(shortest, length(surface, bound) * (1 + 1e-6));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Handle_loops_of, testing::ValuesIn(shapes_with_handles()), CSCD::test::name_of_shape);
 
 TEST(Handle_loops, are_none_on_a_sphere)

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -48,15 +49,17 @@ public:
 
   /// The loops of the piece with the vertex `root`, twice its genus of them, each simple, through `root` or with its
   /// stem from there left out. They are fewer where all edges between two parts of the piece are crossed.
-  std::vector<Vertex_loop> operator()(Index root)
+  /// \param max_length of a loop with its stem there and back: longer ones are left out; with few vertices in reach, it
+  ///        takes linear time
+  std::vector<Vertex_loop> operator()(Index root, float max_length = std::numeric_limits<float>::infinity())
   {
-    grow_tree(root);
+    grow_tree(root, max_length / 2);
     Disjoint_sets regions = m_capped;
     collect_cotree_edges(regions);
     std::vector<Vertex_loop> loops;
     // The longest loops first: their edges go to the cotree, and those of the shortest remain.
     for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
-      if (!join_across(edge->halfedge, regions)) {
+      if (!join_across(edge->halfedge, regions) && edge->loop_length <= max_length) {
         loops.push_back(close_loop(edge->halfedge));
       }
     }
@@ -128,7 +131,7 @@ private:
 
   Index region_after(const Chord_end& end) const { return border(end.point, end.is_left_after); }
 
-  void grow_tree(Index root)
+  void grow_tree(Index root, float max_distance)
   {
     m_front.clear();
     m_front.reach(root, 0);
@@ -136,7 +139,8 @@ private:
     m_front.spread([&](Index vertex, float distance) {
       const Corner* corner = m_corners.fan(vertex).begin();
       for (Index halfedge : m_surface.outgoing(vertex)) {
-        if (!is_crossed(halfedge) && m_front.reach(corner->neighbor, distance + corner->length)) {
+        const float next_distance = distance + corner->length;
+        if (next_distance <= max_distance && !is_crossed(halfedge) && m_front.reach(corner->neighbor, next_distance)) {
           m_parent[corner->neighbor] = vertex;
         }
         ++corner;
@@ -161,7 +165,7 @@ private:
       if (m_surface.edge(h) != h || is_crossed(h)) {
         continue;
       }
-      if (!m_front.is_reached(a)) {
+      if (!m_front.is_reached(a) || !m_front.is_reached(b)) {
         join_across(h, regions);
       } else if (m_parent[a] != b && m_parent[b] != a) {
         m_edges.push_back({h, m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h))});

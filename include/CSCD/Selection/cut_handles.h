@@ -63,8 +63,13 @@ private:
   /// Bound for the vertices visited in looking for shorter loops around the handles of one piece: a few seconds at
   /// most.
   static constexpr std::size_t max_visits = 10000000;
-  /// Samples of the disc that a loop spans: each point of the loop and the middle between it and the center.
+  /// A loop spans the body if so many of the samples of its disc are inside: the middles between points of the loop and
+  /// its center ...
   static constexpr double min_inside_part = 0.5;
+  /// ... of which so many tell.
+  static constexpr std::size_t max_number_of_samples = 32;
+  /// Of sums of lengths in single precision, relative to them.
+  static constexpr double rounding = 1e-4;
 
   struct Candidate
   {
@@ -141,7 +146,9 @@ private:
     for (std::size_t i = 0; i < rough_loops.size(); ++i) {
       candidates.push_back(measure(rough_loops[i]));
       if (i < max_roots) {
-        for (const Vertex_loop& loop : handle_loops(rough_loops[i].front())) {
+        // Longer ones are around handles far away, where other roots find shorter ones.
+        const auto max_length = float((1 + rounding) * candidates.back().length);
+        for (const Vertex_loop& loop : handle_loops(rough_loops[i].front(), max_length)) {
           candidates.push_back(measure(loop));
         }
       }
@@ -152,14 +159,19 @@ private:
   Candidate measure(const Vertex_loop& loop) const
   {
     std::vector<Vector_3> points;
+    points.reserve(loop.size());
     for (Index vertex : loop) {
       points.push_back(m_surface.point(vertex));
     }
     const Polygon_measures measures = measure_polygon(points);
-    const auto inside = std::count_if(points.begin(), points.end(), [&](const Vector_3& point) {
-      return m_solid.is_inside((point + measures.center) / 2);
-    });
-    return {loop, measures.length, double(inside) >= min_inside_part * double(points.size())};
+    const std::size_t step = points.size() / max_number_of_samples + 1;
+    std::size_t number = 0;
+    std::size_t number_inside = 0;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+      ++number;
+      number_inside += m_solid.is_inside((points[i] + measures.center) / 2) ? 1 : 0;
+    }
+    return {loop, measures.length, double(number_inside) >= min_inside_part * double(number)};
   }
 
   /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from what `arrangement`
