@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <new>
 #include <string>
@@ -26,6 +27,11 @@
 
 #ifdef __GLIBC__
 #include <malloc.h>
+#endif
+#ifdef __linux__
+#include <fstream>
+#include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace {
@@ -566,6 +572,31 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
   std::abort();
 }
 
+/// Limits the memory of this process to what the machine can give, so that a run which needs more ends with a message.
+/// Without a limit, the system promises what it does not have, and kills this program or another where that is used.
+void limit_memory()
+{
+#ifdef __linux__
+  constexpr rlim_t bytes_a_kilobyte = 1024;
+  std::ifstream machine("/proc/meminfo");
+  std::string key;
+  rlim_t available = 0; // kilobytes
+  while (machine >> key && key != "MemAvailable:") {
+    machine.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  std::ifstream process("/proc/self/statm"); // pages: whole size, resident, shared, code, 0, data
+  rlim_t pages = 0;
+  for (int column = 0; column < 6; ++column) {
+    process >> pages;
+  }
+  rlimit limit{};
+  if (machine >> available && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
+    limit.rlim_cur = std::min(limit.rlim_cur, pages * rlim_t(sysconf(_SC_PAGESIZE)) + available * bytes_a_kilobyte);
+    setrlimit(RLIMIT_DATA, &limit);
+  }
+#endif
+}
+
 int run(int argc, char** argv)
 {
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
@@ -638,6 +669,7 @@ int main(int argc, char** argv)
   mallopt(M_TRIM_THRESHOLD, -1);
 #endif
   std::set_terminate(terminate);
+  limit_memory();
   try {
     return run(argc, argv);
   } catch (const cscd::Usage_error& error) {

@@ -114,6 +114,29 @@ TEST_F(Faults, without_memory_at_any_allocation_there_is_a_message_and_nothing_e
   EXPECT_GT(number_of_failures, 100u);
 }
 
+TEST_F(Faults, memory_is_limited_to_what_the_machine_has)
+{
+  // While the program waits for its input, its limit is read: soft and hard, in bytes.
+  const std::string arguments = "skeletonize pipe --format off --quiet -o a.graph &"
+                                " exec 3> pipe; awk '/Max data size/ { print $4 }' /proc/$!/limits; exec 3>&-; wait; }";
+  const std::string limit = run(arguments, "mkfifo pipe; {").out;
+  ASSERT_FALSE(limit.empty());
+  ASSERT_TRUE(std::all_of(limit.begin(), limit.end() - 1, [](char c) { return c >= '0' && c <= '9'; })) << limit;
+  constexpr double least = 1e6; // bytes; a machine without them does not run this test
+  constexpr double most = 1e15;
+  EXPECT_GT(std::stod(limit), least);
+  EXPECT_LT(std::stod(limit), most);
+}
+
+TEST_F(Faults, without_the_memory_that_it_needs_there_is_a_message_and_no_output)
+{
+  m_folder.write("large.off", off(torus(600, 400)));
+  const Outcome outcome = run("skeletonize large.off --quiet -o large.graph", "ulimit -d 40000;");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << outcome.err;
+  EXPECT_EQ(number_of_files(), 2);
+}
+
 TEST_F(Faults, killed_at_any_time_no_output_is_half_written)
 {
   bool is_done = false;
