@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -66,6 +67,44 @@ TEST(Handle_repair, cuts_handles_of_a_few_edges)
     EXPECT_EQ(1u, repair(triangles));
     EXPECT_EQ(2, euler_number(triangles));
     EXPECT_EQ(0u, repair(triangles));
+  }
+}
+
+/// A ring around the z-axis that is thin in one place: a neck or, if the rings beside it are moved there, the two ends
+/// of a limb that touch each other.
+Indexed_triangles ring_with_thin_place(std::size_t around, double thickness, bool is_fold)
+{
+  constexpr double radius = 6;
+  Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(radius, 1, around));
+  const double step = 2 * CSCD::test::pi * double(around) / double(triangles.points.size()); // from ring to ring
+  for (CSCD::Vector_3& point : triangles.points) {
+    const double angle = std::atan2(point.y(), point.x());
+    const CSCD::Vector_3 center = radius * CSCD::Vector_3(std::cos(angle), std::sin(angle), 0);
+    if (std::abs(angle) < step / 2) {
+      point = center + thickness * (point - center);
+    } else if (is_fold && std::abs(angle) < 3 * step / 2) {
+      constexpr double share = 0.2; // of the way that is left
+      const double back = (share - 1) * angle;
+      const CSCD::Vector_3 old = point;
+      point.x() = std::cos(back) * old.x() - std::sin(back) * old.y();
+      point.y() = std::sin(back) * old.x() + std::cos(back) * old.y();
+    }
+  }
+  return triangles;
+}
+
+TEST(Handle_repair, cuts_where_limbs_touch_and_keeps_necks)
+{
+  for (const double thickness : {0.5, 0.7}) {
+    SCOPED_TRACE(thickness);
+    constexpr std::size_t around = 16;
+    Indexed_triangles neck = ring_with_thin_place(around, thickness, false);
+    EXPECT_EQ(0u, repair(neck));
+    Indexed_triangles touching = ring_with_thin_place(around, thickness, true);
+    EXPECT_EQ(0, euler_number(touching));
+    EXPECT_EQ(1u, repair(touching));
+    EXPECT_EQ(2, euler_number(touching));
+    EXPECT_EQ(0u, repair(touching));
   }
 }
 
