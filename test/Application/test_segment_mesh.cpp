@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -124,6 +125,39 @@ TEST(Segment_mesh, more_parts_refine_fewer)
     finer[face] = fine.parts[face];
   }
   EXPECT_NEAR(CSCD::compare_segmentations(coarse.mesh, coarse.parts, finer).global_consistency_error, 0, 1e-12);
+}
+
+/// For each part, the number of edges of its boundary at each vertex.
+std::vector<std::map<Part_mesh::Vertex_index, int>> boundary_degrees(const Segmented_shape& shape)
+{
+  std::vector<std::map<Part_mesh::Vertex_index, int>> degrees(shape.number_of_parts);
+  for (const auto edge : shape.mesh.edges()) {
+    const auto h = shape.mesh.halfedge(edge);
+    const std::size_t one = shape.parts[shape.mesh.face(h)];
+    const std::size_t other = shape.parts[shape.mesh.face(shape.mesh.opposite(h))];
+    if (one != other) {
+      for (const std::size_t part : {one, other}) {
+        ++degrees[part][shape.mesh.source(h)];
+        ++degrees[part][shape.mesh.target(h)];
+      }
+    }
+  }
+  return degrees;
+}
+
+TEST(Segment_mesh, boundaries_of_parts_are_simple_closed_curves)
+{
+  for (const CSCD::test::Shape& shape :
+       {CSCD::test::star(5, 4, 0.5, 0.15), CSCD::test::hand(0.15), CSCD::test::ball_with_tail(0.08)}) {
+    const Segmented_shape segmented(shape);
+    ASSERT_GT(segmented.number_of_parts, 1U) << shape.name;
+    for (const auto& degrees : boundary_degrees(segmented)) {
+      EXPECT_FALSE(degrees.empty()) << shape.name;
+      for (const auto& [vertex, degree] : degrees) {
+        EXPECT_EQ(degree, 2) << shape.name << ": at " << vertex;
+      }
+    }
+  }
 }
 
 } // namespace

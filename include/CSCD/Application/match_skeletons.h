@@ -35,9 +35,9 @@ namespace internal {
 /// See `CSCD::match_skeletons()`.
 Skeleton_match match_skeletons(const Indexed_skeleton& first, const Indexed_skeleton& second);
 
-/// For each face of `second`, the one of the labels of the faces of `first` that `match` leads to.
+/// For each face of `second`, one of the labels of the faces of `first`; see `CSCD::carry_labels()`.
 std::vector<std::size_t> carry_labels(const Skeletonized_surface& first, const std::vector<std::size_t>& labels,
-                                      const Skeletonized_surface& second, const Skeleton_match& match);
+                                      const Skeletonized_surface& second);
 
 } // namespace internal
 
@@ -68,9 +68,11 @@ Skeleton_match match_skeletons(const Skeleton1& first, const Skeleton2& second)
 ///
 /// Every vertex has its distances from the ends that correspond: along the skeleton, averaged over the surface around,
 /// and, with half the weight, along edges. A vertex of the second mesh gets the label of the vertex of the first whose
-/// distances are the most similar, and a face that of most of its vertices.
+/// distances are the most similar; labels are then smoothed along the surface, and a face gets that of most of its
+/// vertices. Of the eight best assignments of limbs, one is taken that keeps the orientation of the surface: so sides
+/// are exchanged less often than by match_skeletons().
 ///
-/// O(n log n + n m k) for n vertices, m nodes and k ends, beside match_skeletons().
+/// O(n log n + n m k + n l) for n vertices, m nodes, k ends and l labels, beside match_skeletons().
 ///
 /// \tparam TriangleMesh1,TriangleMesh2 models of `FaceListGraph` of which all faces are triangles
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph` whose nodes list vertex descriptors of the meshes
@@ -112,8 +114,7 @@ void carry_labels(const TriangleMesh1& first, const Skeleton1& first_skeleton, c
   for (const auto face : boost::make_iterator_range(faces(first))) {
     labels.push_back(std::size_t(get(first_labels, face)));
   }
-  const std::vector<std::size_t> carried =
-      internal::carry_labels(from, labels, to, internal::match_skeletons(from.skeleton, to.skeleton));
+  const std::vector<std::size_t> carried = internal::carry_labels(from, labels, to);
   std::size_t number = 0;
   for (const auto face : boost::make_iterator_range(faces(second))) {
     put(second_labels, face, carried[number++]);

@@ -20,6 +20,8 @@
 #include <cstddef>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -204,12 +206,12 @@ private:
   double m_length = 0;                     // of the paths between all ends
 };
 
-/// Finds which limbs correspond.
-class Limb_assignment
+/// Finds which limbs may correspond.
+class Limb_assignments
 {
 public:
   /// \pre `few` has no more ends than `many`
-  Limb_assignment(const Skeleton_limbs& few, const Skeleton_limbs& many)
+  Limb_assignments(const Skeleton_limbs& few, const Skeleton_limbs& many)
       : m_few(few), m_many(many), m_is_taken(many.size(), 0), m_chosen(few.size())
   {
     m_radius_costs.reserve(few.size() * many.size());
@@ -229,10 +231,19 @@ public:
     choose(0, 0);
   }
 
-  /// For each end of the skeleton with few, that of the other.
-  const std::vector<std::size_t>& best() const { return m_best; }
+  struct Assignment
+  {
+    double cost;
+    std::vector<std::size_t> ends; ///< for each end of the skeleton with few, that of the other
+  };
+
+  /// Those of the least cost, the best first.
+  const std::vector<Assignment>& best() const { return m_best; }
 
 private:
+  /// So many are kept: of a body with five limbs, arms and legs alone can be exchanged in four ways.
+  static constexpr std::size_t max_assignments = 8;
+
   /// How much straight distances of where limbs begin count, in those along the skeleton. On odd-numbered poses of
   /// FAUST it is better than 0.5, and 5 is no better.
   static constexpr double root_weight = 2;
@@ -259,12 +270,11 @@ private:
     }
   }
 
-  /// Tries all ends for the `i`-th that can still be better than the best so far.
+  /// Tries all ends for the `i`-th that can still be better than the best ones so far.
   void choose(std::size_t i, double cost)
   {
     if (i == m_few.size()) {
-      m_best = m_chosen;
-      m_least_cost = cost;
+      keep(cost);
       return;
     }
     for (std::size_t j = 0; j < m_many.size(); ++j) {
@@ -282,13 +292,22 @@ private:
       }
       const double next_cost =
           cost + m_radius_costs[i * m_many.size() + j] + sum / double(std::max<std::size_t>(m_few.size() - 1, 1));
-      if (next_cost < m_least_cost) {
+      if (m_best.size() < max_assignments || next_cost < m_best.back().cost) {
         m_is_taken[j] = 1;
         m_chosen[i] = j;
         choose(i + 1, next_cost);
         m_is_taken[j] = 0;
       }
     }
+  }
+
+  /// Keeps what is chosen, among the best in order of cost.
+  void keep(double cost)
+  {
+    const auto place = std::upper_bound(m_best.begin(), m_best.end(), cost,
+                                        [](double value, const Assignment& other) { return value < other.cost; });
+    m_best.insert(place, {cost, m_chosen});
+    m_best.resize(std::min(m_best.size(), max_assignments));
   }
 
   const Skeleton_limbs& m_few;
@@ -298,42 +317,82 @@ private:
   std::vector<End_pair> m_many_pairs;
   std::vector<char> m_is_taken;
   std::vector<std::size_t> m_chosen;
-  std::vector<std::size_t> m_best;
-  double m_least_cost = std::numeric_limits<double>::infinity();
+  std::vector<Assignment> m_best;
+};
+
+/// Finds ends that may correspond, in the first and in the second skeleton; the most probable ones first.
+class Limb_matching
+{
+public:
+  Limb_matching(const Indexed_skeleton& first, const Indexed_skeleton& second)
+      : m_first(first), m_second(second), m_is_few_first(m_first.size() <= m_second.size()),
+        m_assignments(m_is_few_first ? Limb_assignments(m_first, m_second) : Limb_assignments(m_second, m_first))
+  {
+  }
+
+  /// How many ways there are to match the limbs.
+  std::size_t size() const { return m_assignments.best().size(); }
+
+  /// See Limb_assignments.
+  double cost(std::size_t way) const { return m_assignments.best()[way].cost; }
+
+  /// The ends that correspond in the `way`-th way.
+  std::vector<std::array<Index, 2>> ends(std::size_t way) const
+  {
+    std::vector<std::array<Index, 2>> result;
+    for (const auto& [i, j] : numbers(way)) {
+      result.push_back({m_first.end(i), m_second.end(j)});
+    }
+    return result;
+  }
+
+  /// For each node of the second skeleton, the one of the first at the most similar distances from the ends.
+  std::vector<Index> nodes(std::size_t number_of_first, std::size_t number_of_second) const
+  {
+    const std::vector<std::array<std::size_t, 2>> pairs = numbers(0);
+    std::vector<Index> result;
+    result.reserve(number_of_second);
+    for (Index v = 0; v < number_of_second; ++v) {
+      double least = std::numeric_limits<double>::infinity();
+      Index nearest = 0;
+      for (Index u = 0; u < number_of_first; ++u) {
+        double sum = 0;
+        for (const auto& [i, j] : pairs) {
+          sum += std::abs(m_first.distance(i, u) - m_second.distance(j, v));
+        }
+        if (sum < least) {
+          least = sum;
+          nearest = u;
+        }
+      }
+      result.push_back(nearest);
+    }
+    return result;
+  }
+
+private:
+  /// Pairs of numbers of ends.
+  std::vector<std::array<std::size_t, 2>> numbers(std::size_t way) const
+  {
+    std::vector<std::array<std::size_t, 2>> result;
+    const std::vector<std::size_t>& ends = m_assignments.best()[way].ends;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      result.push_back(m_is_few_first ? std::array<std::size_t, 2>{i, ends[i]}
+                                      : std::array<std::size_t, 2>{ends[i], i});
+    }
+    return result;
+  }
+
+  Skeleton_limbs m_first;
+  Skeleton_limbs m_second;
+  bool m_is_few_first;
+  Limb_assignments m_assignments;
 };
 
 CSCD_INLINE Skeleton_match match_skeletons(const Indexed_skeleton& first, const Indexed_skeleton& second)
 {
-  const Skeleton_limbs limbs(first);
-  const Skeleton_limbs other_limbs(second);
-  const bool is_few = limbs.size() <= other_limbs.size();
-  const std::vector<std::size_t> best =
-      Limb_assignment(is_few ? limbs : other_limbs, is_few ? other_limbs : limbs).best();
-  Skeleton_match result;
-  std::vector<std::array<std::size_t, 2>> pairs;
-  pairs.reserve(best.size());
-  result.ends.reserve(best.size());
-  for (std::size_t i = 0; i < best.size(); ++i) {
-    pairs.push_back(is_few ? std::array<std::size_t, 2>{i, best[i]} : std::array<std::size_t, 2>{best[i], i});
-    result.ends.push_back({limbs.end(pairs.back()[0]), other_limbs.end(pairs.back()[1])});
-  }
-  result.nodes.reserve(second.number_of_nodes());
-  for (Index v = 0; v < second.number_of_nodes(); ++v) {
-    double least = std::numeric_limits<double>::infinity();
-    Index nearest = 0;
-    for (Index u = 0; u < first.number_of_nodes(); ++u) {
-      double sum = 0;
-      for (const auto& [i, j] : pairs) {
-        sum += std::abs(limbs.distance(i, u) - other_limbs.distance(j, v));
-      }
-      if (sum < least) {
-        least = sum;
-        nearest = u;
-      }
-    }
-    result.nodes.push_back(nearest);
-  }
-  return result;
+  const Limb_matching matching(first, second);
+  return {matching.ends(0), matching.nodes(first.number_of_nodes(), second.number_of_nodes())};
 }
 
 /// For each vertex of a surface, how far it is from ends of the skeleton. Parts of limbs keep these numbers in other
@@ -466,7 +525,8 @@ public:
 
   /// Among the vertices of the node whose vertices are the most similar in the mean, and of its neighbors.
   /// Linear in the number of nodes. \param wanted the distances
-  Index operator()(const double* wanted) const
+  /// \return the vertex, and the sum of the differences of its distances
+  std::pair<Index, double> operator()(const double* wanted) const
   {
     double least = std::numeric_limits<double>::infinity();
     Index best_node = 0;
@@ -484,7 +544,7 @@ public:
     };
     look_among(best_node);
     std::for_each(m_neighbors[best_node].begin(), m_neighbors[best_node].end(), look_among);
-    return best;
+    return {best, least};
   }
 
 private:
@@ -531,24 +591,139 @@ inline std::vector<std::size_t> labels_of_vertices(const Skeletonized_surface& s
   return greatest;
 }
 
+/// For each vertex of a surface, the one of another surface to which it corresponds.
+class Vertex_match
+{
+public:
+  /// \param ends of both skeletons that correspond
+  Vertex_match(const Skeletonized_surface& first, const Skeletonized_surface& second,
+               const std::vector<std::array<Index, 2>>& ends)
+      : m_first(first), m_second(second)
+  {
+    std::array<std::vector<Index>, 2> ends_of;
+    for (const auto& [first_end, second_end] : ends) {
+      ends_of[0].push_back(first_end);
+      ends_of[1].push_back(second_end);
+    }
+    const End_distances first_distances(first, ends_of[0]);
+    const End_distances second_distances(second, ends_of[1]);
+    const Similar_vertex_search similar_vertex(first, first_distances);
+    m_vertices.reserve(second.node.size());
+    for (Index v = 0; v < second.node.size(); ++v) {
+      const auto [vertex, sum] = similar_vertex(second_distances.of_vertex(v));
+      m_vertices.push_back(vertex);
+      m_difference += sum / double(first_distances.size() * second.node.size());
+    }
+  }
+
+  const std::vector<Index>& vertices() const { return m_vertices; }
+
+  /// The mean difference of distances from ends at vertices that correspond.
+  double difference() const { return m_difference; }
+
+  /// From -1 to 1: 1 if what is counterclockwise, seen from outside, is so on the other surface. A body and its mirror
+  /// image have the same distances; where they tell its front from its back, this tells its left from its right.
+  double orientation() const
+  {
+    double sum = 0;
+    double area = 0;
+    const std::vector<Vector_3> normals = vertex_normals(m_first);
+    for (const auto& [a, b, c] : m_second.triangles.faces) {
+      const std::array<Index, 3> there{m_vertices[a], m_vertices[b], m_vertices[c]};
+      const double turn = normal(m_first, there).dot(normals[there[0]] + normals[there[1]] + normals[there[2]]);
+      if (turn != 0) { // most corners of many faces correspond to the same vertex
+        const double weight = normal(m_second, {a, b, c}).norm();
+        sum += turn > 0 ? weight : -weight;
+        area += weight;
+      }
+    }
+    return area > 0 ? sum / area : 0;
+  }
+
+private:
+  /// As long as twice the area.
+  static Vector_3 normal(const Skeletonized_surface& surface, const std::array<Index, 3>& corners)
+  {
+    const std::vector<Vector_3>& points = surface.triangles.points;
+    return (points[corners[1]] - points[corners[0]]).cross(points[corners[2]] - points[corners[0]]);
+  }
+
+  static std::vector<Vector_3> vertex_normals(const Skeletonized_surface& surface)
+  {
+    std::vector<Vector_3> normals(surface.node.size(), Vector_3::Zero());
+    for (const std::array<Index, 3>& face : surface.triangles.faces) {
+      for (const Index v : face) {
+        normals[v] += normal(surface, face);
+      }
+    }
+    for (Vector_3& one : normals) {
+      one = one.normalized();
+    }
+    return normals;
+  }
+
+  const Skeletonized_surface& m_first;
+  const Skeletonized_surface& m_second;
+  std::vector<Index> m_vertices;
+  double m_difference = 0;
+};
+
+/// For each vertex of `second`, the one of `first` to which it corresponds. Of the ways to match the limbs, it is that
+/// of the least cost and difference which keeps the orientation best.
+inline std::vector<Index> match_vertices(const Skeletonized_surface& first, const Skeletonized_surface& second)
+{
+  // How much costs and differences count in the orientation. On odd-numbered poses of FAUST, half or twice as much is
+  // as good.
+  constexpr double cost_weight = 4;
+  constexpr double difference_weight = 16;
+  const Limb_matching limbs(first.skeleton, second.skeleton);
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<Index> best;
+  for (std::size_t way = 0; way < limbs.size(); ++way) {
+    const Vertex_match match(first, second, limbs.ends(way));
+    const double badness = cost_weight * limbs.cost(way) + difference_weight * match.difference() - match.orientation();
+    if (badness < least) {
+      least = badness;
+      best = match.vertices();
+    }
+  }
+  return best;
+}
+
+/// Gives each vertex the label that most of the surface around it has.
+inline void smooth_labels(const Skeletonized_surface& surface, std::vector<std::size_t>& labels)
+{
+  // On odd-numbered poses of FAUST and TOSCA, 5 and 50 steps are a little worse.
+  constexpr std::size_t number_of_steps = 20;
+  const std::vector<std::size_t> old_labels = labels;
+  std::vector<double> greatest(labels.size(), -1);
+  for (const std::size_t label : std::set<std::size_t>(labels.begin(), labels.end())) {
+    std::vector<double> shares;
+    shares.reserve(labels.size());
+    for (const std::size_t old_label : old_labels) {
+      shares.push_back(old_label == label ? 1 : 0);
+    }
+    smooth_along_surface(surface, number_of_steps, shares);
+    for (std::size_t v = 0; v < labels.size(); ++v) {
+      if (shares[v] > greatest[v]) {
+        greatest[v] = shares[v];
+        labels[v] = label;
+      }
+    }
+  }
+}
+
 CSCD_INLINE std::vector<std::size_t> carry_labels(const Skeletonized_surface& first,
                                                   const std::vector<std::size_t>& labels,
-                                                  const Skeletonized_surface& second, const Skeleton_match& match)
+                                                  const Skeletonized_surface& second)
 {
-  std::array<std::vector<Index>, 2> ends;
-  for (const auto& [first_end, second_end] : match.ends) {
-    ends[0].push_back(first_end);
-    ends[1].push_back(second_end);
-  }
-  const End_distances first_distances(first, ends[0]);
-  const End_distances second_distances(second, ends[1]);
-  const Similar_vertex_search similar_vertex(first, first_distances);
   const std::vector<std::size_t> of_first = labels_of_vertices(first, labels);
   std::vector<std::size_t> of_second;
   of_second.reserve(second.node.size());
-  for (Index v = 0; v < second.node.size(); ++v) {
-    of_second.push_back(of_first[similar_vertex(second_distances.of_vertex(v))]);
+  for (const Index vertex : match_vertices(first, second)) {
+    of_second.push_back(of_first[vertex]);
   }
+  smooth_labels(second, of_second);
   std::vector<std::size_t> result;
   result.reserve(second.triangles.faces.size());
   for (const auto& [a, b, c] : second.triangles.faces) {
