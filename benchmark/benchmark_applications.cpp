@@ -90,6 +90,7 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
   const double start = cpu_seconds();
   double skeleton_end = start;
   double diameter_end = start;
+  double segmentation_end = 0;
   std::size_t number_of_parts = 0;
   if (method == "rays") {
     CGAL::sdf_values(mesh, face_diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults but for the postprocessing
@@ -111,6 +112,7 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
     diameter_end = cpu_seconds();
     if (method == "skeleton") {
       number_of_parts = CSCD::segment_mesh(mesh, skeleton, labels);
+      segmentation_end = cpu_seconds();
       describe(mesh, skeleton, result);
     } else {
       CSCD::estimate_face_shape_diameters(mesh, skeleton, face_diameters);
@@ -121,7 +123,7 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
   }
   result["skeleton_seconds"] = skeleton_end - start;
   result["diameter_seconds"] = diameter_end - skeleton_end;
-  result["segmentation_seconds"] = cpu_seconds() - diameter_end;
+  result["segmentation_seconds"] = (segmentation_end > 0 ? segmentation_end : cpu_seconds()) - diameter_end;
   for (const Mesh::Vertex_index vertex : mesh.vertices()) {
     result["diameters"].push_back(diameters[vertex]);
   }

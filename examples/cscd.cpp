@@ -444,6 +444,9 @@ CLI::App* add_application(CLI::App& app, const std::string& name, const std::str
   command->add_option("-o,--output", options.output, output)->type_name("OUT")->check(check_name)->required();
   command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
       ->check(CLI::IsMember(formats_of(CSCD::internal::mesh_endings)));
+  command->add_option("--report", options.report, "file for counts and measures as JSON, or -")
+      ->check(check_name)
+      ->type_name("FILE");
   command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
   return command;
 }

@@ -6,8 +6,9 @@
 #include "applications.h"
 
 #include "commands.h"
-#include "compute_skeleton.h"
 #include "types.h"
+#include "write_report.h"
+#include "write_with_report.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
@@ -15,40 +16,57 @@
 
 #include <CGAL/mesh_segmentation.h>
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <ostream>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace cscd {
 
 namespace {
 
-/// A mesh and its skeleton.
+/// A mesh, its skeleton, and how it was computed.
 struct Skeletonized_input
 {
-  Mesh mesh;
-  Skeleton skeleton;
+  Skeletonize_options options;
+  Input input;
+  Skeletonization_result result;
+
+  Mesh& mesh() { return input.mesh; }
+  const Skeleton& skeleton() const { return result.skeleton; }
+
+  /// The report of the skeleton, with what was made of it.
+  nlohmann::ordered_json document(const std::string& name, nlohmann::ordered_json part) const
+  {
+    nlohmann::ordered_json all = report_document(options, input.repairs.sentences(), result);
+    all[name] = std::move(part);
+    return all;
+  }
 };
 
 Skeletonized_input skeletonized_mesh(const std::string& name, const std::string& format, bool is_quiet)
 {
-  Input input = read_mesh(name, format, is_quiet);
-  try {
-    Skeletonization_result result = compute_skeleton(input, Skeletonize_options(), nullptr);
-    return {std::move(input.mesh), std::move(result.skeleton)};
-  } catch (const CSCD::Input_error& error) {
-    throw CSCD::Input_error(name_of(name) + ": " + error.what());
-  }
+  Skeletonized_input result;
+  result.options.input = name;
+  result.input = read_mesh(name, format, is_quiet);
+  result.result = skeletonize_input(result.input, result.options, nullptr);
+  return result;
 }
 
 Skeletonized_input skeletonized_input(const Application_options& options)
 {
-  check_is_not_input(options.output, options.input, "--output");
+  check_files(options);
   return skeletonized_mesh(options.input, options.format, options.is_quiet);
 }
 
@@ -62,10 +80,10 @@ constexpr double smoothness = 0.1;
 template <class FaceLabelMap>
 std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
 {
-  const auto diameters = input.mesh.add_property_map<Mesh::Face_index, double>("f:diameter").first;
-  CSCD::estimate_face_shape_diameters(input.mesh, input.skeleton, diameters);
-  CGAL::sdf_values_postprocessing(input.mesh, diameters);
-  return CGAL::segmentation_from_sdf_values(input.mesh, diameters, labels, number_of_clusters, smoothness);
+  const auto diameters = input.mesh().add_property_map<Mesh::Face_index, double>("f:diameter").first;
+  CSCD::estimate_face_shape_diameters(input.mesh(), input.skeleton(), diameters);
+  CGAL::sdf_values_postprocessing(input.mesh(), diameters);
+  return CGAL::segmentation_from_sdf_values(input.mesh(), diameters, labels, number_of_clusters, smoothness);
 }
 
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
@@ -89,16 +107,17 @@ void read_labels(const std::string& filename, const Mesh& mesh, Labels labels)
 }
 
 /// Carries the parts of the mesh of `--like` over. \return the number of parts
-std::size_t segment_like(const Segment_options& options, const Skeletonized_input& input, Labels labels)
+std::size_t segment_like(const Segment_options& options, Skeletonized_input& input, Labels labels)
 {
   Skeletonized_input other = skeletonized_mesh(options.like, "", options.is_quiet);
-  const Labels parts = other.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  const Labels parts = other.mesh().add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
   if (options.labels.empty()) {
-    CSCD::segment_mesh(other.mesh, other.skeleton, parts, CSCD::parameters::default_values(), options.number_of_parts);
+    CSCD::segment_mesh(other.mesh(), other.skeleton(), parts, CSCD::parameters::default_values(),
+                       options.number_of_parts);
   } else {
-    read_labels(options.labels, other.mesh, parts);
+    read_labels(options.labels, other.mesh(), parts);
   }
-  CSCD::carry_labels(other.mesh, other.skeleton, parts, input.mesh, input.skeleton, labels);
+  CSCD::carry_labels(other.mesh(), other.skeleton(), parts, input.mesh(), input.skeleton(), labels);
   return std::set<std::size_t>(labels.begin(), labels.end()).size();
 }
 
@@ -119,23 +138,69 @@ void check(const Segment_options& options)
   }
 }
 
+/// The parts of a mesh: how many faces and which area they have.
+nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh& mesh, Labels labels)
+{
+  std::map<std::size_t, std::pair<std::size_t, double>> parts;
+  for (const Mesh::Face_index face : mesh.faces()) {
+    auto& [number, area] = parts[labels[face]];
+    const auto h = mesh.halfedge(face);
+    ++number;
+    area += std::sqrt(CGAL::squared_area(mesh.point(source(h, mesh)), mesh.point(target(h, mesh)),
+                                         mesh.point(target(next(h, mesh), mesh))));
+  }
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [label, part] : parts) {
+    list.push_back({{"label", label}, {"number_of_faces", part.first}, {"area", part.second}});
+  }
+  nlohmann::ordered_json result{{"by", options.like.empty() ? options.by : "like"}, {"number_of_parts", parts.size()}};
+  result["parts"] = std::move(list);
+  return result;
+}
+
+/// What is known of the shape diameters at vertices with a face.
+nlohmann::ordered_json diameters_document(std::vector<double> values)
+{
+  values.erase(std::remove(values.begin(), values.end(), 0.), values.end());
+  std::sort(values.begin(), values.end());
+  if (values.empty()) {
+    return nlohmann::ordered_json::object();
+  }
+  return {{"minimum", values.front()},
+          {"median", values[values.size() / 2]},
+          {"mean", std::accumulate(values.begin(), values.end(), 0.) / double(values.size())},
+          {"maximum", values.back()}};
+}
+
 } // namespace
+
+void check_files(const Application_options& options)
+{
+  check_is_not_input(options.output, options.input, "--output");
+  check_is_not_input(options.report, options.input, "--report");
+  if (options.output == standard_stream && options.report == standard_stream) {
+    throw Usage_error("only one of the results can go to standard output; name files for the others");
+  }
+}
 
 void segment(const Segment_options& options)
 {
   check(options);
   Skeletonized_input input = skeletonized_input(options);
-  const Labels labels = input.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
+  const Labels labels = input.mesh().add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
   const std::size_t number_of_parts =
       !options.like.empty()       ? segment_like(options, input, labels)
       : options.by == by_diameter ? segment_by_diameter(input, labels)
-                                  : CSCD::segment_mesh(input.mesh, input.skeleton, labels,
+                                  : CSCD::segment_mesh(input.mesh(), input.skeleton(), labels,
                                                        CSCD::parameters::default_values(), options.number_of_parts);
-  write_output(options.output, [&](std::ostream& out) {
-    for (const Mesh::Face_index face : input.mesh.faces()) {
-      out << labels[face] << '\n';
-    }
-  });
+  write_with_report(
+      options,
+      [&](std::ostream& out) {
+        for (const Mesh::Face_index face : input.mesh().faces()) {
+          out << labels[face] << '\n';
+        }
+      },
+      [&] { return input.document("segmentation", parts_document(options, input.mesh(), labels)); });
   if (!options.is_quiet && options.output != standard_stream) {
     std::cout << options.output << ": " << number_of_parts << " parts\n";
   }
@@ -144,14 +209,19 @@ void segment(const Segment_options& options)
 void write_diameters(const Application_options& options)
 {
   Skeletonized_input input = skeletonized_input(options);
-  const auto diameters = input.mesh.add_property_map<Mesh::Vertex_index, double>("v:diameter").first;
-  CSCD::estimate_vertex_shape_diameters(input.mesh, input.skeleton, diameters);
-  write_output(options.output, [&](std::ostream& out) {
-    out.precision(std::numeric_limits<double>::max_digits10);
-    for (const Mesh::Vertex_index vertex : input.mesh.vertices()) {
-      out << diameters[vertex] << '\n';
-    }
-  });
+  const auto diameters = input.mesh().add_property_map<Mesh::Vertex_index, double>("v:diameter").first;
+  CSCD::estimate_vertex_shape_diameters(input.mesh(), input.skeleton(), diameters);
+  write_with_report(
+      options,
+      [&](std::ostream& out) {
+        out.precision(std::numeric_limits<double>::max_digits10);
+        for (const Mesh::Vertex_index vertex : input.mesh().vertices()) {
+          out << diameters[vertex] << '\n';
+        }
+      },
+      [&] {
+        return input.document("diameters", diameters_document({diameters.begin(), diameters.end()}));
+      });
 }
 
 } // namespace cscd

@@ -17,8 +17,13 @@ struct Application_options
   std::string input;  ///< a file name, or `standard_stream`
   std::string format; ///< of the input: off, obj, ply or stl; by its ending if empty
   std::string output; ///< a file name, or `standard_stream`
+  std::string report; ///< file for the report, or empty
   bool is_quiet = false;
 };
+
+/// Refuses files that are the input, and two results on standard output.
+/// \throw Usage_error
+void check_files(const Application_options& options);
 
 /// \name What a segmentation goes by
 /// @{

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "compute_skeleton.h"
+#include "dump_json.h"
 #include "types.h"
 #include <CSCD/Application/classify_shapes.h>
 #include <CSCD/exceptions.h>
@@ -110,7 +111,7 @@ void classify(const Classify_options& options)
     descriptions.push_back(describe((folder / file).string(), options));
   }
   const CSCD::Shape_classification result = CSCD::classify_shapes(descriptions, table.classes);
-  write_output(options.output, [&](std::ostream& out) { out << to_json(options, table, result).dump(2) << '\n'; });
+  write_output(options.output, [&](std::ostream& out) { out << dump_json(to_json(options, table, result)) << '\n'; });
   if (!options.is_quiet && options.output != standard_stream) {
     std::cout << options.output << ": accuracy " << std::round(1000 * result.accuracy) / 1000 << ", F1 score "
               << std::round(1000 * result.macro_f1) / 1000 << '\n';

@@ -8,11 +8,12 @@
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "types.h"
+#include "write_with_report.h"
 #include <CSCD/Application/find_surface_loops.h>
-#include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/counted.h>
+#include <CSCD/version.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <nlohmann/json.hpp>
@@ -61,16 +62,41 @@ Loops find_loops(const Loops_options& options, const Input& input)
   }
 }
 
-/// A list of objects with kind, length, points and, of constrictions, depth.
-void write_loops_as_json(std::ostream& out, const Loops& loops)
+/// Kind, length and, of a constriction, depth.
+nlohmann::ordered_json to_json(const CSCD::Surface_loop<Point>& loop)
 {
   constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
+  nlohmann::ordered_json object{{"kind", names[static_cast<std::size_t>(loop.kind)]}, {"length", loop.length}};
+  if (loop.kind == CSCD::Loop_kind::constriction) {
+    object["depth"] = loop.depth;
+  }
+  return object;
+}
+
+/// The report, without the points of the loops.
+nlohmann::ordered_json report_document(const Loops_options& options, const Input& input, const Loops& loops)
+{
+  std::array<std::size_t, 3> numbers{};
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const CSCD::Surface_loop<Point>& loop : loops) {
-    nlohmann::ordered_json object{{"kind", names[static_cast<std::size_t>(loop.kind)]}, {"length", loop.length}};
-    if (loop.kind == CSCD::Loop_kind::constriction) {
-      object["depth"] = loop.depth;
-    }
+    ++numbers[static_cast<std::size_t>(loop.kind)];
+    list.push_back(to_json(loop));
+  }
+  return {{"version", CSCD_VERSION},
+          {"input", options.input},
+          {"repairs", input.repairs.sentences()},
+          {"min_depth", options.min_depth},
+          {"number_of_handles", numbers[0]},
+          {"number_of_tunnels", numbers[1]},
+          {"number_of_constrictions", numbers[2]},
+          {"loops", std::move(list)}};
+}
+
+void write_loops_as_json(std::ostream& out, const Loops& loops)
+{
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const CSCD::Surface_loop<Point>& loop : loops) {
+    nlohmann::ordered_json object = to_json(loop);
     for (const Point& point : loop.points) {
       object["points"].push_back({point.x(), point.y(), point.z()});
     }
@@ -114,27 +140,25 @@ Skeleton to_graph(const Loops& loops)
 
 void write_loops(const Loops_options& options)
 {
+  check_files(options);
   if (is_page(options.output)) {
-    check_is_not_input(options.output, options.input, "--output");
     check_viewer_source("--output");
   } else {
     check_skeleton_outputs({options.output}, options.input);
   }
   Input input = read_mesh(options.input, options.format, options.is_quiet);
   const Loops loops = find_loops(options, input);
-  if (options.output == standard_stream) {
-    write_loops_as_json(std::cout, loops);
-    return;
-  }
-  if (is_json(options.output)) {
-    CSCD::write_file(options.output, [&](std::ostream& out) { write_loops_as_json(out, loops); });
-  } else if (is_page(options.output)) {
-    CSCD::write_file(options.output,
-                     [&](std::ostream& out) { write_loops_as_page(out, name_of(options.input), input, loops); });
-  } else {
-    CSCD::write_skeleton(options.output, to_graph(loops));
-  }
-  if (!options.is_quiet) {
+  const auto write = [&](std::ostream& out) {
+    if (is_json(options.output)) {
+      write_loops_as_json(out, loops);
+    } else if (is_page(options.output)) {
+      write_loops_as_page(out, name_of(options.input), input, loops);
+    } else {
+      CSCD::write_skeleton(out, options.output, to_graph(loops));
+    }
+  };
+  write_with_report(options, write, [&] { return report_document(options, input, loops); });
+  if (!options.is_quiet && options.output != standard_stream) {
     std::cout << options.output << ": " << CSCD::internal::counted(loops.size(), "loop", "loops") << '\n';
   }
 }

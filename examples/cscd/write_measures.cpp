@@ -5,6 +5,7 @@
 
 #include "write_measures.h"
 
+#include "dump_json.h"
 #include <CSCD/internal/counted.h>
 #include <CSCD/version.h>
 
@@ -23,13 +24,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using CSCD::internal::counted;
-
-/// Text of any encoding can stand in a file name; JSON holds UTF-8 only.
-std::string dump(const Json& json)
-{
-  constexpr int indentation = 2;
-  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
-}
 
 Json to_json(const CSCD::Skeleton_counts& c)
 {
@@ -181,7 +175,7 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
                       {"convolution", to_json(measures.convolution)},
                       {"round_cones", to_json(measures.round_cones)},
                       {"mean_distance_from_round_cones", measures.mean_distance_from_round_cones}};
-  out << dump(document) << '\n';
+  out << dump_json(document) << '\n';
 }
 
 void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
@@ -229,7 +223,7 @@ void write_comparison_as_json(std::ostream& out, const Compare_options& options,
                       {"junctions", to_json(comparison.junctions)},
                       {"branches", to_json(comparison.branches)},
                       {"has_same_structure", comparison.has_same_structure}};
-  out << dump(document) << '\n';
+  out << dump_json(document) << '\n';
 }
 
 void write_comparison(std::ostream& out, const Compare_options& options, const CSCD::Skeleton_comparison& comparison)

@@ -5,6 +5,7 @@
 
 #include "write_report.h"
 
+#include "dump_json.h"
 #include <CSCD/IO/write_json.h>
 #include <CSCD/Separator/Detail.h>
 #include <CSCD/Skeletonization_report.h>
@@ -32,13 +33,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using CSCD::internal::counted;
-
-/// Text of any encoding can stand in a file name; JSON holds UTF-8 only.
-std::string dump(const Json& json)
-{
-  constexpr int indentation = 2;
-  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
-}
 
 Json input_part(const CSCD::Skeletonization_report& r)
 {
@@ -235,12 +229,11 @@ void write_tree_summary(std::ostream& out, const Skeletonize_options& options, c
 
 } // namespace
 
-void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
-                  const Run_report& result)
+Json report_document(const Skeletonize_options& options, const std::vector<std::string>& repairs,
+                     const Run_report& result)
 {
   if (result.tree) {
-    out << dump(tree_document(options, result)) << '\n';
-    return;
+    return tree_document(options, result);
   }
   const CSCD::Skeletonization_report& report = result.report;
   Json document{{"version", CSCD_VERSION},
@@ -299,7 +292,13 @@ void write_report(std::ostream& out, const Skeletonize_options& options, const s
   }
   document["seconds"] = std::move(seconds);
   document["warnings"] = report.warnings;
-  out << dump(document) << '\n';
+  return document;
+}
+
+void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
+                  const Run_report& result)
+{
+  out << dump_json(report_document(options, repairs, result)) << '\n';
 }
 
 void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result)

@@ -14,6 +14,8 @@
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -58,8 +60,11 @@ struct Run_report
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
 };
 
-/// Writes the report of a run as a JSON object.
-/// \param repairs of the input, a sentence each
+/// The report of a run as a JSON object. \param repairs of the input, a sentence each
+nlohmann::ordered_json report_document(const Skeletonize_options& options, const std::vector<std::string>& repairs,
+                                       const Run_report& result);
+
+/// Writes report_document().
 void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
                   const Run_report& result);
 

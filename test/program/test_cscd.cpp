@@ -105,6 +105,36 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
   expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
+TEST_F(Cscd, commands_that_use_skeletons_write_reports)
+{
+  m_folder.write("torus.off", off(torus()));
+  const auto report = [&](const std::string& arguments) {
+    const Outcome outcome = run(arguments + " torus.off -o result.json --report report.json");
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    return nlohmann::json::parse(content("report.json"));
+  };
+  const nlohmann::json segmentation = report("segment --parts 3");
+  EXPECT_EQ(segmentation.at("genus"), 1);
+  EXPECT_EQ(segmentation.at("segmentation").at("number_of_parts"), 3);
+  std::size_t number_of_faces = 0;
+  for (const auto& part : segmentation.at("segmentation").at("parts")) {
+    number_of_faces += part.at("number_of_faces").get<std::size_t>();
+    EXPECT_GT(part.at("area").get<double>(), 0);
+  }
+  EXPECT_EQ(number_of_faces, torus().polygons.size());
+  const nlohmann::json diameters = report("diameter").at("diameters");
+  EXPECT_LE(diameters.at("minimum").get<double>(), diameters.at("median").get<double>());
+  EXPECT_NEAR(diameters.at("mean").get<double>(), 2, 0.1); // the tube has radius 1
+  const nlohmann::json loops = report("loops");
+  EXPECT_EQ(loops.at("number_of_handles"), 1);
+  EXPECT_EQ(loops.at("number_of_tunnels"), 1);
+  EXPECT_EQ(loops.at("loops").size(), 2U);
+  for (const std::string command : {"segment", "diameter", "loops"}) {
+    expect_refusal(command + " torus.off -o - --report -", 1, {"standard output"});
+    expect_refusal(command + " torus.off -o a.json --report torus.off", 1, {"is the input"});
+  }
+}
+
 TEST_F(Cscd, parts_are_carried_over_from_another_mesh)
 {
   m_folder.write("torus.off", off(torus()));
