@@ -184,6 +184,9 @@ TEST_F(Cscd, classes_are_those_of_the_nearest_other_shapes)
     EXPECT_EQ("ring", shapes[3].at("found"));
     EXPECT_EQ(0, shapes[3].at("distance").get<double>());
   }
+  m_folder.write("latin.csv", "torus.off,r\xefng\ncube.off,box\n"); // no UTF-8, which JSON has to be
+  EXPECT_EQ(0, run("classify latin.csv -o latin.json").status);
+  EXPECT_EQ("r\xEF\xBF\xBDng", nlohmann::json::parse(content("latin.json")).at("shapes")[0].at("class"));
   m_folder.write("one.csv", "torus.off,ring\ncube.off\n");
   m_folder.write("missing.csv", "torus.off,ring\nmissing.off,ring\n");
   expect_refusal("classify one.csv -o a.json", 2, {"one.csv"});
