@@ -262,6 +262,10 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
   command->add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
       ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
+  command
+      ->add_option("--placement", options.placement,
+                   "published method: nodes are centroids of regions or, of a mesh, in the middle of sections")
+      ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
   command->add_flag("--literal", options.is_literal,
                     "published method: as printed, with the tree, sources one by one, overlap by crossings");
   command->add_flag("--intrinsic", options.is_intrinsic,

@@ -264,6 +264,35 @@ TEST(Published_policies, pack_the_shortest_first_where_length_is_the_weight)
   EXPECT_LT(length_of_first(CSCD::Weight_rule::shortness), length_of_first(CSCD::Weight_rule::none));
 }
 
+TEST(Published_policies, place_nodes_in_sections)
+{
+  CSCD::Field_search_settings settings;
+  settings.placement_rule = CSCD::Placement_rule::sections;
+  EXPECT_EQ(count_tips_of_limbs(settings), 3u);
+  expect_two_cycles_of_two_handles(settings);
+  settings.overlap_rule = CSCD::Overlap_rule::crossing;
+  expect_two_cycles_of_two_handles(settings);
+}
+
+TEST(Published_policies, follow_the_middle_of_a_bent_limb_more_closely_by_sections)
+{
+  constexpr double major_radius = 3;
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(major_radius, 1, 24));
+  const auto mean_error = [&](CSCD::Placement_rule rule) {
+    CSCD::Field_search_settings settings;
+    settings.placement_rule = rule;
+    Skeleton skeleton;
+    skeletonize(mesh, skeleton, 0, 1, Policies(settings));
+    double sum = 0;
+    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+      const Point& p = skeleton[node].point;
+      sum += std::hypot(std::hypot(p.x(), p.y()) - major_radius, p.z());
+    }
+    return sum / double(num_vertices(skeleton));
+  };
+  EXPECT_LT(mean_error(CSCD::Placement_rule::sections), mean_error(CSCD::Placement_rule::centroids) / 2);
+}
+
 class Multiscale_search : public testing::Test
 {
 protected:

@@ -39,6 +39,10 @@ inline constexpr const char* default_weight = "balance-roundness";
 inline constexpr const char* balance_weight = "balance";
 inline constexpr const char* shortness_weight = "shortness";
 inline constexpr const char* no_weight = "none";
+
+/// The names of the places of nodes of the published method.
+inline constexpr const char* centroid_placement = "centroids";
+inline constexpr const char* section_placement = "sections";
 inline constexpr const char* automatic_borders = "auto";
 inline constexpr const char* bridged_borders = "bridge";
 inline constexpr const char* open_borders = "open";
@@ -88,6 +92,7 @@ struct Skeletonize_options
   std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
   std::string cut_locus;               ///< of the published method: what targets are chosen from
   std::string weight;                  ///< of the published method: which separators are preferred
+  std::string placement;               ///< of the published method: where nodes are placed
   bool is_literal = false;             ///< of the published method: as printed where the default differs
   bool is_intrinsic = false;           ///< of the published method: all on the intrinsic triangulation
   bool is_multiscale = false;          ///< of the published method: distances on coarse levels

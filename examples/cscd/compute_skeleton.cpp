@@ -151,6 +151,8 @@ CSCD::Published_policies published_policies(const Skeletonize_options& options, 
         options.cut_locus == tree_cut_locus ? CSCD::Cut_locus_rule::tree : CSCD::Cut_locus_rule::points;
   }
   settings.weight_rule = weight_rule(options);
+  settings.placement_rule =
+      options.placement == section_placement ? CSCD::Placement_rule::sections : CSCD::Placement_rule::centroids;
   settings.is_multiscale = options.is_multiscale;
   settings.is_intrinsic = options.is_intrinsic;
   settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface

@@ -394,8 +394,8 @@ void check_method(const Skeletonize_options& options)
   }
   for (const auto& [is_given, option] :
        {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
-        std::pair(options.is_literal, "--literal"), std::pair(options.is_intrinsic, "--intrinsic"),
-        std::pair(options.is_multiscale, "--multiscale")}) {
+        std::pair(!options.placement.empty(), "--placement"), std::pair(options.is_literal, "--literal"),
+        std::pair(options.is_intrinsic, "--intrinsic"), std::pair(options.is_multiscale, "--multiscale")}) {
     if (!is_published && is_given) {
       throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
     }
@@ -422,9 +422,12 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
-  if (input.is_point_set && (options.is_multiscale || options.is_intrinsic)) {
-    throw Usage_error(std::string(options.is_multiscale ? "--multiscale" : "--intrinsic") +
-                      ": is for meshes only, not for points; leave the option out");
+  for (const auto& [is_given, option] :
+       {std::pair(options.is_multiscale, "--multiscale"), std::pair(options.is_intrinsic, "--intrinsic"),
+        std::pair(options.placement == section_placement, "--placement sections")}) {
+    if (input.is_point_set && is_given) {
+      throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
+    }
   }
   Skeletonization_result result;
   try {

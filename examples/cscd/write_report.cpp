@@ -261,6 +261,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
     document["cut_locus"] = !options.cut_locus.empty() ? options.cut_locus
                             : options.is_literal       ? tree_cut_locus
                                                        : points_cut_locus;
+    document["placement"] = options.placement.empty() ? centroid_placement : options.placement;
     document["weight"] = options.weight.empty() ? default_weight : options.weight;
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {

@@ -78,7 +78,8 @@ CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_
                                                              const Packing& packing,
                                                              Skeletonization_report& report) const
 {
-  return internal::build_cut_graph_skeleton(solid, separators, *packing.m_packing, report);
+  return internal::build_cut_graph_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(),
+                                            report);
 }
 
 } // namespace CSCD

@@ -13,13 +13,17 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 
+#include <CGAL/assertions.h>
+
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CSCD {
@@ -39,7 +43,8 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
-  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search for `Triangulated_solid` only
+  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search and placement by sections for
+  /// `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources, or `default_number_of_sources` where that has no bound.
@@ -52,7 +57,8 @@ public:
   Packing pack_separators(const Surface& surface, const std::vector<Separator>& separators,
                           Skeletonization_report& report) const;
 
-  /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch.
+  /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch. With
+  /// `Placement_rule::sections` it is that of the surface cut along the packed separators, as by `Local_policies`.
   template <class Surface>
   Embedded_skeleton build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                    const Packing& packing, Skeletonization_report& report) const;
@@ -89,6 +95,12 @@ template <class Surface>
 Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                                      const Packing& packing, Skeletonization_report& report) const
 {
+  if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+    if (m_settings.placement_rule == Placement_rule::sections) {
+      return internal::build_cut_graph_skeleton(surface, separators, packing.packed(), report);
+    }
+  }
+  CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
   const auto place_nodes = [&](Skeleton_builder& builder) {
     internal::place_on_sheets(surface, separators, packing.packed(), builder);
   };

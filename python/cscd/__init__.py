@@ -304,6 +304,7 @@ def skeletonize(
     shortening: str | None = None,
     cut_locus: str | None = None,
     weight: str | None = None,
+    placement: str | None = None,
     literal: bool = False,
     intrinsic: bool = False,
     multiscale: bool = False,
@@ -337,6 +338,7 @@ def skeletonize(
     cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
     weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
         "shortness" or "none"
+    placement: published method: where nodes are, at "centroids" of regions or, of a mesh, in the middle of "sections"
     literal: published method: as printed where the default differs
     intrinsic: published method: not only distances but also targets and loops on the intrinsic triangulation
     multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
@@ -359,6 +361,7 @@ def skeletonize(
         ("shortening", shortening, ("flips", "variational")),
         ("cut_locus", cut_locus, ("points", "tree")),
         ("weight", weight, ("balance-roundness", "balance", "shortness", "none")),
+        ("placement", placement, ("centroids", "sections")),
     ):
         if value is not None:
             _check_choice(name, value, choices)

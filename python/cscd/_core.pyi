@@ -15,6 +15,7 @@ class SkeletonizeOptions:
     shortening: str
     cut_locus: str
     weight: str
+    placement: str
     literal: bool
     intrinsic: bool
     multiscale: bool

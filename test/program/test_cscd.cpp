@@ -261,6 +261,7 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --cut-locus tree", 1, {"--cut-locus", "published"});
   expect_refusal("skeletonize torus.off --weight none", 1, {"--weight", "published"});
   expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
+  expect_refusal("skeletonize torus.off --placement sections", 1, {"--placement", "published"});
   expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
   expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
   expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
@@ -347,6 +348,8 @@ TEST_F(Cscd, skeletonizes_points)
     xyz += std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
   }
   m_folder.write("torus.xyz", xyz);
+  expect_refusal("skeletonize torus.xyz --method published --placement sections", 1,
+                 {"--placement sections", "points"});
   m_folder.write("torus.off", off({torus().points, {}}));
   for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
     const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json --html t.html ") + name);
@@ -950,6 +953,11 @@ TEST_F(Cscd, knows_variants_of_the_published_method)
   EXPECT_EQ("none", report().at("weight"));
   EXPECT_NE(literal, run(command + "--literal --weight shortness --cut-locus points").out);
   EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_EQ("centroids", report().at("placement"));
+  const std::string in_sections = run(command + "--placement sections").out;
+  EXPECT_TRUE(is_graph_of_a_cycle(in_sections));
+  EXPECT_NE(plain, in_sections);
+  EXPECT_EQ("sections", report().at("placement"));
   EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--intrinsic").out));
   EXPECT_EQ(true, report().at("intrinsic"));
   EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));

@@ -57,7 +57,14 @@ enum class Weight_rule
   none                   ///< all alike: those come first that exclude few others
 };
 
-/// What a user may set about the search for separators from distance fields, and about their packing.
+/// Where the published method places nodes.
+enum class Placement_rule
+{
+  centroids, ///< at the centroids of regions by area (algorithm 2, line 13)
+  sections   ///< as the local method: in the middle of sections across branches, with tips; on meshes only
+};
+
+/// What a user may set about the search for separators from distance fields, their packing, and nodes.
 struct Field_search_settings
 {
   /// Which cut point is the target.
@@ -82,6 +89,8 @@ struct Field_search_settings
   Overlap_rule overlap_rule = Overlap_rule::nearest_vertex;
   /// Which of two separators that overlap is packed.
   Weight_rule weight_rule = Weight_rule::balance_and_roundness;
+  /// Where nodes are placed.
+  Placement_rule placement_rule = Placement_rule::centroids;
   /// Whether distances are computed on coarse levels of detail, from sources in their faces, and loops carried to the
   /// finest level and shortened again there (supplement, K.2); on meshes only.
   bool is_multiscale = false;

@@ -6,7 +6,8 @@
 #ifndef CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 #define CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 
-#include <CSCD/Selection/Separator_packing.h>
+#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
@@ -23,14 +24,15 @@
 
 namespace CSCD::internal {
 
-/// The skeleton that the cut graph of `packing` describes: nodes are placed, junctions centered, branches refined,
-/// smoothed and centered, and what left the body is brought back; what could not be is counted in `report`. Nodes that
-/// own little of the surface go.
+/// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`: nodes are
+/// placed, junctions centered, branches refined, smoothed and centered, and what left the body is brought back; what
+/// could not be is counted in `report`. Nodes that own little of the surface go.
 inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
                                                   const std::vector<Separator>& separators,
-                                                  const Separator_packing& packing, Skeletonization_report& report)
+                                                  const std::vector<Index>& packed, const Cut_graph& cut_graph,
+                                                  Skeletonization_report& report)
 {
-  Node_placement placement(solid, separators, packing.packed(), packing.cut_graph());
+  Node_placement placement(solid, separators, packed, cut_graph);
   Embedded_skeleton result;
   result.graph = placement();
   make_simple(result.graph);
@@ -45,14 +47,31 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Inside_repair(solid, result.graph)();
   Sheet_placement(solid, result.graph).finish();
   straightening.drop_scarce_nodes(
-      Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).numbers_of_vertices());
+      Vertex_assignment(solid.triangulation(), cut_graph, result.graph).numbers_of_vertices());
   straightening.blunt_turns();
   result.graph.compact();
   Inside_repair check(solid, result.graph);
   report.number_of_nodes_outside = check.number_of_nodes_outside();
   report.number_of_edges_outside = check.number_of_edges_outside();
-  Vertex_assignment(solid.triangulation(), packing.cut_graph(), result.graph).move_to(result);
+  Vertex_assignment(solid.triangulation(), cut_graph, result.graph).move_to(result);
   return result;
+}
+
+/// The same for separators that were packed without cutting the surface; those that cross an earlier one are left out.
+inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
+                                                  const std::vector<Separator>& separators,
+                                                  const std::vector<Index>& packed, Skeletonization_report& report)
+{
+  Separator_arrangement arrangement(solid.triangulation());
+  std::vector<Index> inserted;
+  for (Index separator : packed) {
+    if (arrangement.insert(separator, separators[separator].crossings)) {
+      inserted.push_back(separator);
+    }
+  }
+  Cut_graph cut_graph(solid.triangulation(), arrangement);
+  cut_graph.cut(arrangement);
+  return build_cut_graph_skeleton(solid, separators, inserted, cut_graph, report);
 }
 
 } // namespace CSCD::internal
