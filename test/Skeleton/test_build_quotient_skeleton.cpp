@@ -241,6 +241,21 @@ TEST(Quotient_graph, goes_on_across_holes)
   }
 }
 
+TEST(Region_meetings, have_no_cycle_around_a_handle_of_a_few_edges)
+{
+  const auto sector = [](const Vector_3& point) {
+    return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * 3 * 0.999));
+  };
+  const auto count = [&](std::size_t around) {
+    const Point_complex complex = with_holes(CSCD::test::to_surface(CSCD::test::torus(6, 1, around)), {}, 0);
+    const auto region = [&](Index vertex) { return sector(complex.point(vertex)); };
+    EXPECT_EQ(CSCD::internal::count_cycles(Quotient_graph(complex, region).meetings()), 1u);
+    return CSCD::internal::count_cycles(CSCD::internal::region_meetings(complex, region));
+  };
+  EXPECT_EQ(count(4), 0u);
+  EXPECT_EQ(count(16), 1u);
+}
+
 /// Rings around a tube, several of which a hole breaks, stay a row.
 TEST(Quotient_graph, keeps_rings_in_a_row_across_holes)
 {

@@ -348,6 +348,10 @@ TEST_F(Cscd, skeletonizes_points)
     xyz += std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
   }
   m_folder.write("torus.xyz", xyz);
+  const Outcome published = run("skeletonize torus.xyz --method published --separators 32 --report p.json -o -");
+  EXPECT_EQ(0, published.status) << published.err;
+  EXPECT_TRUE(is_graph_of_a_cycle(published.out));
+  EXPECT_EQ("published", nlohmann::json::parse(content("p.json")).at("method"));
   expect_refusal("skeletonize torus.xyz --method published --placement sections", 1,
                  {"--placement sections", "points"});
   m_folder.write("torus.off", off({torus().points, {}}));

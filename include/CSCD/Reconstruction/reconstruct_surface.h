@@ -6,9 +6,7 @@
 #ifndef CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 #define CSCD_RECONSTRUCTION_RECONSTRUCT_SURFACE_H
 
-#include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Reconstruction/Reconstructed_surface.h>
 #include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
@@ -17,16 +15,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// The result of a reconstruction: a closed surface through points.
-struct Reconstructed_surface
-{
-  Indexed_triangles triangles; ///< a closed manifold, looking outwards
-  Halfedge_pairing pairing;    ///< of the triangles
-  /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
-  std::vector<Index> point_of_vertex;
-  Reconstruction_report report;
-};
 
 /// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
 /// \throw Surface_error if there is none

@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_BUILD_QUOTIENT_SKELETON_H
 #define CSCD_SKELETON_BUILD_QUOTIENT_SKELETON_H
 
+#include <CSCD/Reconstruction/Closed_complex.h>
 #include <CSCD/Selection/Region_packing.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -208,6 +209,40 @@ template <class Triangulation, class Region>
 std::vector<std::vector<Index>> region_meetings(const Triangulation& surface, const Region& region)
 {
   return Quotient_graph(surface, region).meetings();
+}
+
+/// The first Betti number of the graph that joins regions where they meet.
+inline std::size_t count_cycles(const std::vector<std::vector<Index>>& meetings)
+{
+  Index number_of_regions = 0;
+  for (const std::vector<Index>& meeting : meetings) {
+    number_of_regions = std::max(number_of_regions, *std::max_element(meeting.begin(), meeting.end()) + 1);
+  }
+  Disjoint_sets joined(number_of_regions + meetings.size());
+  std::size_t result = 0;
+  for (Index i = 0; i < meetings.size(); ++i) {
+    for (const Index region : meetings[i]) {
+      result += joined.join(number_of_regions + i, region) ? 0 : 1;
+    }
+  }
+  return result;
+}
+
+/// The same of points. Where there are cycles, those of the closed surface that the complex is a part of are counted
+/// too: if they are fewer, holes or bridges between sheets have made some, and regions meet as they do there.
+template <class Region>
+std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, const Region& region)
+{
+  std::vector<std::vector<Index>> meetings = Quotient_graph(complex, region).meetings();
+  const std::size_t number_of_cycles = count_cycles(meetings);
+  if (number_of_cycles == 0) {
+    return meetings;
+  }
+  const Closed_complex closed(complex);
+  const std::vector<Index> regions = closed.regions(region);
+  std::vector<std::vector<Index>> closed_meetings =
+      Quotient_graph(closed.surface(), [&regions](Index vertex) { return regions[vertex]; }).meetings();
+  return count_cycles(closed_meetings) < number_of_cycles ? closed_meetings : meetings;
 }
 
 /// The same in a graph, which has no faces: its cycles of three or four edges take their place.
