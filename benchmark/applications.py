@@ -129,7 +129,9 @@ def describe_by_diameters(mesh, diameters):
     points, faces = read_off(mesh)
     areas = [math.hypot(*normal) / 2 for normal in face_normals(points, faces)]
     unit = math.sqrt(sum(areas))
-    values = sorted((math.log(.01 + sum(diameters[v] for v in face) / 3 / unit), area) for face, area in zip(faces, areas))
+    # CGAL's rays give -1 where none of them ends at a surface.
+    values = sorted((math.log(.01 + sum(max(diameters[v], 0) for v in face) / 3 / unit), area)
+                    for face, area in zip(faces, areas))
     result, place, below, number = [], 0, values[0][1], 64
     for i in range(number):
         while place + 1 < len(values) and below < (i + .5) / number * unit * unit:
