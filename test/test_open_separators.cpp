@@ -80,10 +80,27 @@ TEST_F(Open_separators, lead_along_the_middle_of_sheets)
     EXPECT_EQ(m_report.number_of_open_separators, m_report.number_of_packed_separators);
     EXPECT_EQ(m_report.betti_number, sheet.betti_number);
     EXPECT_EQ(m_report.number_of_skeleton_components, 1u);
-    EXPECT_EQ(m_report.number_of_tips, sheet.betti_number == 0 ? 2u : 0u);
-    EXPECT_EQ(m_report.number_of_junctions, 0u);
+    EXPECT_EQ(m_report.number_of_tips, sheet.ends.size());
+    EXPECT_EQ(m_report.number_of_junctions, sheet.ends.size() > 2 ? 1u : 0u);
     EXPECT_LT(max_error(sheet), 0.05);
+    EXPECT_LT(CSCD::test::max_distance_from_ends(sheet, plain().points), 0.05);
   }
+}
+
+/// A shirt is a body with four openings; a vest cut open in front, of genus 0, a sheet with a cycle around each
+/// armhole.
+TEST_F(Open_separators, tell_the_garment_that_is_cut_open)
+{
+  skeletonize(CSCD::test::t_shirt());
+  EXPECT_EQ(m_report.number_of_sheets, 0u);
+  EXPECT_EQ(m_report.number_of_openings, 4u);
+  EXPECT_EQ(m_report.number_of_tips, 4u);
+  EXPECT_EQ(m_report.number_of_skeleton_components, 1u);
+  skeletonize(CSCD::test::open_vest());
+  EXPECT_EQ(m_report.number_of_sheets, 1u);
+  EXPECT_EQ(m_report.number_of_wide_borders, 3u);
+  EXPECT_EQ(m_report.betti_number, 2u);
+  EXPECT_EQ(m_report.number_of_skeleton_components, 1u);
 }
 
 /// A plate 6 by 3 with square windows around the given corners of its grid.

@@ -11,10 +11,12 @@
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Sheet_ends.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 #include <CSCD/Skeleton/build_quotient_skeleton.h>
+#include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -103,6 +105,10 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
   CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
   const auto place_nodes = [&](Skeleton_builder& builder) {
     internal::place_on_sheets(surface, separators, packing.packed(), builder);
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      internal::Junction_centering(surface, builder).center_on_sheets();
+      internal::Sheet_ends(surface, builder)();
+    }
   };
   return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);
 }

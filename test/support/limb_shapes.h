@@ -22,21 +22,25 @@ namespace CSCD::test {
 /// A limb: its axis, and its radius at both ends.
 using Limb = Centreline_segment;
 
+/// Negative in the union of `limbs`, with fillets where they meet; outside about the distance from it.
+inline double distance_from_limbs(const std::vector<Limb>& limbs, const Triple& p)
+{
+  const double fillet = 0.3; // relative to the radius of the thinner limb
+  double value = std::numeric_limits<double>::max();
+  for (const Limb& limb : limbs) {
+    const double radius = radius_near(limb, p);
+    const double other = distance(limb, p) - radius;
+    const double overlap = std::fmax(0.0, fillet * radius - std::fabs(value - other));
+    value = std::fmin(value, other) - overlap * overlap / (4 * fillet * radius);
+  }
+  return value;
+}
+
 /// The union of `limbs`, with fillets where they meet; triangles about `cell_size` wide.
 /// The caller says what is known of the topology.
 inline Shape limb_shape(const std::string& name, const std::vector<Limb>& limbs, double cell_size)
 {
-  const double fillet = 0.3; // relative to the radius of the thinner limb
-  const auto function = [&](const Triple& p) {
-    double value = std::numeric_limits<double>::max();
-    for (const Limb& limb : limbs) {
-      const double radius = radius_near(limb, p);
-      const double other = distance(limb, p) - radius;
-      const double overlap = std::fmax(0.0, fillet * radius - std::fabs(value - other));
-      value = std::fmin(value, other) - overlap * overlap / (4 * fillet * radius);
-    }
-    return value;
-  };
+  const auto function = [&](const Triple& p) { return distance_from_limbs(limbs, p); };
   Triple lower{1e9, 1e9, 1e9};
   Triple upper{-1e9, -1e9, -1e9};
   for (const Limb& limb : limbs) {

@@ -60,10 +60,35 @@ public:
       const double part = is_left ? 1 - crossing.position : crossing.position;
       m_front.reach(vertex, float(part * m_surface.length(crossing.halfedge)));
     }
-    return spread(width, limit);
+    Side side = spread(width, limit);
+    if (separator.is_open) {
+      side.area += (is_left ? 1 : -1) * missing_on_left(separator);
+    }
+    return side;
   }
 
 private:
+  /// What the faces that `separator` cuts have on its left beyond what their vertices there stand for, a third each. In
+  /// corners of sheets, this is most of the area.
+  double missing_on_left(const Separator& separator) const
+  {
+    double result = 0;
+    for (std::size_t i = 0; i < separator.crossings.size(); ++i) {
+      const Edge_crossing& a = separator.crossings[i];
+      const Edge_crossing& b = separator.crossings[i + 1 < separator.crossings.size() ? i + 1 : 0];
+      const bool is_corner_left = m_surface.target(a.halfedge) == m_surface.target(b.halfedge);
+      const auto end = [&](const Edge_crossing& crossing, bool is_corner) {
+        return m_surface.points()[is_corner == is_corner_left ? m_surface.target(crossing.halfedge)
+                                                              : m_surface.origin(crossing.halfedge)];
+      };
+      const Vector_3& corner = end(a, true);
+      const double area = (end(a, false) - corner).cross(end(b, false) - corner).norm() / 2;
+      const double part_at_corner = is_corner_left ? (1 - a.position) * (1 - b.position) : a.position * b.position;
+      result += area * (is_corner_left ? part_at_corner - 1. / 3 : 1. / 3 - part_at_corner);
+    }
+    return result;
+  }
+
   Side spread(double width, double limit)
   {
     Side side;

@@ -108,6 +108,28 @@ inline const Surface_level& query_level(const Triangulated_solid& solid)
   return solid.levels()[level];
 }
 
+/// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
+/// where that is not found.
+inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
+{
+  return solid.is_inside(point) ? std::optional<Vector_3>(point) : solid.middle_behind(point);
+}
+
+/// Points of the rims of all sheets, as far from each other as their vertices. Linear.
+inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
+{
+  const Surface_level& level = query_level(solid);
+  const Triangulated_surface& surface = level.surface;
+  const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
+  std::vector<Vector_3> result;
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (side(surface.origin(h)) == 1 && side(surface.target(h)) == 2) {
+      result.push_back((surface.point(surface.origin(h)) + surface.point(surface.target(h))) / 2);
+    }
+  }
+  return result;
+}
+
 /// Places nodes on sheets: those of open separators in their middle, with half of the width as radius, all others
 /// between the sides. Does nothing where there are no sheets.
 class Sheet_placement
@@ -187,6 +209,9 @@ public:
     const auto side = [this, &level](Index vertex) { return m_solid.side_of_sheet(level.to_finest(vertex)); };
     return middle_of_open_curve(level.surface, side, m_section.crossings());
   }
+
+  /// Half of the width of the sheet along the last section.
+  double half_width() const { return m_section.length() / 4; }
 
 private:
   /// Bounds for the length of an accepted section, relative to the expected one: as for radii in `Branch_section`.

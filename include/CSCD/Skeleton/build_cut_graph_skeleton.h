@@ -12,6 +12,7 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Sheet_ends.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
@@ -37,11 +38,12 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   result.graph = placement();
   make_simple(result.graph);
   merge_junctions(result.graph);
-  center_junctions(solid, result.graph);
+  Junction_centering(solid, result.graph)();
   drop_overshoots(result.graph);
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
   Branch_centering(solid, result.graph)();
+  Sheet_ends(solid, result.graph)();
   Branch_straightening straightening(solid, result.graph);
   straightening.drop_folds();
   Inside_repair(solid, result.graph)();

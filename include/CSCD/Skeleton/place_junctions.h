@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_PLACE_JUNCTIONS_H
 #define CSCD_SKELETON_PLACE_JUNCTIONS_H
 
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CSCD::internal {
@@ -116,52 +118,103 @@ struct Ball
   double radius = 0;
 };
 
-/// Grows an inscribed ball from `start`: steps away from the nearest point of the surface as long as the ball gets
+/// Grows an inscribed ball from `start`: steps away from the nearest point of what bounds it as long as the ball gets
 /// larger, for at most `max_shift` in all.
-inline Ball inscribed_ball(const Triangulated_solid& solid, const Vector_3& start, double max_shift)
+/// \param nearest a function that returns the bounding point nearest to a point
+/// \param place a function that returns where a point is to be instead, if anywhere
+template <class Nearest, class Place>
+Ball inscribed_ball(const Nearest& nearest, const Place& place, const Vector_3& start, double max_shift)
 {
   // More steps move a junction by less than a hundredth of its radius.
   constexpr int number_of_steps = 10;
   constexpr double first_step = 0.5;
-  Vector_3 nearest = solid.closest_point(start).point;
-  Ball ball{start, (start - nearest).norm()};
+  Vector_3 touched = nearest(start);
+  Ball ball{start, (start - touched).norm()};
   double step = first_step;
   for (int i = 0; i < number_of_steps && ball.radius > 0; ++i) {
-    const Vector_3 candidate = ball.center + step * (ball.center - nearest);
-    const Vector_3 candidate_nearest = solid.closest_point(candidate).point;
-    const double radius = (candidate - candidate_nearest).norm();
-    if (radius <= ball.radius || (candidate - start).norm() > max_shift) {
+    const std::optional<Vector_3> candidate = place(ball.center + step * (ball.center - touched));
+    const Vector_3 candidate_touched = nearest(candidate.value_or(start));
+    const double radius = candidate ? (*candidate - candidate_touched).norm() : 0;
+    if (radius <= ball.radius || (*candidate - start).norm() > max_shift) {
       step /= 2;
       continue;
     }
-    ball = {candidate, radius};
-    nearest = candidate_nearest;
+    ball = {*candidate, radius};
+    touched = candidate_touched;
   }
   return ball;
 }
 
-/// Moves every junction of `builder` to the center of an inscribed ball nearby, at most by the maximal radius around
-/// it.
-inline void center_junctions(const Triangulated_solid& solid, Skeleton_builder& builder)
+/// Moves junctions to the center of an inscribed ball nearby, or on sheets, of a disc between borders.
+class Junction_centering
 {
-  for (Index node = 0; node < builder.size(); ++node) {
-    if (!builder.is_junction(node) || builder[node].is_on_sheet) {
-      continue;
-    }
-    double radius = 0;
-    for (Index neighbor : builder[node].neighbors) {
-      radius = std::max(radius, builder[neighbor].radius);
-    }
-    if (!solid.is_inside(builder[node].position)) {
-      continue;
-    }
-    const Ball ball = inscribed_ball(solid, builder[node].position, radius);
-    if (solid.is_inside(ball.center)) {
-      builder[node].position = ball.center;
-      builder[node].radius = ball.radius;
+public:
+  Junction_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
+
+  /// Moves every junction at most by the maximal radius around it.
+  void operator()()
+  {
+    center_if([](const Skeleton_builder::Node& /* node */) { return true; });
+  }
+
+  /// Likewise on sheets alone.
+  void center_on_sheets()
+  {
+    if (m_solid.number_of_sheets() > 0) {
+      center_if([](const Skeleton_builder::Node& node) { return node.is_on_sheet; });
     }
   }
-}
+
+private:
+  template <class Predicate>
+  void center_if(const Predicate& is_chosen)
+  {
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      if (m_builder.is_junction(node) && is_chosen(m_builder[node]) && m_solid.is_inside(m_builder[node].position)) {
+        center(node);
+      }
+    }
+  }
+
+  void center(Index node)
+  {
+    double radius = 0;
+    for (const Index neighbor : m_builder[node].neighbors) {
+      radius = std::max(radius, m_builder[neighbor].radius);
+    }
+    const Ball ball = m_builder[node].is_on_sheet ? disc(m_builder[node].position, radius)
+                                                  : ball_in_body(m_builder[node].position, radius);
+    if (m_solid.is_inside(ball.center)) {
+      m_builder[node].position = ball.center;
+      m_builder[node].radius = ball.radius;
+    }
+  }
+
+  Ball ball_in_body(const Vector_3& start, double max_shift) const
+  {
+    return inscribed_ball([this](const Vector_3& point) { return m_solid.closest_point(point).point; },
+                          [](const Vector_3& point) { return std::optional<Vector_3>(point); }, start, max_shift);
+  }
+
+  /// A ball around a point of a sheet, up to the border.
+  Ball disc(const Vector_3& start, double max_shift)
+  {
+    if (m_rim.empty()) {
+      m_rim = rim_points(m_solid);
+    }
+    const auto nearest = [this](const Vector_3& point) {
+      return *std::min_element(m_rim.begin(), m_rim.end(), [&point](const Vector_3& a, const Vector_3& b) {
+        return (a - point).squaredNorm() < (b - point).squaredNorm();
+      });
+    };
+    const auto place = [this](const Vector_3& point) { return point_in_sheet(m_solid, point); };
+    return inscribed_ball(nearest, place, start, max_shift);
+  }
+
+  const Triangulated_solid& m_solid;
+  Skeleton_builder& m_builder;
+  std::vector<Vector_3> m_rim; ///< of sheets; empty until there is a junction on one
+};
 
 /// Removes the nodes next to a junction, within its ball, at which the branch turns by more than a right angle: the
 /// junction was moved past them, and the branch would double back. Neither topology nor the simplicity of the graph

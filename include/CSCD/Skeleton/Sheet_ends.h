@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Leads branches on sheets to the borders at their ends.
+
+#ifndef CSCD_SKELETON_SHEET_ENDS_H
+#define CSCD_SKELETON_SHEET_ENDS_H
+
+#include <CSCD/Skeleton/Sheet_placement.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Leads branches on to where their sheets end. Separators across the end of a sheet cut off hardly more than a corner
+/// does, and are none; so the last one is about half a width before the end.
+class Sheet_ends
+{
+public:
+  Sheet_ends(const Triangulated_solid& solid, Skeleton_builder& builder)
+      : m_solid(solid), m_builder(builder), m_section(solid)
+  {
+  }
+
+  /// Adds nodes in the middle of sections of the sheet beyond every tip on a sheet, the last one at the border.
+  void operator()()
+  {
+    const Index size = m_solid.number_of_sheets() > 0 ? m_builder.size() : 0;
+    for (Index node = 0; node < size; ++node) {
+      if (m_builder.degree(node) == 1 && m_builder[node].is_on_sheet) {
+        prolong(node);
+      }
+    }
+  }
+
+private:
+  /// The length of a step, relative to half of the width. Nodes are twice as far apart, as those that divide branches.
+  static constexpr double step_length = 0.25;
+  /// Steps are halved down to this length, likewise: the distance of the tip from the border.
+  static constexpr double min_step_length = 0.01;
+  /// A step that is led back by more than this part of it has met the border.
+  static constexpr double min_progress = 0.5;
+  /// A section is cut off by the border at the end if its middle is farther aside than this, relative to a step, ...
+  static constexpr double max_shift = 0.25;
+  /// ... and its half width has fallen by this part of that distance more than before: all of it, if one end is cut
+  /// off.
+  static constexpr double min_loss = 0.75;
+  /// The tangent of the angle to both sides by which sections are turned to find the shortest, and how often.
+  static constexpr double turn = 0.15;
+  static constexpr int number_of_turns = 5;
+  /// A bound for the steps towards a point, near which they get shorter and shorter.
+  static constexpr int max_steps = 64;
+
+  void prolong(Index end)
+  {
+    if (!start_at(end)) {
+      return;
+    }
+    const double min_step = min_step_length * m_half_width;
+    double step = step_length * m_half_width;
+    Index last = end; // beyond which nodes are no longer moved
+    Index tip = no_index;
+    for (int i = 0; i < max_steps && step >= min_step; ++i) {
+      if (!advance(step)) {
+        step /= 2;
+        continue;
+      }
+      step = std::min(step, step_length * m_half_width);
+      if (tip == no_index) {
+        tip = m_builder.add_node(m_position, m_half_width);
+        m_builder[tip].is_on_sheet = true;
+        m_builder.add_edge(last, tip);
+      }
+      m_builder[tip].position = m_position;
+      m_builder[tip].radius = m_half_width;
+      if (m_builder.edge_length(last, tip) >= 2 * step_length * m_half_width) {
+        last = std::exchange(tip, no_index);
+      }
+    }
+  }
+
+  /// Goes on by one step, to the middle of the section there, or straight on, where that is cut off by the border at
+  /// the end, which need not be perpendicular to the branch. \return false if the sheet ends before
+  bool advance(double step)
+  {
+    const std::optional<Vector_3> point = point_in_sheet(m_solid, m_position + step * m_direction);
+    if (!point || m_direction.dot(*point - m_position) < min_progress * step) {
+      return false;
+    }
+    const std::optional<Vector_3> middle = m_section(*point, m_direction, m_half_width);
+    const double shift = middle ? (*middle - *point).norm() : m_half_width;
+    const double loss = m_half_width - m_section.half_width();
+    if (!middle || shift >= m_half_width || (shift > max_shift * step && loss - m_taper * step > min_loss * shift)) {
+      m_position = *point;
+    } else {
+      m_direction = (m_direction + 2 * (*middle - m_position).normalized()).normalized();
+      m_position = *middle;
+      m_half_width = m_section.half_width();
+      m_taper = std::max(m_taper, loss / step);
+    }
+    return true;
+  }
+
+  /// Goes to the end `tip` of a branch, in the direction of its last part, as long as half of the width. \return false
+  /// if that has no direction
+  bool start_at(Index tip)
+  {
+    m_half_width = m_builder[tip].radius;
+    m_position = m_builder[tip].position;
+    Index before = tip;
+    Index node = m_builder[tip].neighbors.front();
+    while (m_builder.is_regular(node) && m_builder.edge_length(tip, node) < m_half_width) {
+      const std::vector<Index>& neighbors = m_builder[node].neighbors;
+      const Index next = neighbors[0] == before ? neighbors[1] : neighbors[0];
+      before = node;
+      node = next;
+    }
+    const Vector_3 way = m_position - m_builder[node].position;
+    if (!(m_half_width > 0 && way.norm() > 0)) {
+      return false;
+    }
+    m_direction = way.normalized();
+    m_taper = std::max(0., m_builder[node].radius - m_half_width) / way.norm();
+    for (int i = 0; i < number_of_turns; ++i) {
+      turn_to_shortest_section();
+    }
+    return true;
+  }
+
+  /// Turns the direction until the section here is shortest, as that of a parabola through three lengths, and goes to
+  /// its middle.
+  void turn_to_shortest_section()
+  {
+    const Vector_3 aside =
+        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
+    std::array<double, 3> half_width{};
+    for (int k = -1; k <= 1; ++k) {
+      if (!m_section(m_position, m_direction + k * turn * aside, m_half_width)) {
+        return;
+      }
+      half_width[std::size_t(k + 1)] = m_section.half_width();
+    }
+    const double slope = half_width[2] - half_width[0];
+    const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
+    const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
+    const Vector_3 direction = (m_direction + change * turn * aside).normalized();
+    const std::optional<Vector_3> middle = m_section(m_position, direction, m_half_width);
+    if (middle && (*middle - m_position).norm() < m_half_width) {
+      m_position = *middle;
+      m_direction = direction;
+      m_half_width = m_section.half_width();
+    }
+  }
+
+  const Triangulated_solid& m_solid;
+  Skeleton_builder& m_builder;
+  Sheet_section m_section;
+  Vector_3 m_position = Vector_3::Zero(); ///< where the branch has been led to
+  Vector_3 m_direction = Vector_3::Zero();
+  double m_half_width = 0; ///< there
+  double m_taper = 0;      ///< the most by which it has fallen, relative to the way
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_SHEET_ENDS_H
