@@ -216,10 +216,10 @@ TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
   expect_two_cycles_of_two_handles(settings);
 }
 
-TEST(Published_policies, work_on_the_intrinsic_triangulation)
+TEST(Published_policies, work_on_the_edges_of_the_mesh)
 {
   CSCD::Field_search_settings settings;
-  settings.is_intrinsic = true;
+  settings.is_intrinsic = false;
   EXPECT_EQ(count_tips_of_limbs(settings), 3u);
   settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
   expect_two_cycles_of_two_handles(settings);

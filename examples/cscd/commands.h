@@ -94,7 +94,7 @@ struct Skeletonize_options
   std::string weight;                  ///< of the published method: which separators are preferred
   std::string placement;               ///< of the published method: where nodes are placed
   bool is_literal = false;             ///< of the published method: as printed where the default differs
-  bool is_intrinsic = false;           ///< of the published method: all on the intrinsic triangulation
+  std::optional<bool> is_intrinsic;    ///< of the published method: all on the intrinsic triangulation, if it can be
   bool is_multiscale = false;          ///< of the published method: distances on coarse levels
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty

@@ -395,12 +395,13 @@ void check_method(const Skeletonize_options& options)
   for (const auto& [is_given, option] :
        {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
         std::pair(!options.placement.empty(), "--placement"), std::pair(options.is_literal, "--literal"),
-        std::pair(options.is_intrinsic, "--intrinsic"), std::pair(options.is_multiscale, "--multiscale")}) {
+        std::pair(options.is_intrinsic.has_value(), "--intrinsic and --extrinsic"),
+        std::pair(options.is_multiscale, "--multiscale")}) {
     if (!is_published && is_given) {
       throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
     }
   }
-  if (options.is_intrinsic && (options.is_multiscale || options.shortening == variational_shortening)) {
+  if (options.is_intrinsic.value_or(false) && (options.is_multiscale || options.shortening == variational_shortening)) {
     throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
   }
   if (is_published && options.detail) {
@@ -422,9 +423,9 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
-  for (const auto& [is_given, option] :
-       {std::pair(options.is_multiscale, "--multiscale"), std::pair(options.is_intrinsic, "--intrinsic"),
-        std::pair(options.placement == section_placement, "--placement sections")}) {
+  for (const auto& [is_given, option] : {std::pair(options.is_multiscale, "--multiscale"),
+                                         std::pair(options.is_intrinsic.value_or(false), "--intrinsic"),
+                                         std::pair(options.placement == section_placement, "--placement sections")}) {
     if (input.is_point_set && is_given) {
       throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
     }

@@ -256,7 +256,8 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
                              : result.is_of_points       ? variational_shortening
                                                          : flip_shortening;
     document["literal"] = options.is_literal;
-    document["intrinsic"] = options.is_intrinsic;
+    document["intrinsic"] = options.is_intrinsic.value_or(!result.is_of_points && !options.is_multiscale &&
+                                                          options.shortening != variational_shortening);
     document["multiscale"] = options.is_multiscale;
     document["cut_locus"] = !options.cut_locus.empty() ? options.cut_locus
                             : options.is_literal       ? tree_cut_locus

@@ -306,7 +306,7 @@ def skeletonize(
     weight: str | None = None,
     placement: str | None = None,
     literal: bool = False,
-    intrinsic: bool = False,
+    intrinsic: bool | None = None,
     multiscale: bool = False,
     separators: int = 0,
     min_component: int = 0,
@@ -340,7 +340,8 @@ def skeletonize(
         "shortness" or "none"
     placement: published method: where nodes are, at "centroids" of regions or, of a mesh, in the middle of "sections"
     literal: published method: as printed where the default differs
-    intrinsic: published method: not only distances but also targets and loops on the intrinsic triangulation
+    intrinsic: published method: whether targets and loops are on the intrinsic triangulation, as distances are; by
+        default wherever that can be
     multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
     separators: greatest number of points from which separators are sought; 0 lets the method decide
     min_component: leave out components of fewer vertices or points, but for the largest

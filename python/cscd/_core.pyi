@@ -17,7 +17,7 @@ class SkeletonizeOptions:
     weight: str
     placement: str
     literal: bool
-    intrinsic: bool
+    intrinsic: bool | None
     multiscale: bool
     shape: str
     borders: str

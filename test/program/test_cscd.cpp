@@ -264,6 +264,7 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off --placement sections", 1, {"--placement", "published"});
   expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
   expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
+  expect_refusal("skeletonize torus.off --extrinsic", 1, {"--extrinsic", "published"});
   expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
                  {"--intrinsic", "--multiscale"});
   expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
@@ -962,8 +963,10 @@ TEST_F(Cscd, knows_variants_of_the_published_method)
   EXPECT_TRUE(is_graph_of_a_cycle(in_sections));
   EXPECT_NE(plain, in_sections);
   EXPECT_EQ("sections", report().at("placement"));
-  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--intrinsic").out));
+  EXPECT_EQ(plain, run(command + "--intrinsic").out);
   EXPECT_EQ(true, report().at("intrinsic"));
+  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--extrinsic").out));
+  EXPECT_EQ(false, report().at("intrinsic"));
   EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));
   EXPECT_EQ(true, report().at("multiscale"));
 }

@@ -278,13 +278,18 @@ private:
     m_pending.swap(refused);
   }
 
+  /// \pre `m_fields` are those of all sources on the coarsest level
   void take_distances(Source_group& group) const
   {
-    for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
-      const Index level_vertex = m_levels[m_space.coarsest_level()].from_finest(vertex);
-      for (std::size_t i = 0; i < group.sources.size(); ++i) {
-        group.distance[vertex] = std::min(group.distance[vertex], float(m_fields[i].distances[level_vertex]));
+    const Surface_level& level = m_levels[m_space.coarsest_level()];
+    std::vector<float> least(level.surface.number_of_vertices(), std::numeric_limits<float>::infinity());
+    for (std::size_t i = 0; i < group.sources.size(); ++i) {
+      for (std::size_t vertex = 0; vertex < least.size(); ++vertex) {
+        least[vertex] = std::min(least[vertex], float(m_fields[i].distances[vertex]));
       }
+    }
+    for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
+      group.distance[vertex] = least[level.from_finest(vertex)];
     }
   }
 
@@ -452,12 +457,12 @@ private:
       if (settings.is_multiscale) {
         return share<Multiscale_search_space, Multiscale_group_search>(surface.levels(), settings);
       }
-      if (settings.is_intrinsic) {
+      if (settings.is_intrinsic.value_or(settings.shortening_rule != Shortening_rule::variational)) {
         using Space = Intrinsic_search_space<Triangulated_surface>;
         return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
       }
     }
-    CGAL_precondition(!settings.is_multiscale && !settings.is_intrinsic);
+    CGAL_precondition(!settings.is_multiscale && !settings.is_intrinsic.value_or(false));
     using Space = Field_search_space<Triangulation>;
     return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
   }

@@ -96,9 +96,9 @@ struct Field_search_settings
   bool is_multiscale = false;
 
   /// Whether cut points, paths and loops are those of the intrinsic triangulation, as distances are (appendix G.1), and
-  /// faces that fill holes are part of the surface for all of these; with edge flips on meshes only. A multiscale
-  /// search takes no note of it.
-  bool is_intrinsic = false;
+  /// faces that fill holes are part of the surface for all of these; by default with edge flips on meshes, where alone
+  /// that can be. A multiscale search takes no note of it.
+  std::optional<bool> is_intrinsic{};
 
   /// The algorithms as printed where those of the default differ: targets on the cut locus, sources one by one, overlap
   /// by crossings.

@@ -142,11 +142,11 @@ private:
     const Vector_3 aside =
         m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
     std::array<double, 3> half_width{};
-    for (int k = -1; k <= 1; ++k) {
-      if (!m_section(m_position, m_direction + k * turn * aside, m_half_width)) {
+    for (std::size_t k = 0; k < half_width.size(); ++k) {
+      if (!m_section(m_position, m_direction + (double(k) - 1) * turn * aside, m_half_width)) {
         return;
       }
-      half_width[std::size_t(k + 1)] = m_section.half_width();
+      half_width[k] = m_section.half_width();
     }
     const double slope = half_width[2] - half_width[0];
     const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
