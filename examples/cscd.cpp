@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -268,8 +269,9 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
   command->add_flag("--literal", options.is_literal,
                     "published method: as printed, with the tree, sources one by one, overlap by crossings");
-  command->add_flag("--intrinsic,!--extrinsic", options.is_intrinsic,
-                    "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
+  command->add_flag_function(
+      "--intrinsic,!--extrinsic", [&options](std::int64_t count) { options.is_intrinsic = count > 0; },
+      "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
   command->add_flag("--multiscale", options.is_multiscale,
                     "published method: distances on coarse levels of a mesh; several times as fast on large ones");
   command

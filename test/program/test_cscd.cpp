@@ -948,6 +948,7 @@ TEST_F(Cscd, knows_variants_of_the_published_method)
   const std::string plain = run(command).out;
   const auto report = [this] { return nlohmann::json::parse(content("r.json")); };
   EXPECT_EQ("points", report().at("cut_locus"));
+  EXPECT_EQ(true, report().at("intrinsic"));
   EXPECT_EQ("balance-roundness", report().at("weight"));
   EXPECT_EQ(plain, run(command + "--cut-locus points --weight balance-roundness").out);
   const std::string literal = run(command + "--literal --weight none").out;
