@@ -172,7 +172,7 @@ TEST_F(Node_placement, centers_a_junction_in_the_body)
     builder.add_edge(junction, builder.add_node(at(x), 1 / m_unit));
   }
   const Vector_3 tip = builder[1].position;
-  CSCD::internal::center_junctions(*m_solid, builder);
+  CSCD::internal::Junction_centering(*m_solid, builder)();
   EXPECT_LT(m_unit * std::hypot(builder[junction].position.y(), builder[junction].position.z()), 0.1);
   EXPECT_NEAR(m_unit * builder[junction].radius, 1, 0.1);
   EXPECT_EQ(builder[1].position, tip) << "only junctions move";
