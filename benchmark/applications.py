@@ -53,6 +53,14 @@ class Runner:
             print(mesh.name, method, self.kept[key] and self.kept[key].get("rand_error"), file=sys.stderr, flush=True)
         return self.kept[key]
 
+    def classify(self, descriptions, classes):
+        """Accuracy and F1 score of the class of the nearest other shape."""
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            json.dump({"descriptions": descriptions, "classes": classes}, file)
+            file.flush()
+            scores = json.loads(self.run(self.folder / "benchmark/benchmark_applications", file.name, "classify"))
+        return scores["accuracy"], scores["macro_f1"]
+
     def measure_all(self, arguments):
         """Measures several at once; what a run takes is CPU time."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
@@ -124,41 +132,11 @@ def face_normals(points, faces):
     return result
 
 
-def describe_by_diameters(mesh, diameters):
-    """As CSCD::describe_shape() does by diameters, for diameters of any origin."""
-    points, faces = read_off(mesh)
-    areas = [math.hypot(*normal) / 2 for normal in face_normals(points, faces)]
-    unit = math.sqrt(sum(areas))
-    # CGAL's rays give -1 where none of them ends at a surface.
-    values = sorted((math.log(.01 + sum(max(diameters[v], 0) for v in face) / 3 / unit), area)
-                    for face, area in zip(faces, areas))
-    result, place, below, number = [], 0, values[0][1], 64
-    for i in range(number):
-        while place + 1 < len(values) and below < (i + .5) / number * unit * unit:
-            place += 1
-            below += values[place][1]
-        result.append(values[place][0] / number)
-    return result
-
-
-def leave_one_out(descriptions, classes):
-    """Accuracy, and the F1 score in the mean over the classes, of the class of the nearest other shape."""
-    found = []
-    for i, description in enumerate(descriptions):
-        others = (j for j in range(len(descriptions)) if j != i)
-        found.append(classes[min(others, key=lambda j: sum(abs(a - b) for a, b in zip(description, descriptions[j])))])
-    scores = []
-    for name in set(classes):
-        right = sum(a == b == name for a, b in zip(classes, found))
-        scores.append(2 * right / (classes.count(name) + found.count(name)))
-    return sum(a == b for a, b in zip(classes, found)) / len(classes), statistics.fmean(scores)
-
-
 def classes_table(runner, shapes):
     """`shapes`: by the name of a set, files and classes. Only shapes for which all methods have an answer count."""
     ways = (("diameters of our skeletons", "skeleton", "described_by_diameter"),
             ("diameters of skeletons by mean curvature flow", "mcf", "described_by_diameter"),
-            ("diameters by CGAL's rays", "rays", None), ("our skeletons", "skeleton", "described_by_skeleton"),
+            ("diameters by CGAL's rays", "rays", "described_by_diameter"), ("our skeletons", "skeleton", "described_by_skeleton"),
             ("skeletons by mean curvature flow", "mcf", "described_by_skeleton"))
     rows = []
     for set_name, files in shapes.items():
@@ -166,10 +144,8 @@ def classes_table(runner, shapes):
         files = [(file, name) for file, name in files
                  if all(runner.measure(file, method) for method in ("skeleton", "mcf", "rays"))]
         for title, method, key in ways:
-            runs = [(runner.measure(file, method), file) for file, _ in files]
-            descriptions = [run[key] if key else describe_by_diameters(file, run["diameters"]) for run, file in runs]
-            rows.append([f"{set_name}, {len(files)} meshes: {title}"] +
-                        [f"{value:.3f}" for value in leave_one_out(descriptions, [name for _, name in files])])
+            scores = runner.classify([runner.measure(file, method)[key] for file, _ in files], [name for _, name in files])
+            rows.append([f"{set_name}, {len(files)} meshes: {title}"] + [f"{score:.3f}" for score in scores])
     return markdown(["shapes and what describes them", "accuracy", "F1 score"], rows)
 
 
@@ -353,13 +329,71 @@ def poses_table(runner, folder, parity):
                      "poses"], rows)
 
 
+def center(points):
+    return [statistics.fmean(point[k] for point in points) for k in range(3)]
+
+
+def nearest_vertices(loop, points):
+    """Numbers of the vertices that are nearest to the points of a loop."""
+    return {min(range(len(points)), key=lambda v, at=at: math.dist(points[v], at)) for at in loop}
+
+
+def constrictions_table(runner, folder):
+    """In how many poses of all bodies the constrictions of the first pose are found again, by the correspondence."""
+    program = runner.folder / "cscd"
+    (first, *others), *bodies = pose_files(folder).values()
+    poses = [first] + others + [mesh for body in bodies for mesh in body]
+
+    def constrictions(mesh):
+        return json.loads(runner.run(program, "loops", mesh, "--constrictions", "-o", "-") or "[]")
+
+    with concurrent.futures.ThreadPoolExecutor(runner.jobs) as pool:
+        found = dict(zip(poses, pool.map(constrictions, poses)))
+    points_of_first, _ = read_off(first)
+    near = (max(p[1] for p in points_of_first) - min(p[1] for p in points_of_first)) / 15  # of the height of the body
+    to_first = read_numbers(folder / "vts" / f"{first.stem}.vts")
+    centers = {}
+    for mesh in poses:
+        points, _ = read_off(mesh)
+        place = {}
+        for v, w in zip(read_numbers(folder / "vts" / f"{mesh.stem}.vts"), to_first):
+            place.setdefault(v, points_of_first[w])
+        centers[mesh] = []
+        for loop in found[mesh]:
+            vertices = nearest_vertices(loop["points"], points) & place.keys()
+            if vertices:
+                centers[mesh].append(center([place[v] for v in vertices]))
+    rows = []
+    for loop, middle in zip(found[first], centers[first]):
+        number = sum(any(math.dist(middle, other) < near for other in centers[mesh]) for mesh in poses)
+        rows.append([" ".join(f"{x:.2f}" for x in middle), f"{loop['length']:.3f}", f"{loop['depth']:.2f}", str(number)])
+    number = statistics.fmean(len(loops) for loops in found.values())
+    return (markdown(["middle of a constriction in the first pose", "length", "depth", f"found in {len(poses)} poses"], rows)
+            + f"\n\n{number:.1f} constrictions a pose.")
+
+
+def boundaries_text(runner, folder, step):
+    """How long boundaries of parts are beside the separators that they follow."""
+    meshes = [mesh for _, mesh in princeton_meshes(folder, 0, step)]
+    runner.measure_all([(mesh, "skeleton", folder / "seg/Benchmark" / mesh.stem) for mesh in meshes])
+    runs = [run for run in (runner.measure(mesh, "skeleton") for mesh in meshes) if run]
+    boundaries = [boundary for run in runs for boundary in run["closed_boundaries"]]
+    in_closed = sum(b["edges"] for b in boundaries) / sum(run["boundary_edges"] for run in runs)
+    ratios = statistics.quantiles([b["length_ratio"] for b in boundaries], n=10)
+    distances = statistics.quantiles([b["distance"] for b in boundaries], n=10)
+    return (f"{len(boundaries)} boundaries that are closed curves, {in_closed:.2f} of all edges between parts. Length, "
+            f"relative to that of the nearest packed separator: median {ratios[4]:.2f}, deciles {ratios[0]:.2f} and "
+            f"{ratios[8]:.2f}. Mean distance from it, relative to its radius: median {distances[4]:.2f}, deciles "
+            f"{distances[0]:.2f} and {distances[8]:.2f}.")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder bin of the build")
     parser.add_argument("--princeton", type=pathlib.Path, help="off/N.off and seg/Benchmark/N/N_*.seg")
     parser.add_argument("--tosca", type=pathlib.Path, help="off/NAME.off, vts/NAME.vts and vts/NAME.sym.vts")
     parser.add_argument("--faust", type=pathlib.Path, help="likewise")
-    parser.add_argument("--tables", nargs="+", default=["segmentation", "diameters", "classes", "poses"])
+    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "classes", "poses", "constrictions"])
     parser.add_argument("--methods", nargs="+", default=["skeleton", "diameter", "rays"], help="of segmentation")
     parser.add_argument("--parities", nargs="+", type=int, default=[0, 1], help="of numbers: 0 is even; 1 was tuned on")
     parser.add_argument("--timeout", type=float, default=60, help="seconds for each mesh and method")
@@ -372,6 +406,8 @@ def main():
     if options.princeton and "segmentation" in options.tables:
         for method in options.methods:
             print("\n" + segmentation_table(runner, options.princeton, method, options.parities, options.step), flush=True)
+    if options.princeton and "boundaries" in options.tables:
+        print("\n" + boundaries_text(runner, options.princeton, options.step), flush=True)
     poses = [files for folder in (options.tosca, options.faust) if folder for files in pose_files(folder).values()]
     if poses and "diameters" in options.tables:
         correspondences = [
@@ -389,6 +425,8 @@ def main():
         for folder in (options.tosca, options.faust):
             if folder:
                 print(f"\n{folder.name}, even-numbered poses:\n\n" + poses_table(runner, folder, 0), flush=True)
+    if options.faust and "constrictions" in options.tables:
+        print("\n" + constrictions_table(runner, options.faust), flush=True)
     if runner.failed:
         print("\nWithout an answer: " + "; ".join(runner.failed) + ".")
 

@@ -7,16 +7,22 @@
 // Methods: `skeleton`, CSCD::segment_mesh() and our shape diameters; `diameter`, CGAL's segmentation by our shape
 // diameters; `rays`, CGAL's segmentation by its own shape diameters, which are found by rays; `mcf`, our shape
 // diameters of CGAL's skeleton by mean curvature flow, without a segmentation. FOLDER holds segmentations by people.
-// Writes one JSON object: CPU seconds, shape diameters of the vertices, numbers that describe the shape, and the errors
-// of the segmentation, in the mean over the people.
+// Writes one JSON object: CPU seconds, shape diameters of the vertices, numbers that describe the shape, the errors of
+// the segmentation, in the mean over the people, and of segment_mesh() the boundaries beside separators.
+//
+// Usage: benchmark_applications DESCRIPTIONS.json classify
+// Writes accuracy and F1 score of CSCD::classify_shapes() for `descriptions` of shapes and their `classes`.
 
 #include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
+#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/compare_segmentations.h>
-#include <CSCD/Skeleton_graph.h>
-#include <CSCD/extract_curve_skeleton.h>
+#include <CSCD/Skeleton/distance_to_edges.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -25,6 +31,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <ctime>
@@ -32,6 +39,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -39,7 +47,8 @@
 namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using Skeleton = CSCD::Skeleton_graph<Mesh::Point, Mesh::Vertex_index>;
+using Skeletonization = CSCD::Curve_skeletonization<CSCD::Triangle_mesh_traits<Mesh>>;
+using Curve = std::vector<CSCD::Vector_3>; // closed
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 using Vertex_values = Mesh::Property_map<Mesh::Vertex_index, double>;
 using Face_values = Mesh::Property_map<Mesh::Face_index, double>;
@@ -82,6 +91,102 @@ void describe(const Mesh& mesh, const AnySkeleton& skeleton, Json& result)
   result["described_by_skeleton"] = CSCD::describe_shape(mesh, skeleton, CSCD::Shape_descriptor::skeleton);
 }
 
+CSCD::Vector_3 to_vector(const Mesh::Point& point)
+{
+  return {point.x(), point.y(), point.z()};
+}
+
+double length(const Curve& curve)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    sum += (curve[(i + 1) % curve.size()] - curve[i]).norm();
+  }
+  return sum;
+}
+
+/// The mean distance of the points of a curve from another.
+double mean_distance(const Curve& curve, const Curve& other)
+{
+  double sum = 0;
+  for (const CSCD::Vector_3& point : curve) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < other.size(); ++i) {
+      least = std::min(least, CSCD::internal::distance_to_segment(point, other[i], other[(i + 1) % other.size()]));
+    }
+    sum += least;
+  }
+  return sum / double(curve.size());
+}
+
+/// The boundaries of parts; where three parts meet, the number is less than that of all their edges.
+struct Boundaries
+{
+  std::vector<Curve> closed;
+  std::size_t number_of_edges = 0;
+};
+
+Boundaries find_boundaries(const Mesh& mesh, const Labels& labels)
+{
+  const auto is_boundary = [&](Mesh::Halfedge_index h) {
+    const Mesh::Halfedge_index twin = mesh.opposite(h);
+    return !mesh.is_border(h) && !mesh.is_border(twin) && labels[mesh.face(h)] < labels[mesh.face(twin)];
+  };
+  std::vector<std::vector<Mesh::Halfedge_index>> from(mesh.number_of_vertices());
+  Boundaries result;
+  for (const Mesh::Halfedge_index h : mesh.halfedges()) {
+    if (is_boundary(h)) {
+      from[mesh.source(h)].push_back(h);
+      ++result.number_of_edges;
+    }
+  }
+  std::vector<char> is_seen(mesh.number_of_halfedges(), 0);
+  for (const Mesh::Halfedge_index start : mesh.halfedges()) {
+    Curve curve;
+    Mesh::Halfedge_index h = start;
+    while (is_boundary(h) && is_seen[h] == 0 && from[mesh.target(h)].size() == 1) {
+      is_seen[h] = 1;
+      curve.push_back(to_vector(mesh.point(mesh.source(h))));
+      h = from[mesh.target(h)].front();
+    }
+    if (h == start && !curve.empty()) {
+      result.closed.push_back(std::move(curve));
+    }
+  }
+  return result;
+}
+
+/// The lengths of the boundaries that are closed curves beside those of the nearest packed separators, and the mean
+/// distances of both, relative to the radius of a circle as long.
+Json compare_with_separators(const Skeletonization& skeletonization, const Mesh& mesh, const Labels& labels)
+{
+  std::vector<Curve> separators;
+  for (const auto position : skeletonization.packed_separators()) {
+    const auto polyline = skeletonization.polyline(skeletonization.separators()[position]);
+    Curve curve;
+    std::transform(polyline.begin(), polyline.end(), std::back_inserter(curve), to_vector);
+    separators.push_back(std::move(curve));
+  }
+  const Boundaries boundaries = find_boundaries(mesh, labels);
+  Json result = Json::array();
+  for (const Curve& boundary : boundaries.closed) {
+    double distance = std::numeric_limits<double>::infinity();
+    double length_of_nearest = 0;
+    for (const Curve& separator : separators) {
+      if (const double one = mean_distance(boundary, separator); one < distance) {
+        distance = one;
+        length_of_nearest = length(separator);
+      }
+    }
+    if (length_of_nearest > 0) {
+      result.push_back({{"edges", boundary.size()},
+                        {"length_ratio", length(boundary) / length_of_nearest},
+                        {"distance", 2 * CGAL_PI * distance / length_of_nearest}});
+    }
+  }
+  return {{"boundary_edges", boundaries.number_of_edges}, {"closed_boundaries", std::move(result)}};
+}
+
 /// Measures the mesh by this method. \return the number of parts; 0 without a segmentation
 std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& result)
 {
@@ -94,8 +199,14 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
   std::size_t number_of_parts = 0;
   if (method == "rays") {
     CGAL::sdf_values(mesh, face_diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults but for the postprocessing
-    to_vertices(mesh, face_diameters, diameters);
     diameter_end = cpu_seconds();
+    to_vertices(mesh, face_diameters, diameters);
+    std::vector<double> values;
+    for (const Mesh::Face_index face : mesh.faces()) {
+      values.push_back(std::max(face_diameters[face], 0.)); // -1 where no ray ends at the surface
+    }
+    const auto triangles = CSCD::internal::collect_triangles(mesh, get(CGAL::vertex_point, mesh)).triangles;
+    result["described_by_diameter"] = CSCD::internal::describe_diameters(triangles, values);
     number_of_parts = segment_by_diameters(mesh, face_diameters, 0.26, labels); // CGAL's default
   } else if (method == "mcf") {
     CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
@@ -105,8 +216,12 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
     diameter_end = cpu_seconds();
     describe(mesh, skeleton, result);
   } else if (method == "skeleton" || method == "diameter") {
-    Skeleton skeleton;
-    CSCD::extract_curve_skeleton(mesh, skeleton);
+    const CSCD::Triangle_mesh_traits<Mesh> traits(mesh);
+    Skeletonization skeletonization(traits);
+    Skeletonization::Skeleton skeleton;
+    skeletonization.find_separators();
+    skeletonization.pack_separators();
+    skeletonization.convert_to_skeleton(skeleton);
     skeleton_end = cpu_seconds();
     CSCD::estimate_vertex_shape_diameters(mesh, skeleton, diameters);
     diameter_end = cpu_seconds();
@@ -114,6 +229,7 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
       number_of_parts = CSCD::segment_mesh(mesh, skeleton, labels);
       segmentation_end = cpu_seconds();
       describe(mesh, skeleton, result);
+      result.update(compare_with_separators(skeletonization, mesh, labels));
     } else {
       CSCD::estimate_face_shape_diameters(mesh, skeleton, face_diameters);
       number_of_parts = segment_by_diameters(mesh, face_diameters, 0.1, labels); // as `cscd segment --by diameter`
@@ -169,13 +285,27 @@ Json compare_with_people(const std::filesystem::path& folder, const Mesh& mesh, 
           {"local_consistency_error", sum.local_consistency_error / people}};
 }
 
+Json classify(const char* file)
+{
+  std::ifstream in(file);
+  const Json shapes = Json::parse(in);
+  const CSCD::Shape_classification result =
+      CSCD::classify_shapes(shapes.at("descriptions").get<std::vector<CSCD::Shape_description>>(),
+                            shapes.at("classes").get<std::vector<std::string>>());
+  return {{"accuracy", result.accuracy}, {"macro_f1", result.macro_f1}};
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 try {
   if (argc < 3) {
-    std::cerr << "usage: benchmark_applications MESH METHOD [FOLDER]\n";
+    std::cerr << "usage: benchmark_applications MESH METHOD [FOLDER] or DESCRIPTIONS.json classify\n";
     return 1;
+  }
+  if (argv[2] == std::string("classify")) {
+    std::cout << classify(argv[1]) << '\n';
+    return 0;
   }
   Mesh mesh;
   CSCD::read_triangle_mesh(argv[1], mesh);

@@ -11,8 +11,10 @@
 #include "types.h"
 #include "write_measures.h"
 #include "write_report.h"
+#include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
+#include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_points.h>
@@ -285,6 +287,38 @@ std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t nu
   return values_of<Signed_index>(mesh.faces(), map);
 }
 
+/// \param labels of the faces of `other`
+std::vector<Signed_index> carry_labels(const Shown_skeleton& skeleton, const Shown_skeleton& other,
+                                       const std::vector<Signed_index>& labels)
+{
+  cscd::Mesh mesh = skeletonized_mesh(skeleton);
+  cscd::Mesh other_mesh = skeletonized_mesh(other);
+  if (labels.size() != other_mesh.number_of_faces()) {
+    throw cscd::Usage_error("labels: are " + std::to_string(labels.size()) + " for " +
+                            std::to_string(other_mesh.number_of_faces()) + " rows of F");
+  }
+  const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
+  const auto other_map = other_mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
+  for (const auto face : other_mesh.faces()) {
+    other_map[face] = std::size_t(labels[face]);
+  }
+  CSCD::carry_labels(other_mesh, other.result().skeleton, other_map, mesh, skeleton.result().skeleton, map);
+  return values_of<Signed_index>(mesh.faces(), map);
+}
+
+CSCD::Shape_description describe(const Shown_skeleton& skeleton, bool by_skeleton)
+{
+  return CSCD::describe_shape(skeletonized_mesh(skeleton), skeleton.result().skeleton,
+                              by_skeleton ? CSCD::Shape_descriptor::skeleton : CSCD::Shape_descriptor::diameter);
+}
+
+/// Class, nearest other shape and distance of each shape, then accuracy and F1 score.
+py::tuple classify(const std::vector<CSCD::Shape_description>& descriptions, const std::vector<std::string>& classes)
+{
+  const CSCD::Shape_classification result = CSCD::classify_shapes(descriptions, classes);
+  return py::make_tuple(result.found, result.nearest, result.distance, result.accuracy, result.macro_f1);
+}
+
 /// Kind, length, depth and points of each loop.
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
@@ -437,6 +471,8 @@ PYBIND11_MODULE(_core, module)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
+      .def("carry_labels", &carry_labels, "other"_a, "labels"_a, without_gil)
+      .def("describe", &describe, "by_skeleton"_a, without_gil)
       .def(
           "save",
           [](const Shown_skeleton& skeleton, const std::string& filename) {
@@ -452,6 +488,7 @@ PYBIND11_MODULE(_core, module)
         }
         return result;
       });
+  module.def("classify", &classify, "descriptions"_a, "classes"_a);
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

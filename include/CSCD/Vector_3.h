@@ -190,10 +190,16 @@ constexpr bool is_lexicographically_less(const Vector_3& a, const Vector_3& b)
 
 namespace internal {
 
+/// Twice the area of the triangle of three points times its normal, from where these are counterclockwise.
+constexpr Vector_3 triangle_vector(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+{
+  return (b - a).cross(c - a);
+}
+
 /// The area of the triangle of three points.
 inline double triangle_area(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
-  return (b - a).cross(c - a).norm() / 2;
+  return triangle_vector(a, b, c).norm() / 2;
 }
 
 } // namespace internal

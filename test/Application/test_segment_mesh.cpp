@@ -145,6 +145,23 @@ std::vector<std::map<Part_mesh::Vertex_index, int>> boundary_degrees(const Segme
   return degrees;
 }
 
+TEST(Segment_mesh, boundaries_are_not_much_longer_than_around_the_limb)
+{
+  constexpr double radius = 0.5;
+  constexpr std::size_t number_of_limbs = 5;
+  const Segmented_shape star(CSCD::test::star(number_of_limbs, 4, radius, 0.1));
+  ASSERT_GT(star.number_of_parts, 1U);
+  double length = 0;
+  for (const auto edge : star.mesh.edges()) {
+    const auto h = star.mesh.halfedge(edge);
+    if (star.parts[star.mesh.face(h)] != star.parts[star.mesh.face(star.mesh.opposite(h))]) {
+      length += std::sqrt(
+          CGAL::squared_distance(star.mesh.point(source(h, star.mesh)), star.mesh.point(target(h, star.mesh))));
+    }
+  }
+  EXPECT_LT(length / double(number_of_limbs), 1.3 * 2 * CSCD::test::pi * radius);
+}
+
 TEST(Segment_mesh, boundaries_of_parts_are_simple_closed_curves)
 {
   for (const CSCD::test::Shape& shape :

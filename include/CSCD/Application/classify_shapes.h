@@ -8,6 +8,7 @@
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Traits/input_concepts.h>
 
@@ -46,6 +47,9 @@ struct Shape_classification
 namespace internal {
 
 Shape_description describe_shape(const Skeletonized_surface& surface, Shape_descriptor descriptor);
+
+/// By shape diameters of any origin, one for each face.
+Shape_description describe_diameters(const Indexed_triangles& triangles, const std::vector<double>& diameters);
 
 } // namespace internal
 

@@ -11,6 +11,7 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 
@@ -23,6 +24,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,20 +62,22 @@ inline void append_part(const std::vector<double>& values, double weight, Shape_
   }
 }
 
-/// Logarithms of the shape diameters of the faces, with their areas.
-inline std::vector<Weighted_value> logarithmic_diameters(const Skeletonized_surface& surface,
-                                                         const std::vector<double>& areas, double unit)
+CSCD_INLINE Shape_description describe_diameters(const Indexed_triangles& triangles,
+                                                 const std::vector<double>& diameters)
 {
+  constexpr std::size_t number_of_quantiles = 64;
   // Diameters that are small against this, relative to the unit, are equal: details of the triangles decide on them.
   constexpr double negligible = 0.01;
-  const std::vector<double> diameters =
-      face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps));
+  const std::vector<double> areas = face_areas(triangles);
+  const double unit = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.));
   std::vector<Weighted_value> values;
   values.reserve(areas.size());
   for (std::size_t f = 0; f < areas.size(); ++f) {
     values.push_back({std::log(negligible + diameters[f] / unit), areas[f]});
   }
-  return values;
+  Shape_description result;
+  append_part(quantiles(std::move(values), number_of_quantiles), 1, result);
+  return result;
 }
 
 /// The lengths of the longest branches; 0 where there are fewer.
@@ -117,24 +121,17 @@ inline std::vector<Weighted_value> tip_distances(const Indexed_skeleton& skeleto
 
 CSCD_INLINE Shape_description describe_shape(const Skeletonized_surface& surface, Shape_descriptor descriptor)
 {
-  constexpr std::size_t number_of_diameters = 64;
   constexpr std::size_t number_of_distances = 16;
   // Of eight pairs of weights, the best on the odd-numbered meshes of the Princeton segmentation benchmark and on half
   // of TOSCA, as good as others.
   constexpr double branch_weight = 1;
   constexpr double tip_weight = 0.25;
-  std::vector<double> areas;
-  areas.reserve(surface.triangles.faces.size());
-  double area = 0;
-  for (const auto& [a, b, c] : surface.triangles.faces) {
-    const auto& points = surface.triangles.points;
-    areas.push_back(triangle_area(points[a], points[b], points[c]));
-    area += areas.back();
-  }
-  const double unit = std::sqrt(area);
-  Shape_description result;
-  append_part(quantiles(logarithmic_diameters(surface, areas, unit), number_of_diameters), 1, result);
+  Shape_description result = describe_diameters(
+      surface.triangles,
+      face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps)));
   if (descriptor == Shape_descriptor::skeleton) {
+    const std::vector<double> areas = face_areas(surface.triangles);
+    const double unit = std::sqrt(std::accumulate(areas.begin(), areas.end(), 0.));
     append_part(longest_branches(surface.skeleton, unit), branch_weight, result);
     append_part(quantiles(tip_distances(surface.skeleton, unit), number_of_distances), tip_weight, result);
   }

@@ -46,6 +46,7 @@ public:
 
   std::size_t size() const { return m_ends.size(); }
   Index end(std::size_t i) const { return m_ends[i]; }
+  const std::vector<Index>& ends() const { return m_ends; }
 
   /// The distance of `node` from an end, relative to the length of the paths between all ends.
   double distance(std::size_t end, Index node) const
@@ -336,6 +337,21 @@ public:
   /// See Limb_assignments.
   double cost(std::size_t way) const { return m_assignments.best()[way].cost; }
 
+  const Skeleton_limbs& first() const { return m_first; }
+  const Skeleton_limbs& second() const { return m_second; }
+
+  /// The numbers of the ends that correspond in the `way`-th way.
+  std::vector<std::array<std::size_t, 2>> numbers(std::size_t way) const
+  {
+    std::vector<std::array<std::size_t, 2>> result;
+    const std::vector<std::size_t>& ends = m_assignments.best()[way].ends;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      result.push_back(m_is_few_first ? std::array<std::size_t, 2>{i, ends[i]}
+                                      : std::array<std::size_t, 2>{ends[i], i});
+    }
+    return result;
+  }
+
   /// The ends that correspond in the `way`-th way.
   std::vector<std::array<Index, 2>> ends(std::size_t way) const
   {
@@ -371,18 +387,6 @@ public:
   }
 
 private:
-  /// Pairs of numbers of ends.
-  std::vector<std::array<std::size_t, 2>> numbers(std::size_t way) const
-  {
-    std::vector<std::array<std::size_t, 2>> result;
-    const std::vector<std::size_t>& ends = m_assignments.best()[way].ends;
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      result.push_back(m_is_few_first ? std::array<std::size_t, 2>{i, ends[i]}
-                                      : std::array<std::size_t, 2>{ends[i], i});
-    }
-    return result;
-  }
-
   Skeleton_limbs m_first;
   Skeleton_limbs m_second;
   bool m_is_few_first;
@@ -395,7 +399,7 @@ CSCD_INLINE Skeleton_match match_skeletons(const Indexed_skeleton& first, const 
   return {matching.ends(0), matching.nodes(first.number_of_nodes(), second.number_of_nodes())};
 }
 
-/// For each vertex of a surface, how far it is from ends of the skeleton. Parts of limbs keep these numbers in other
+/// For each vertex of a surface, how far it is from the ends of limbs. Parts of limbs keep these numbers in other
 /// poses.
 class End_distances
 {
@@ -407,28 +411,47 @@ public:
     const std::vector<std::vector<Index>> edges = vertex_neighbors();
     std::vector<Skeleton_distances> along;
     along.reserve(ends.size());
+    std::vector<std::size_t> all;
     for (const Index end : ends) {
       along.push_back(distances_along(surface.skeleton, neighbors, {end}));
+      for (const Index other : ends) {
+        m_between.push_back(along.back().distance[other]);
+      }
+      all.push_back(all.size());
     }
-    const double unit = mean_distance(along, ends);
+    const double greatest = max_distance * mean_distance(all);
     for (std::size_t i = 0; i < ends.size(); ++i) {
       std::vector<double> values;
       values.reserve(surface.node.size());
       for (const Index node : surface.node) {
-        values.push_back(std::min(along[i].distance[node] / unit, max_distance));
+        values.push_back(std::min(along[i].distance[node], greatest));
       }
       smooth_along_surface(surface, number_of_smoothing_steps, values);
       const std::vector<double> on_surface = surface_distances(ends[i], edges);
       for (std::size_t v = 0; v < values.size(); ++v) {
-        m_values[v * size() + i] = values[v];
-        m_values[v * size() + ends.size() + i] = surface_weight * std::min(on_surface[v] / unit, max_distance);
+        double* const of_vertex = m_values.data() + 2 * (m_number_of_ends * v + i);
+        of_vertex[0] = values[v];
+        of_vertex[1] = surface_weight * std::min(on_surface[v], greatest);
       }
     }
   }
 
-  /// How many numbers a vertex has.
-  std::size_t size() const { return 2 * m_number_of_ends; }
-  const double* of_vertex(Index vertex) const { return m_values.data() + vertex * size(); }
+  /// Of each vertex, one after the other, two numbers for each of the ends with these numbers, relative to the mean
+  /// distance between them.
+  std::vector<double> relative(const std::vector<std::size_t>& numbers) const
+  {
+    const double unit = mean_distance(numbers);
+    std::vector<double> result;
+    result.reserve(2 * numbers.size() * m_surface.node.size());
+    for (std::size_t v = 0; v < m_surface.node.size(); ++v) {
+      for (const std::size_t i : numbers) {
+        const double* const values = m_values.data() + 2 * (m_number_of_ends * v + i);
+        result.push_back(values[0] / unit);
+        result.push_back(values[1] / unit);
+      }
+    }
+    return result;
+  }
 
 private:
   /// Nodes are some way apart, and a skeleton is not where it was in another pose: so often, values are averaged along
@@ -452,15 +475,16 @@ private:
     return result;
   }
 
-  /// Between ends that are connected; 1 if none are.
-  static double mean_distance(const std::vector<Skeleton_distances>& along, const std::vector<Index>& ends)
+  /// Between those of the ends with these numbers that are connected; 1 if none are.
+  double mean_distance(const std::vector<std::size_t>& numbers) const
   {
     double sum = 0;
     double number = 0;
-    for (const Skeleton_distances& distances : along) {
-      for (const Index end : ends) {
-        if (distances.distance[end] > 0 && distances.distance[end] < Skeleton_distances::unreachable) {
-          sum += distances.distance[end];
+    for (const std::size_t i : numbers) {
+      for (const std::size_t j : numbers) {
+        const double distance = m_between[m_number_of_ends * i + j];
+        if (distance > 0 && distance < Skeleton_distances::unreachable) {
+          sum += distance;
           number += 1;
         }
       }
@@ -500,24 +524,27 @@ private:
 
   const Skeletonized_surface& m_surface;
   std::size_t m_number_of_ends;
-  std::vector<double> m_values; // of each vertex one after the other
+  std::vector<double> m_between; // distances of each end from all of them, along the skeleton
+  std::vector<double> m_values;  // of each vertex one after the other: for each end, along the skeleton and the surface
 };
 
 /// Finds the vertex of a surface that is at the most similar distances from the ends.
 class Similar_vertex_search
 {
 public:
-  Similar_vertex_search(const Skeletonized_surface& surface, const End_distances& distances)
-      : m_distances(distances), m_neighbors(node_neighbors(surface.skeleton)), m_vertices(m_neighbors.size()),
-        m_means(m_neighbors.size() * distances.size(), 0)
+  /// \param distances as many for each vertex, one vertex after the other
+  Similar_vertex_search(const Skeletonized_surface& surface, std::vector<double> distances)
+      : m_distances(std::move(distances)), m_size(m_distances.size() / surface.node.size()),
+        m_neighbors(node_neighbors(surface.skeleton)), m_vertices(m_neighbors.size()),
+        m_means(m_neighbors.size() * m_size, 0)
   {
     for (Index v = 0; v < surface.node.size(); ++v) {
       m_vertices[surface.node[v]].push_back(v);
     }
     for (Index node = 0; node < m_vertices.size(); ++node) {
       for (const Index v : m_vertices[node]) {
-        for (std::size_t i = 0; i < distances.size(); ++i) {
-          m_means[node * distances.size() + i] += distances.of_vertex(v)[i] / double(m_vertices[node].size());
+        for (std::size_t i = 0; i < m_size; ++i) {
+          m_means[node * m_size + i] += m_distances[v * m_size + i] / double(m_vertices[node].size());
         }
       }
     }
@@ -532,14 +559,14 @@ public:
     Index best_node = 0;
     for (Index node = 0; node < m_vertices.size(); ++node) {
       if (!m_vertices[node].empty()) {
-        keep_less(m_means.data() + node * m_distances.size(), wanted, node, least, best_node);
+        keep_less(m_means.data() + node * m_size, wanted, node, least, best_node);
       }
     }
     least = std::numeric_limits<double>::infinity();
     Index best = m_vertices[best_node].front();
     const auto look_among = [&](Index node) {
       for (const Index v : m_vertices[node]) {
-        keep_less(m_distances.of_vertex(v), wanted, v, least, best);
+        keep_less(m_distances.data() + v * m_size, wanted, v, least, best);
       }
     };
     look_among(best_node);
@@ -552,7 +579,7 @@ private:
   void keep_less(const double* found, const double* wanted, Index candidate, double& least, Index& best) const
   {
     double sum = 0;
-    for (std::size_t i = 0; i < m_distances.size() && sum < least; ++i) {
+    for (std::size_t i = 0; i < m_size && sum < least; ++i) {
       sum += std::abs(found[i] - wanted[i]);
     }
     if (sum < least) {
@@ -561,7 +588,8 @@ private:
     }
   }
 
-  const End_distances& m_distances;
+  std::vector<double> m_distances;
+  std::size_t m_size; // how many numbers a vertex has
   std::vector<std::vector<Index>> m_neighbors;
   std::vector<std::vector<Index>> m_vertices; // of each node
   std::vector<double> m_means;                // over them
@@ -591,48 +619,88 @@ inline std::vector<std::size_t> labels_of_vertices(const Skeletonized_surface& s
   return greatest;
 }
 
-/// For each vertex of a surface, the one of another surface to which it corresponds.
-class Vertex_match
+/// Normals at the vertices, by the areas of the faces.
+inline std::vector<Vector_3> vertex_normals(const Indexed_triangles& triangles)
 {
-public:
-  /// \param ends of both skeletons that correspond
-  Vertex_match(const Skeletonized_surface& first, const Skeletonized_surface& second,
-               const std::vector<std::array<Index, 2>>& ends)
-      : m_first(first), m_second(second)
-  {
-    std::array<std::vector<Index>, 2> ends_of;
-    for (const auto& [first_end, second_end] : ends) {
-      ends_of[0].push_back(first_end);
-      ends_of[1].push_back(second_end);
-    }
-    const End_distances first_distances(first, ends_of[0]);
-    const End_distances second_distances(second, ends_of[1]);
-    const Similar_vertex_search similar_vertex(first, first_distances);
-    m_vertices.reserve(second.node.size());
-    for (Index v = 0; v < second.node.size(); ++v) {
-      const auto [vertex, sum] = similar_vertex(second_distances.of_vertex(v));
-      m_vertices.push_back(vertex);
-      m_difference += sum / double(first_distances.size() * second.node.size());
+  std::vector<Vector_3> normals(triangles.points.size());
+  for (const auto& [a, b, c] : triangles.faces) {
+    const Vector_3 vector = triangle_vector(triangles.points[a], triangles.points[b], triangles.points[c]);
+    for (const Index v : {a, b, c}) {
+      normals[v] += vector;
     }
   }
+  std::transform(normals.begin(), normals.end(), normals.begin(), [](const Vector_3& v) { return v.normalized(); });
+  return normals;
+}
 
-  const std::vector<Index>& vertices() const { return m_vertices; }
+/// Finds, for each vertex of a surface, the one of another surface to which it corresponds.
+class Vertex_matching
+{
+public:
+  Vertex_matching(const Skeletonized_surface& first, const Skeletonized_surface& second)
+      : m_first(first), m_second(second), m_limbs(first.skeleton, second.skeleton),
+        m_first_distances(first, m_limbs.first().ends()), m_second_distances(second, m_limbs.second().ends()),
+        m_first_normals(vertex_normals(first.triangles))
+  {
+  }
 
-  /// The mean difference of distances from ends at vertices that correspond.
-  double difference() const { return m_difference; }
+  /// By the way to match limbs of the least cost and difference which keeps the orientation best.
+  std::vector<Index> best() const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<Index> result;
+    for (std::size_t way = 0; way < m_limbs.size(); ++way) {
+      auto [vertices, difference] = match(way);
+      const double badness = cost_weight * m_limbs.cost(way) + difference_weight * difference - orientation(vertices);
+      if (badness < least) {
+        least = badness;
+        result = std::move(vertices);
+      }
+    }
+    return result;
+  }
+
+private:
+  /// How much costs and differences count in the orientation. On odd-numbered poses of FAUST, half or twice as much is
+  /// as good.
+  static constexpr double cost_weight = 4;
+  static constexpr double difference_weight = 16;
+
+  /// For each vertex of the second surface, that of the first one, and the mean difference of their distances from
+  /// ends.
+  std::pair<std::vector<Index>, double> match(std::size_t way) const
+  {
+    std::array<std::vector<std::size_t>, 2> numbers;
+    for (const auto& [first, second] : m_limbs.numbers(way)) {
+      numbers[0].push_back(first);
+      numbers[1].push_back(second);
+    }
+    const Similar_vertex_search similar_vertex(m_first, m_first_distances.relative(numbers[0]));
+    const std::vector<double> wanted = m_second_distances.relative(numbers[1]);
+    std::pair<std::vector<Index>, double> result;
+    result.first.reserve(m_second.node.size());
+    for (std::size_t i = 0; i < wanted.size(); i += wanted.size() / m_second.node.size()) {
+      const auto [vertex, sum] = similar_vertex(wanted.data() + i);
+      result.first.push_back(vertex);
+      result.second += sum / double(wanted.size());
+    }
+    return result;
+  }
 
   /// From -1 to 1: 1 if what is counterclockwise, seen from outside, is so on the other surface. A body and its mirror
   /// image have the same distances; where they tell its front from its back, this tells its left from its right.
-  double orientation() const
+  double orientation(const std::vector<Index>& vertices) const
   {
     double sum = 0;
     double area = 0;
-    const std::vector<Vector_3> normals = vertex_normals(m_first);
+    const std::vector<Vector_3>& first_points = m_first.triangles.points;
+    const std::vector<Vector_3>& second_points = m_second.triangles.points;
     for (const auto& [a, b, c] : m_second.triangles.faces) {
-      const std::array<Index, 3> there{m_vertices[a], m_vertices[b], m_vertices[c]};
-      const double turn = normal(m_first, there).dot(normals[there[0]] + normals[there[1]] + normals[there[2]]);
+      const auto [i, j, k] = std::array<Index, 3>{vertices[a], vertices[b], vertices[c]};
+      const double turn = triangle_vector(first_points[i], first_points[j], first_points[k])
+                              .dot(m_first_normals[i] + m_first_normals[j] + m_first_normals[k]);
       if (turn != 0) { // most corners of many faces correspond to the same vertex
-        const double weight = normal(m_second, {a, b, c}).norm();
+        const double weight = triangle_area(second_points[a], second_points[b], second_points[c]);
         sum += turn > 0 ? weight : -weight;
         area += weight;
       }
@@ -640,55 +708,13 @@ public:
     return area > 0 ? sum / area : 0;
   }
 
-private:
-  /// As long as twice the area.
-  static Vector_3 normal(const Skeletonized_surface& surface, const std::array<Index, 3>& corners)
-  {
-    const std::vector<Vector_3>& points = surface.triangles.points;
-    return (points[corners[1]] - points[corners[0]]).cross(points[corners[2]] - points[corners[0]]);
-  }
-
-  static std::vector<Vector_3> vertex_normals(const Skeletonized_surface& surface)
-  {
-    std::vector<Vector_3> normals(surface.node.size(), Vector_3::Zero());
-    for (const std::array<Index, 3>& face : surface.triangles.faces) {
-      for (const Index v : face) {
-        normals[v] += normal(surface, face);
-      }
-    }
-    for (Vector_3& one : normals) {
-      one = one.normalized();
-    }
-    return normals;
-  }
-
   const Skeletonized_surface& m_first;
   const Skeletonized_surface& m_second;
-  std::vector<Index> m_vertices;
-  double m_difference = 0;
+  Limb_matching m_limbs;
+  End_distances m_first_distances;
+  End_distances m_second_distances;
+  std::vector<Vector_3> m_first_normals;
 };
-
-/// For each vertex of `second`, the one of `first` to which it corresponds. Of the ways to match the limbs, it is that
-/// of the least cost and difference which keeps the orientation best.
-inline std::vector<Index> match_vertices(const Skeletonized_surface& first, const Skeletonized_surface& second)
-{
-  // How much costs and differences count in the orientation. On odd-numbered poses of FAUST, half or twice as much is
-  // as good.
-  constexpr double cost_weight = 4;
-  constexpr double difference_weight = 16;
-  const Limb_matching limbs(first.skeleton, second.skeleton);
-  double least = std::numeric_limits<double>::infinity();
-  std::vector<Index> best;
-  for (std::size_t way = 0; way < limbs.size(); ++way) {
-    const Vertex_match match(first, second, limbs.ends(way));
-    const double badness = cost_weight * limbs.cost(way) + difference_weight * match.difference() - match.orientation();
-    if (badness < least) {
-      least = badness;
-      best = match.vertices();
-    }
-  }
-  return best;
-}
 
 /// Gives each vertex the label that most of the surface around it has.
 inline void smooth_labels(const Skeletonized_surface& surface, std::vector<std::size_t>& labels)
@@ -720,7 +746,7 @@ CSCD_INLINE std::vector<std::size_t> carry_labels(const Skeletonized_surface& fi
   const std::vector<std::size_t> of_first = labels_of_vertices(first, labels);
   std::vector<std::size_t> of_second;
   of_second.reserve(second.node.size());
-  for (const Index vertex : match_vertices(first, second)) {
+  for (const Index vertex : Vertex_matching(first, second).best()) {
     of_second.push_back(of_first[vertex]);
   }
   smooth_labels(second, of_second);

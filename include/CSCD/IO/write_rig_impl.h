@@ -186,8 +186,7 @@ private:
   {
     std::vector<Vector_3> normals(m_surface.points.size());
     for (const auto& [a, b, c] : m_surface.triangles) {
-      const Vector_3& origin = m_surface.points[a];
-      const Vector_3 normal = (m_surface.points[b] - origin).cross(m_surface.points[c] - origin);
+      const Vector_3 normal = triangle_vector(m_surface.points[a], m_surface.points[b], m_surface.points[c]);
       for (const Index corner : {a, b, c}) {
         normals[corner] += normal;
       }

@@ -195,18 +195,16 @@ public:
   /// The mean distance of the centers of the faces, weighted by area, from their centroid.
   double mean_radius() const
   {
+    const std::vector<double> areas = face_areas(m_triangles);
     std::vector<Vector_3> centers;
-    std::vector<double> areas;
-    centers.reserve(m_triangles.faces.size());
-    areas.reserve(m_triangles.faces.size());
+    centers.reserve(areas.size());
     Vector_3 moment = Vector_3::Zero();
     double area = 0;
-    for (const auto& [a, b, c] : m_triangles.faces) {
-      const auto& points = m_triangles.points;
-      centers.push_back((points[a] + points[b] + points[c]) / 3);
-      areas.push_back(triangle_area(points[a], points[b], points[c]));
-      moment += areas.back() * centers.back();
-      area += areas.back();
+    for (std::size_t f = 0; f < areas.size(); ++f) {
+      const auto& [a, b, c] = m_triangles.faces[f];
+      centers.push_back((m_triangles.points[a] + m_triangles.points[b] + m_triangles.points[c]) / 3);
+      moment += areas[f] * centers.back();
+      area += areas[f];
     }
     double sum = 0;
     for (std::size_t f = 0; f < centers.size(); ++f) {

@@ -195,7 +195,7 @@ private:
       }
       const Vector_3& b = m_triangles.points[face[1]];
       const Vector_3& c = m_triangles.points[face[2]];
-      const Vector_3 vector = (b - a).cross(c - a);
+      const Vector_3 vector = triangle_vector(a, b, c);
       area[fragment] += vector.norm() / 2;
       add_volume(fragment, a, b, c);
       ++m_size[fragment];

@@ -48,6 +48,21 @@ struct Indexed_triangles
   std::size_t first_hole_filling_face = 0;
 };
 
+namespace internal {
+
+/// The areas of the faces.
+inline std::vector<double> face_areas(const Indexed_triangles& triangles)
+{
+  std::vector<double> areas;
+  areas.reserve(triangles.faces.size());
+  for (const auto& [a, b, c] : triangles.faces) {
+    areas.push_back(triangle_area(triangles.points[a], triangles.points[b], triangles.points[c]));
+  }
+  return areas;
+}
+
+} // namespace internal
+
 /// What becomes of the borders of a surface.
 enum class Border_treatment
 {

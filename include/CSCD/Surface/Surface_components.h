@@ -87,7 +87,7 @@ private:
       const Vector_3& a = triangles.points[face[0]];
       const Vector_3& b = triangles.points[face[1]];
       const Vector_3& c = triangles.points[face[2]];
-      const Vector_3 vector = (b - a).cross(c - a);
+      const Vector_3 vector = triangle_vector(a, b, c);
       const double doubled_area = f < triangles.first_hole_filling_face ? vector.norm() : 0.;
       const double area = doubled_area / 2;
       const Vector_3 center = (a + b + c) / 3;

@@ -197,8 +197,7 @@ public:
   /// Twice the area times the normal of the face, bridging or not.
   Vector_3 face_vector(Index face) const
   {
-    const Vector_3& a = point(origin(3 * face));
-    return (point(origin(3 * face + 1)) - a).cross(point(origin(3 * face + 2)) - a);
+    return internal::triangle_vector(point(origin(3 * face)), point(origin(3 * face + 1)), point(origin(3 * face + 2)));
   }
   /// From this face on, faces only close borders.
   bool is_hole_filling(Index face) const { return face >= m_first_hole_filling_face; }

@@ -228,7 +228,7 @@ private:
   {
     const auto is_contradictory = [&](std::array<Index, 3>& triangle) {
       const auto [a, b, c] = triangle;
-      const Vector_3 normal = (m_points[b] - m_points[a]).cross(m_points[c] - m_points[a]);
+      const Vector_3 normal = triangle_vector(m_points[a], m_points[b], m_points[c]);
       const std::array<double, 3> sides{normal.dot(m_normals[a]), normal.dot(m_normals[b]), normal.dot(m_normals[c])};
       if (sides[0] < 0) {
         std::swap(triangle[1], triangle[2]);

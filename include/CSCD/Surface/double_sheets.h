@@ -345,8 +345,7 @@ inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge
   std::vector<Vector_3> normal(n, Vector_3::Zero());
   for (std::size_t f = 0; f < number_of_faces; ++f) {
     const auto [a, b, c] = triangles.faces[f];
-    const Vector_3 vector =
-        (triangles.points[b] - triangles.points[a]).cross(triangles.points[c] - triangles.points[a]);
+    const Vector_3 vector = triangle_vector(triangles.points[a], triangles.points[b], triangles.points[c]);
     for (const Index corner : {a, b, c}) {
       normal[corner] += vector;
     }
