@@ -10,6 +10,7 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/config.h>
