@@ -12,6 +12,9 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/mesh_segmentation.h>
@@ -19,6 +22,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <fstream>
@@ -59,7 +63,8 @@ Skeletonized_input skeletonized_mesh(const std::string& name, const std::string&
 {
   Skeletonized_input result;
   result.options.input = name;
-  result.input = read_mesh(name, format, is_quiet);
+  constexpr bool keeps_file = true; // what is written follows the order of the file
+  result.input = read_mesh(name, format, is_quiet, keeps_file);
   result.result = skeletonize_input(result.input, result.options, nullptr);
   return result;
 }
@@ -88,21 +93,45 @@ std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
 
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 
-/// Reads a label for each face of `mesh`.
-void read_labels(const std::string& filename, const Mesh& mesh, Labels labels)
+/// Which faces of the mesh come from which faces of the file; as long as nothing was cut or removed, those of the same
+/// number.
+CSCD::internal::Faces_of_file faces_of_file(const Input& input)
+{
+  CSCD::internal::Faces_of_file result;
+  if (input.repairs.number_of_triangulated_polygons == 0 && input.repairs.number_of_removed_faces == 0) {
+    result.polygon_of_face.resize(input.mesh.number_of_faces());
+    std::iota(result.polygon_of_face.begin(), result.polygon_of_face.end(), CSCD::Index(0));
+    result.face_of_polygon = result.polygon_of_face;
+    return result;
+  }
+  std::vector<std::array<CSCD::Index, 3>> faces;
+  for (const Mesh::Face_index face : input.mesh.faces()) {
+    const auto h = input.mesh.halfedge(face);
+    faces.push_back({source(h, input.mesh), target(h, input.mesh), target(next(h, input.mesh), input.mesh)});
+  }
+  return match_faces(input.as_read, CSCD::internal::to_vectors(input.mesh.points()), faces);
+}
+
+/// Reads a label for each face of the file of `input`, and gives them to those of its mesh.
+void read_labels(const std::string& filename, const Input& input, Labels labels)
 {
   std::ifstream in(filename);
   if (!in) {
     throw CSCD::File_error(filename + ": cannot be read; check the name and the permissions");
   }
-  for (const Mesh::Face_index face : mesh.faces()) {
-    if (!(in >> labels[face])) {
-      throw CSCD::Input_error(filename + ": has not a label for each of the " + std::to_string(mesh.number_of_faces()) +
+  std::vector<std::size_t> read(input.as_read.number_of_polygons());
+  for (std::size_t& label : read) {
+    if (!(in >> label)) {
+      throw CSCD::Input_error(filename + ": has not a label for each of the " + std::to_string(read.size()) +
                               " faces of the mesh of --like; write one number a line");
     }
   }
   if (std::string rest; in >> rest) {
     throw CSCD::Input_error(filename + ": has more labels than the mesh of --like has faces");
+  }
+  const CSCD::internal::Faces_of_file faces = faces_of_file(input);
+  for (const Mesh::Face_index face : input.mesh.faces()) {
+    labels[face] = read[faces.polygon_of_face[face]];
   }
 }
 
@@ -115,7 +144,7 @@ std::size_t segment_like(const Segment_options& options, Skeletonized_input& inp
     CSCD::segment_mesh(other.mesh(), other.skeleton(), parts, CSCD::parameters::default_values(),
                        options.number_of_parts);
   } else {
-    read_labels(options.labels, other.mesh(), parts);
+    read_labels(options.labels, other.input, parts);
   }
   CSCD::carry_labels(other.mesh(), other.skeleton(), parts, input.mesh(), input.skeleton(), labels);
   return std::set<std::size_t>(labels.begin(), labels.end()).size();
@@ -196,8 +225,8 @@ void segment(const Segment_options& options)
   write_with_report(
       options,
       [&](std::ostream& out) {
-        for (const Mesh::Face_index face : input.mesh().faces()) {
-          out << labels[face] << '\n';
+        for (const CSCD::Index face : faces_of_file(input.input).face_of_polygon) {
+          out << (face == CSCD::no_index ? 0 : labels[Mesh::Face_index(face)]) << '\n';
         }
       },
       [&] { return input.document("segmentation", parts_document(options, input.mesh(), labels)); });
@@ -215,8 +244,10 @@ void write_diameters(const Application_options& options)
       options,
       [&](std::ostream& out) {
         out.precision(std::numeric_limits<double>::max_digits10);
-        for (const Mesh::Vertex_index vertex : input.mesh().vertices()) {
-          out << diameters[vertex] << '\n';
+        for (const double diameter : CSCD::internal::values_of_file(
+                 input.input.as_read.points, CSCD::internal::to_vectors(input.mesh().points()),
+                 std::vector<double>(diameters.begin(), diameters.end()), [](double value) { return value > 0; })) {
+          out << diameter << '\n';
         }
       },
       [&] {

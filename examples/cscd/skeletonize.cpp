@@ -326,9 +326,9 @@ std::string name_of(const std::string& input)
   return input == standard_stream ? "standard input" : input;
 }
 
-Input read_mesh(const std::string& name, const std::string& format, bool is_quiet)
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
 {
-  Input input = read_input(name, format, is_quiet);
+  Input input = read_input(name, format, is_quiet, keeps_file);
   if (input.is_point_set) {
     throw CSCD::Input_error(name_of(name) + ": has no faces: this needs a mesh");
   }

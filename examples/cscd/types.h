@@ -82,7 +82,7 @@ Input make_input(CSCD::internal::Indexed_skeleton graph);
 std::string name_of(const std::string& input);
 
 /// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
-Input read_mesh(const std::string& name, const std::string& format, bool is_quiet);
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
 
 /// Refuses files from which no skeleton can be read, by their endings.
 /// \throw Usage_error

@@ -105,6 +105,40 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
   expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
+/// Points that are named twice, squares and faces without area change what the mesh has, not what is written.
+TEST_F(Cscd, results_follow_the_file_although_the_mesh_was_repaired)
+{
+  Mesh_file_content mesh = torus();
+  m_folder.write("torus.off", off(mesh));
+  const std::size_t number_of_points = mesh.points.size();
+  mesh.polygons.insert(mesh.polygons.begin(), {mesh.polygons[0][0], mesh.polygons[0][0], mesh.polygons[0][1]});
+  mesh.polygons.insert(mesh.polygons.begin() + 5, {mesh.polygons[9][0], mesh.polygons[9][1]});
+  mesh.points.insert(mesh.points.begin(), mesh.points.back()); // without a face
+  for (auto& polygon : mesh.polygons) {
+    for (std::size_t& corner : polygon) {
+      ++corner;
+    }
+  }
+  m_folder.write("repaired.off", off(mesh));
+  const auto lines = [&](const std::string& command, const std::string& input, const std::string& output) {
+    EXPECT_EQ(0, run(command + ' ' + input + " -o " + output).status);
+    std::istringstream values(content(output));
+    return std::vector<double>(std::istream_iterator<double>(values), {});
+  };
+  std::vector<double> diameters = lines("diameter", "repaired.off", "repaired.txt");
+  ASSERT_EQ(diameters.size(), number_of_points + 1);
+  EXPECT_GT(diameters.front(), 0); // there is a vertex at its place
+  diameters.erase(diameters.begin());
+  EXPECT_EQ(diameters, lines("diameter", "torus.off", "torus.txt"));
+  std::vector<double> parts = lines("segment --parts 3", "repaired.off", "repaired.seg");
+  ASSERT_EQ(parts.size(), mesh.polygons.size());
+  // Its labels are read back for the same faces.
+  EXPECT_EQ(0, run("segment torus.off -o same.seg --like repaired.off --labels repaired.seg").status);
+  parts.erase(parts.begin() + 5);
+  parts.erase(parts.begin());
+  EXPECT_EQ(parts, lines("segment --parts 3", "torus.off", "torus.seg"));
+}
+
 TEST_F(Cscd, commands_that_use_skeletons_write_reports)
 {
   m_folder.write("torus.off", off(torus()));

@@ -87,6 +87,21 @@ Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending
 /// \throw Input_error if they are too many or cannot be made a surface
 Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename);
 
+/// Which faces of a mesh come from which polygons of the file that it was made of.
+struct Faces_of_file
+{
+  std::vector<Index> polygon_of_face; ///< for each face of the mesh
+  /// For each polygon of the file, the largest of its triangles that is a face of the mesh; if none is, some face at
+  /// one of its points; `no_index` if there is none either.
+  std::vector<Index> face_of_polygon;
+};
+
+/// Finds them by the places of their corners, as repairs never move a point. O(n log n).
+/// \param file what `make_manifold()` was given
+/// \param points, faces those of the mesh
+Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,
+                          const std::vector<std::array<Index, 3>>& faces);
+
 /// Builds a mesh from triangles whose neighbors are known, in linear time; `CGAL::Euler::add_faces()` looks for them
 /// once more, at several times the cost.
 template <class TriangleMesh>

@@ -57,8 +57,8 @@ public:
   {
     m_corners = m_soup.corners.data() + m_soup.first_corner[polygon];
     m_size = m_soup.size_of_polygon(polygon);
-    if (m_size == 3) {
-      append(0, 1, 2);
+    if (m_size <= 3) {
+      append_fan(0); // of fewer corners: nothing
     } else if (!triangulate_as_fan() && !triangulate_by_cgal()) {
       append_fan(0);
     }
@@ -157,12 +157,17 @@ private:
   std::size_t m_size = 0;
 };
 
-/// Cuts all polygons into triangles, whose order is that of the polygons. The points stay.
+/// Cuts all polygons into triangles, whose order is that of the polygons: two fewer than each has corners, and none of
+/// those of fewer than three. The points stay.
 inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& polygons)
 {
   Polygon_soup soup = std::move(polygons); // its memory is free when the triangles are there
   Indexed_triangles result;
-  result.faces.reserve(soup.corners.size() - 2 * soup.number_of_polygons());
+  std::size_t number_of_triangles = 0;
+  for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
+    number_of_triangles += std::max<std::size_t>(soup.size_of_polygon(polygon), 2) - 2;
+  }
+  result.faces.reserve(number_of_triangles);
   Polygon_triangulator triangulator(soup, result.faces);
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
     triangulator.triangulate(polygon);
@@ -291,7 +296,7 @@ inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format for
   constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 8> parsers{
       parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer, parse_3mf};
   Polygon_soup soup = parsers[std::size_t(format)](content, filename);
-  if (soup.number_of_polygons() == 0) {
+  if (soup.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
     throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
   }
   return soup;
@@ -331,7 +336,9 @@ CSCD_INLINE Polygon_soup read_polygons_or_points(std::istream& in, const std::st
 CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename)
 {
   Manifold_triangles result;
-  result.report.number_of_triangulated_polygons = polygons.number_of_polygons_larger_than_triangles();
+  result.report.number_of_triangulated_polygons =
+      polygons.number_of_polygons([](std::size_t size) { return size > 3; });
+  result.report.number_of_removed_faces = polygons.number_of_polygons([](std::size_t size) { return size < 3; });
   result.triangles = triangulate_polygon_soup(std::move(polygons));
   if (result.triangles.faces.size() > maximum_number_of_faces) {
     throw Input_error(filename + ": the mesh has more than 2^26 triangles; simplify it first");
@@ -349,6 +356,59 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
     result.report.number_of_turned_components = orient_outwards(result.triangles, *pairing, components);
   }
   result.pairing = std::move(*pairing);
+  return result;
+}
+
+CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,
+                                      const std::vector<std::array<Index, 3>>& faces)
+{
+  std::vector<Vector_3> places = file.points;
+  places.insert(places.end(), points.begin(), points.end());
+  std::vector<Index> place; // for the points of the file, then for those of the mesh
+  merge_equal_points(places, place);
+  const auto place_of_vertex = place.begin() + static_cast<std::ptrdiff_t>(file.points.size());
+  using Corners = std::array<Index, 3>;
+  const auto sorted = [](Corners corners) {
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  };
+  std::vector<std::pair<Corners, Index>> face_at;
+  std::vector<Index> face_at_place(places.size(), no_index);
+  for (Index face = 0; face < faces.size(); ++face) {
+    Corners corners{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      corners[i] = place_of_vertex[faces[face][i]];
+      face_at_place[corners[i]] = std::min(face_at_place[corners[i]], face);
+    }
+    face_at.emplace_back(sorted(corners), face);
+  }
+  std::sort(face_at.begin(), face_at.end());
+
+  Faces_of_file result;
+  result.polygon_of_face.assign(faces.size(), no_index);
+  result.face_of_polygon.assign(file.number_of_polygons(), no_index);
+  const std::vector<Corners> triangles = triangulate_polygon_soup(Polygon_soup(file)).faces;
+  auto triangle = triangles.begin();
+  for (std::size_t polygon = 0; polygon < file.number_of_polygons(); ++polygon) {
+    Index& largest = result.face_of_polygon[polygon];
+    double largest_area = -1;
+    for (std::size_t i = 2; i < file.size_of_polygon(polygon); ++i, ++triangle) {
+      const Corners corners = sorted({place[(*triangle)[0]], place[(*triangle)[1]], place[(*triangle)[2]]});
+      const double area = triangle_area(places[corners[0]], places[corners[1]], places[corners[2]]);
+      for (auto at = std::lower_bound(face_at.begin(), face_at.end(), std::pair(corners, Index(0)));
+           at != face_at.end() && at->first == corners; ++at) {
+        Index& its_polygon = result.polygon_of_face[at->second];
+        its_polygon = its_polygon == no_index ? Index(polygon) : its_polygon;
+        if (area > largest_area) {
+          largest_area = area;
+          largest = at->second;
+        }
+      }
+    }
+    for (std::size_t c = file.first_corner[polygon]; c < file.first_corner[polygon + 1] && largest == no_index; ++c) {
+      largest = face_at_place[place[file.corners[c]]];
+    }
+  }
   return result;
 }
 

@@ -67,32 +67,41 @@ inline std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& poi
   return result;
 }
 
-/// The labels of the points of a file of which a mesh was made, from those of the vertices of the mesh. Repairs merge,
-/// double and drop points, but never move one: a point has the label of the vertex at its place; of several, that of
-/// the first one that belongs to a node. Expectedly linear.
-inline std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
-                                                const std::vector<Vector_3>& points_of_mesh,
-                                                const std::vector<Vertex_label>& labels)
+/// The values of the points of a file of which a mesh was made, from those of the vertices of the mesh. Repairs merge,
+/// double and drop points, but never move one: a point has the value of the vertex at its place; of several, that of
+/// the first one that `is_known`. Expectedly linear.
+template <class Value, class Is_known>
+std::vector<Value> values_of_file(const std::vector<Vector_3>& points_of_file,
+                                  const std::vector<Vector_3>& points_of_mesh, const std::vector<Value>& values,
+                                  Is_known is_known)
 {
   if (points_of_file == points_of_mesh) {
-    return labels; // not repaired: points at the same place may have different labels
+    return values; // not repaired: points at the same place may have different values
   }
   const auto key = [](const Vector_3& point) { // without negative zeros, whose hash differs
     return std::array<double, 3>{point.x() + 0., point.y() + 0., point.z() + 0.};
   };
-  boost::unordered_map<std::array<double, 3>, Vertex_label> label_at;
-  label_at.reserve(points_of_mesh.size());
+  boost::unordered_map<std::array<double, 3>, Value> value_at;
+  value_at.reserve(points_of_mesh.size());
   for (std::size_t v = 0; v < points_of_mesh.size(); ++v) {
-    Vertex_label& label = label_at[key(points_of_mesh[v])];
-    label = label.node == no_index ? labels[v] : label;
+    Value& value = value_at[key(points_of_mesh[v])];
+    value = is_known(value) ? value : values[v];
   }
-  std::vector<Vertex_label> result;
+  std::vector<Value> result;
   result.reserve(points_of_file.size());
   for (const Vector_3& point : points_of_file) {
-    const auto found = label_at.find(key(point));
-    result.push_back(found != label_at.end() ? found->second : Vertex_label());
+    const auto found = value_at.find(key(point));
+    result.push_back(found != value_at.end() ? found->second : Value());
   }
   return result;
+}
+
+inline std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
+                                                const std::vector<Vector_3>& points_of_mesh,
+                                                const std::vector<Vertex_label>& labels)
+{
+  return values_of_file(points_of_file, points_of_mesh, labels,
+                        [](const Vertex_label& label) { return label.node != no_index; });
 }
 
 /// Writes a number in binary.

@@ -28,11 +28,13 @@ struct Polygon_soup
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
   std::size_t size_of_polygon(std::size_t polygon) const { return first_corner[polygon + 1] - first_corner[polygon]; }
-  std::size_t number_of_polygons_larger_than_triangles() const
+  /// The number of polygons whose number of corners `is_counted` says to count.
+  template <class Predicate>
+  std::size_t number_of_polygons(Predicate is_counted) const
   {
     std::size_t number = 0;
     for (std::size_t polygon = 0; polygon < number_of_polygons(); ++polygon) {
-      number += size_of_polygon(polygon) > 3 ? 1 : 0;
+      number += is_counted(size_of_polygon(polygon)) ? 1 : 0;
     }
     return number;
   }

@@ -125,6 +125,8 @@ public:
 
   /// Passes over `size` bytes. \pre there are as many
   void skip(std::size_t size) { m_at += size; }
+  /// Goes back by `size` bytes. \pre so many were read
+  void unread(std::size_t size) { m_at -= size; }
 
   /// Goes on to the next token, over line ends and, if `comment` is not 0, over all that follows it in a line.
   /// \return false at the end of the text

@@ -20,11 +20,14 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -63,7 +66,7 @@ inline void append_mapped(Polygon_soup& soup, const std::vector<Vector_3>& point
 #ifdef CSCD_WITH_GLTF
 
 /// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
-/// chunk, or in the JSON in Base64. Whatever the JSON says is checked before it is used.
+/// chunk, in the JSON in Base64, or in files beside. Whatever the JSON says is checked before it is used.
 class Gltf_parser
 {
 public:
@@ -192,9 +195,39 @@ private:
     const std::string text = uri->is_string() ? uri->get<std::string>() : std::string();
     const std::size_t begin = text.find(base64);
     if (text.substr(0, 5) != "data:" || begin == std::string::npos) {
-      fail("its data are in a file of their own, which is not read");
+      return content_beside(text);
     }
     return Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true, m_filename).take_all();
+  }
+
+  /// The content of a file in the folder of this one, or below: a file from elsewhere must not reach others.
+  std::string content_beside(const std::string& uri) const
+  {
+    const std::filesystem::path path = decode_percents(uri);
+    const bool is_below = path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+    const std::filesystem::path place = std::filesystem::path(m_filename).parent_path() / path;
+    std::error_code error;
+    if (!is_below || !std::filesystem::is_regular_file(place, error)) {
+      fail("its data are in a file of their own, which is not in its folder");
+    }
+    return read_content(place.string());
+  }
+
+  /// Replaces `%20` and the like.
+  static std::string decode_percents(const std::string& uri)
+  {
+    std::string result;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+      unsigned char byte = 0;
+      const char* const digits = uri.data() + i + 1;
+      if (uri[i] == '%' && i + 2 < uri.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+        result.push_back(char(byte));
+        i += 2;
+      } else {
+        result.push_back(uri[i]);
+      }
+    }
+    return result;
   }
 
   Number_type component_type(const Json& accessor) const

@@ -104,10 +104,12 @@ private:
     drop("C");
     m_has_normals = drop("N");
     m_is_homogeneous = drop("4");
-    if (keyword != "OFF") {
+    // Some writers leave no blank between the keyword and the number of vertices.
+    if (!drop("OFF") || (!keyword.empty() && (keyword[0] < '0' || keyword[0] > '9'))) {
       m_scanner.fail("this is no OFF file of three-dimensional points: the keyword OFF is missing",
                      "check the ending of the file name");
     }
+    m_scanner.unread(keyword.size());
   }
 
   void read_counts()
@@ -193,9 +195,6 @@ private:
         m_scanner.fail_at_end("face " + std::to_string(i) + " of " + std::to_string(m_number_of_polygons));
       }
       const std::size_t size = m_scanner.count("the number of vertices of a face");
-      if (size < 3) {
-        m_scanner.fail("a face has fewer than three vertices", "remove it");
-      }
       for (std::size_t k = 0; k < size; ++k) {
         m_soup.corners.push_back(next_corner());
       }
@@ -271,13 +270,13 @@ private:
 
   void read_polygon()
   {
-    const std::size_t first = m_soup.corners.size();
     while (m_scanner.skip_blanks_in_line()) {
+      if (m_scanner.is_at("\\")) { // the statement goes on in the next line
+        m_scanner.skip_line();
+        continue;
+      }
       m_soup.corners.push_back(corner(m_scanner.integer("the index of a vertex")));
       m_scanner.word(); // indices of texture coordinates and normals
-    }
-    if (m_soup.corners.size() - first < 3) {
-      m_scanner.fail("a face has fewer than three vertices", "remove it");
     }
     m_soup.end_polygon();
   }

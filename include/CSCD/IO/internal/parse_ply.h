@@ -394,15 +394,11 @@ private:
     m_soup.first_corner.reserve(expected + 1);
     std::size_t face = element.properties.empty() ? 0 : read_triangle_records(element);
     for (; face < element.number_of_items && !element.properties.empty(); ++face) {
-      const std::size_t first = m_soup.corners.size();
       read_item(element, [&](const Ply_property& property, std::size_t, double number) {
         if (is_list_of_corners(property)) {
           m_soup.corners.push_back(corner(number, face));
         }
       });
-      if (m_soup.corners.size() - first < 3) {
-        fail("face " + std::to_string(face) + " has fewer than three vertices in its list vertex_indices");
-      }
       m_soup.end_polygon();
     }
   }

@@ -82,9 +82,6 @@ public:
       if (!(end >= double(begin) && end <= double(corners.size()))) {
         fail("a cell ends before it begins, or behind the last corner");
       }
-      if (kind == "polys" && end - double(begin) < 3) {
-        fail("a face has fewer than three vertices");
-      }
       for (; begin < std::size_t(end); ++begin) {
         const double corner = corners[begin];
         if (!(corner >= 0 && corner < number_of_points && corner == double(std::uint64_t(corner)))) {
@@ -408,7 +405,8 @@ private:
       corners = numbers(size, 1, word("a type"));
     } else { // before each cell its size
       const std::vector<double> all = numbers(size, 1, "int");
-      for (std::size_t at = 0; number > 0; --number) {
+      std::size_t at = 0;
+      for (; number > 0; --number) {
         const double its_size = at < all.size() ? all[at++] : -1;
         if (!(its_size >= 0 && its_size <= double(all.size() - at))) {
           m_collector.fail("the cells do not fill the room that their keyword promises");
@@ -417,6 +415,9 @@ private:
                        all.begin() + std::ptrdiff_t(at) + std::ptrdiff_t(its_size));
         at += std::size_t(its_size);
         ends.push_back(double(corners.size()));
+      }
+      if (at != all.size()) {
+        m_collector.fail("the cells do not fill the room that their keyword promises");
       }
     }
     m_collector.add_cells(kind, corners, ends, 0);
