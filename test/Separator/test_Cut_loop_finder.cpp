@@ -226,9 +226,9 @@ TEST(Cut_loop_finder, runs_along_intrinsic_edges)
     const CSCD::internal::Heat_method heat(triangulation);
     std::size_t number_of_loops = 0;
     for (Index source = 0; source < surface.number_of_vertices(); source += 13) {
-      CSCD::internal::Heat_field field;
-      heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
-      const Cut_locus_indicators<Triangulation> measures(frames, field.distances);
+      std::vector<double> distances;
+      heat({CSCD::internal::Geodesic_source::at_vertex(source)}, distances, workspace);
+      const Cut_locus_indicators<Triangulation> measures(frames, distances);
       Cut_loop loop;
       finder(measures, source, Cut_criterion(), Target_rule::nearest_in_space, loop);
       if (loop.outcome != Cut_loop_outcome::found) {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -30,12 +31,12 @@ TEST(Field_search_space, measures_around_a_slit_and_not_over_it)
     }
   }
   CSCD::internal::Heat_method::Workspace workspace;
-  CSCD::internal::Heat_field field;
-  space.heat_method()({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
+  std::vector<double> distances;
+  space.heat_method()({CSCD::internal::Geodesic_source::at_vertex(source)}, distances, workspace);
   // The slit is one edge wide: the path to its other side leads round the tube.
   double farthest = 0;
   for (const Index h : surface.outgoing(source)) {
-    farthest = std::max(farthest, field.distances[surface.target(h)]);
+    farthest = std::max(farthest, distances[surface.target(h)]);
   }
   EXPECT_NEAR(farthest, 2 * CSCD::test::pi * 23 / 24, 0.3);
 }

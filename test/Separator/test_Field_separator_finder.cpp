@@ -49,10 +49,10 @@ public:
   Field_search_result find(const Vector_3& point)
   {
     const Index source = CSCD::test::nearest_vertex(m_surface, point);
-    CSCD::internal::Heat_field field;
-    m_space.heat_method()({CSCD::internal::Geodesic_source::at_vertex(source)}, field, m_workspace);
+    std::vector<double> distances;
+    m_space.heat_method()({CSCD::internal::Geodesic_source::at_vertex(source)}, distances, m_workspace);
     Field_search_result result;
-    m_finder(source, field.distances, result);
+    m_finder(source, distances, result);
     if (result.outcome == Search_outcome::found) {
       EXPECT_TRUE(CSCD::test::is_closed_curve(m_surface, result.separator.crossings));
       EXPECT_EQ(result.separator.source, source);

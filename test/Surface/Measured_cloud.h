@@ -49,10 +49,10 @@ public:
 
   std::vector<double> distances(Index source) const
   {
-    CSCD::internal::Heat_field field;
+    std::vector<double> result;
     CSCD::internal::Heat_method::Workspace workspace;
-    m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, field, workspace);
-    return field.distances;
+    m_heat({CSCD::internal::Geodesic_source::at_vertex(source)}, result, workspace);
+    return result;
   }
 
   /// The values of `function` at the vertices.

@@ -95,9 +95,7 @@ public:
   /// \tparam Triangulation has `number_of_vertices()`, `number_of_faces()`, `origin(h)` and `length(h)`, where face f
   ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_hole_filling(f)`
   template <class Triangulation>
-  explicit Cotangent_elements(const Triangulation& triangulation)
-      : m_number_of_triangulation_faces(triangulation.number_of_faces()),
-        m_masses(triangulation.number_of_vertices(), 0.)
+  explicit Cotangent_elements(const Triangulation& triangulation) : m_masses(triangulation.number_of_vertices(), 0.)
   {
     number_components(triangulation);
     measure_units(triangulation);
@@ -112,8 +110,6 @@ public:
   Index number_of_vertices() const { return Index(m_masses.size()); }
   /// The faces that carry area, by ascending number.
   const std::vector<Face>& faces() const { return m_faces; }
-  /// The number of all faces of the triangulation.
-  Index number_of_triangulation_faces() const { return m_number_of_triangulation_faces; }
   /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces
   /// only.
   double mass(Index vertex) const { return m_masses[vertex]; }
@@ -210,7 +206,6 @@ private:
     }
   }
 
-  Index m_number_of_triangulation_faces;
   std::vector<Face> m_faces;
   std::vector<double> m_masses;
   std::vector<Index> m_component; // of every vertex

@@ -10,13 +10,10 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 
-#include <Eigen/Core>
-
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -60,28 +57,6 @@ struct Geodesic_source
   std::array<double, 3> distances; ///< from it to the vertices, in the unit of the lengths
 };
 
-/// Distances from a set of sources, and on request what they were computed from.
-struct Heat_field
-{
-  /// Of every vertex, in the unit of the lengths; 0 at vertices that are sources, infinite on components without a
-  /// source. Close to several sources, or to one inside a face, values may be a little below 0.
-  std::vector<double> distances;
-  /// Of every face, in the frame of its layout: the unit vector away from the sources, which is the gradient of the
-  /// exact distance; zero where there is none. Empty unless requested.
-  std::vector<Eigen::Vector2d> directions;
-  /// The natural logarithm of the heat at every vertex, up to a constant for each component; -infinity on components
-  /// without a source, and where the heat is not positive, as happens where faces are not Delaunay. On Delaunay
-  /// triangulations every vertex but the sources has a neighbor with more heat. Empty unless requested.
-  std::vector<double> log_heat;
-};
-
-/// Which parts of a field are computed besides the distances.
-struct Heat_field_parts
-{
-  bool directions = false;
-  bool log_heat = false;
-};
-
 struct Heat_operators;
 
 /// Geodesic distance from any number of sources, on a triangulation given by its edge lengths: factored once.
@@ -123,14 +98,16 @@ public:
   {
   }
 
-  /// Computes the distance from the nearest one of `sources`; near linear in the number of vertices.
-  void operator()(const std::vector<Geodesic_source>& sources, Heat_field& field, Workspace& workspace,
-                  Heat_field_parts parts = {}) const;
+  /// Computes the distance of every vertex from the nearest one of `sources`, in the unit of the lengths: 0 at vertices
+  /// that are sources, infinite on components without a source. Close to several sources, or to one inside a face,
+  /// values may be a little below 0. Near linear in the number of vertices.
+  void operator()(const std::vector<Geodesic_source>& sources, std::vector<double>& distances,
+                  Workspace& workspace) const;
 
   /// Computes the distances from each of `source_sets` by itself, eight at a time, in about a third of the time.
   /// They are the same as one by one, bit for bit unless the compiler fuses multiplications and additions as it likes.
-  void operator()(const std::vector<std::vector<Geodesic_source>>& source_sets, std::vector<Heat_field>& fields,
-                  Workspace& workspace, Heat_field_parts parts = {}) const;
+  void operator()(const std::vector<std::vector<Geodesic_source>>& source_sets,
+                  std::vector<std::vector<double>>& distances, Workspace& workspace) const;
 
   const Cotangent_elements& elements() const;
 
@@ -152,11 +129,11 @@ std::vector<double> distances_from_vertices(const Triangulation& triangulation, 
   for (const Index source : sources) {
     geodesic_sources.push_back(Geodesic_source::at_vertex(source));
   }
-  Heat_field field;
+  std::vector<double> distances;
   Heat_method::Workspace workspace;
   const Heat_method method(triangulation);
-  method(geodesic_sources, field, workspace);
-  return std::move(field.distances);
+  method(geodesic_sources, distances, workspace);
+  return distances;
 }
 
 } // namespace CSCD::internal

@@ -12,8 +12,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,25 +71,24 @@ struct Heat_operators
 ///
 /// Heat falls by a factor of 2.6 or so with each edge: some 740 edges from the source it is less than any number. So
 /// where it becomes tiny the flow is continued in stages. The heat beyond a frontier, taken alone, fulfils the same
-/// equation with sources along the frontier, which the stage before knows; they are magnified by a power of two, which
-/// the directions do not notice. Nothing is approximated: the heat is what a larger range of exponents would give.
+/// equation with sources along the frontier, known from the stage before; they are magnified by a power of two, which
+/// does not change the directions. Nothing is approximated: the heat is what a larger range of exponents would give.
 ///
 /// A lane holds one set of sources. An object is working memory, and is reused.
 template <std::size_t lanes>
 class Heat_batch
 {
 public:
-  /// Computes the fields of `lanes` sets of sources; linear in the number of nonzeros of the factors, times the number
-  /// of stages. The result of a lane does not depend on the other lanes.
-  /// \param fields of lanes with the same field, the last one counts
+  /// Computes the distances from `lanes` sets of sources; linear in the number of nonzeros of the factors, times the
+  /// number of stages. The result of a lane does not depend on the other lanes.
+  /// \param distances of lanes with the same vector, the last one counts
   void operator()(const Heat_operators& operators,
                   const std::array<const std::vector<Geodesic_source>*, lanes>& source_sets,
-                  const std::array<Heat_field*, lanes>& fields, Heat_field_parts parts)
+                  const std::array<std::vector<double>*, lanes>& distances)
   {
     m_operators = &operators;
     m_source_sets = source_sets;
-    m_fields = fields;
-    m_parts = parts;
+    m_distances = distances;
     prepare();
     diffuse();
     operators.solver.solve(Heat_operators::poisson, m_divergence);
@@ -146,9 +143,6 @@ private:
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_source(source, lane);
       }
-      m_fields[lane]->directions.assign(m_parts.directions ? elements().number_of_triangulation_faces() : 0,
-                                        Eigen::Vector2d::Zero());
-      m_fields[lane]->log_heat.assign(m_parts.log_heat ? n : 0, -infinity);
     }
   }
 
@@ -166,16 +160,14 @@ private:
   {
     m_operators->solver.solve(Heat_operators::heat, m_heat);
     pass_all_faces();
-    if (m_left_faces.empty() && !m_parts.log_heat) {
+    if (m_left_faces.empty()) {
       return;
     }
     enter_zones();
-    write_log_heat(0);
-    for (int stage = 1; !m_left_faces.empty() && set_frontier_sources(); ++stage) {
+    while (!m_left_faces.empty() && set_frontier_sources()) {
       m_operators->solver.solve(Heat_operators::heat, m_heat);
       pass_left_faces();
       advance_zones();
-      write_log_heat(stage);
     }
   }
 
@@ -215,9 +207,6 @@ private:
       m_divergence[face.places[0]].array() -= flux_1 + flux_2;
       m_divergence[face.places[1]].array() += flux_1;
       m_divergence[face.places[2]].array() += flux_2;
-      for (std::size_t lane = 0; m_parts.directions && lane < lanes; ++lane) {
-        m_fields[lane]->directions[face.face] = {result.x[int(lane)], result.y[int(lane)]};
-      }
     }
   }
 
@@ -250,9 +239,6 @@ private:
       m_divergence[face.places[0]][left.lane] -= flux_1 + flux_2;
       m_divergence[face.places[1]][left.lane] += flux_1;
       m_divergence[face.places[2]][left.lane] += flux_2;
-      if (m_parts.directions) {
-        m_fields[left.lane]->directions[face.face] = {result.x[0], result.y[0]};
-      }
       return true;
     };
     m_left_faces.erase(std::remove_if(m_left_faces.begin(), m_left_faces.end(), pass), m_left_faces.end());
@@ -318,19 +304,6 @@ private:
     return has_sources;
   }
 
-  void write_log_heat(int stage)
-  {
-    const double offset = stage * frontier_exponent * std::log(2.);
-    for (std::size_t lane = 0; m_parts.log_heat && lane < lanes; ++lane) {
-      for (Index v = 0; v < elements().number_of_vertices(); ++v) {
-        const Index i = place(v);
-        if (m_zones[i][lane] == known && m_heat[i][lane] > 0) {
-          m_fields[lane]->log_heat[v] = std::log(m_heat[i][lane]) + offset;
-        }
-      }
-    }
-  }
-
   /// Shifts the potential, which the divergence has become, so that it is the distance, on average, at the vertices of
   /// the sources.
   void write_distances()
@@ -344,20 +317,20 @@ private:
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         add_shift(source, lane);
       }
-      m_fields[lane]->distances.resize(elements().number_of_vertices());
+      m_distances[lane]->resize(elements().number_of_vertices());
     }
     for (Index v = 0; v < elements().number_of_vertices(); ++v) {
       const Index component = elements().component(v);
       const typename Row::Array distance =
           (m_divergence[place(v)].array() - m_shifts[component].array()) * elements().unit(component);
       for (std::size_t lane = 0; lane < lanes; ++lane) {
-        m_fields[lane]->distances[v] = distance[int(lane)];
+        (*m_distances[lane])[v] = distance[int(lane)];
       }
     }
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       for (const Geodesic_source& source : *m_source_sets[lane]) {
         if (source.is_vertex()) {
-          m_fields[lane]->distances[source.vertices[0]] = 0;
+          (*m_distances[lane])[source.vertices[0]] = 0;
         }
       }
     }
@@ -377,8 +350,7 @@ private:
 
   const Heat_operators* m_operators = nullptr;
   std::array<const std::vector<Geodesic_source>*, lanes> m_source_sets{};
-  std::array<Heat_field*, lanes> m_fields{};
-  Heat_field_parts m_parts;
+  std::array<std::vector<double>*, lanes> m_distances{};
   // Of every vertex, in the order of elimination:
   std::vector<Row> m_heat;
   std::vector<Row> m_divergence;
@@ -413,36 +385,35 @@ CSCD_INLINE const Cotangent_elements& Heat_method::elements() const
   return m_operators->elements;
 }
 
-CSCD_INLINE void Heat_method::operator()(const std::vector<Geodesic_source>& sources, Heat_field& field,
-                                         Workspace& workspace, Heat_field_parts parts) const
+CSCD_INLINE void Heat_method::operator()(const std::vector<Geodesic_source>& sources, std::vector<double>& distances,
+                                         Workspace& workspace) const
 {
-  workspace.m_batches->single(*m_operators, {&sources}, {&field}, parts);
+  workspace.m_batches->single(*m_operators, {&sources}, {&distances});
 }
 
 CSCD_INLINE void Heat_method::operator()(const std::vector<std::vector<Geodesic_source>>& source_sets,
-                                         std::vector<Heat_field>& fields, Workspace& workspace,
-                                         Heat_field_parts parts) const
+                                         std::vector<std::vector<double>>& distances, Workspace& workspace) const
 {
   // From this number of sets on, a batch takes less time than one by one.
   constexpr std::size_t min_batch = 3;
-  fields.resize(source_sets.size());
+  distances.resize(source_sets.size());
   for (std::size_t begin = 0; begin < source_sets.size(); begin += batch_size) {
     const std::size_t size = std::min(batch_size, source_sets.size() - begin);
     if (size < min_batch) {
       for (std::size_t i = begin; i < begin + size; ++i) {
-        (*this)(source_sets[i], fields[i], workspace, parts);
+        (*this)(source_sets[i], distances[i], workspace);
       }
       continue;
     }
     std::array<const std::vector<Geodesic_source>*, batch_size> batch_sets{};
-    std::array<Heat_field*, batch_size> batch_fields{};
+    std::array<std::vector<double>*, batch_size> batch_distances{};
     for (std::size_t lane = 0; lane < batch_size; ++lane) {
       // Lanes to spare repeat the last set.
       const std::size_t i = begin + std::min(lane, size - 1);
       batch_sets[lane] = &source_sets[i];
-      batch_fields[lane] = &fields[i];
+      batch_distances[lane] = &distances[i];
     }
-    workspace.m_batches->batch(*m_operators, batch_sets, batch_fields, parts);
+    workspace.m_batches->batch(*m_operators, batch_sets, batch_distances);
   }
 }
 

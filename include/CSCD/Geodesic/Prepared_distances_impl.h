@@ -64,7 +64,7 @@ CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector
                                                    const Use& use) const
 {
   Heat_method::Workspace workspace;
-  std::vector<Heat_field> fields;
+  std::vector<std::vector<double>> distances;
   std::vector<std::vector<Geodesic_source>> batch;
   for (std::size_t begin = 0; begin < source_sets.size(); begin += Heat_method::batch_size) {
     batch.clear();
@@ -74,9 +74,9 @@ CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector
         batch.back().push_back(m_data->geodesic_source(source));
       }
     }
-    m_data->method(batch, fields, workspace);
+    m_data->method(batch, distances, workspace);
     for (std::size_t i = 0; i < batch.size(); ++i) {
-      use(begin + i, fields[i].distances);
+      use(begin + i, distances[i]);
     }
   }
 }

@@ -140,10 +140,10 @@ public:
     for (const Index source : group.sources) {
       m_source_sets.push_back({Geodesic_source::at_vertex(source)});
     }
-    m_space.heat_method()(m_source_sets, m_fields, m_workspace);
-    group.set_distance(m_fields.front().distances.size());
+    m_space.heat_method()(m_source_sets, m_distances, m_workspace);
+    group.set_distance(m_distances.front().size());
     for (std::size_t i = 0; i < group.sources.size(); ++i) {
-      const std::vector<double>& distances = m_fields[i].distances;
+      const std::vector<double>& distances = m_distances[i];
       for (std::size_t vertex = 0; vertex < distances.size(); ++vertex) {
         group.distance[vertex] = std::min(group.distance[vertex], float(distances[vertex]));
       }
@@ -155,7 +155,7 @@ private:
   const Space& m_space;
   Heat_method::Workspace m_workspace;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
-  std::vector<Heat_field> m_fields;
+  std::vector<std::vector<double>> m_distances;
   typename Space::Finder m_finder;
 };
 
@@ -252,15 +252,14 @@ private:
       m_level_sources.push_back(source_on_level(m_levels[level], group.sources[i]));
       m_source_sets.push_back({m_level_sources.back().source});
     }
-    space.heat_method()(m_source_sets, m_fields, finder.workspace);
+    space.heat_method()(m_source_sets, m_distances, finder.workspace);
     if (level == m_space.coarsest_level()) {
       take_distances(group);
     }
     std::vector<std::size_t> refused;
     for (std::size_t k = 0; k < m_pending.size(); ++k) {
       Field_search_result& result = group.results[m_pending[k]];
-      const Cut_loop& loop =
-          finder.find.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_fields[k].distances);
+      const Cut_loop& loop = finder.find.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_distances[k]);
       const bool is_found = loop.outcome == Cut_loop_outcome::found;
       if (level > m_space.finest_level() &&
           !(is_found && 2 * loop.distance >= min_edges_of_loop * space.mean_edge_length())) {
@@ -278,14 +277,14 @@ private:
     m_pending.swap(refused);
   }
 
-  /// \pre `m_fields` are those of all sources on the coarsest level
+  /// \pre `m_distances` are those of all sources on the coarsest level
   void take_distances(Source_group& group) const
   {
     const Surface_level& level = m_levels[m_space.coarsest_level()];
     std::vector<float> least(level.surface.number_of_vertices(), std::numeric_limits<float>::infinity());
     for (std::size_t i = 0; i < group.sources.size(); ++i) {
       for (std::size_t vertex = 0; vertex < least.size(); ++vertex) {
-        least[vertex] = std::min(least[vertex], float(m_fields[i].distances[vertex]));
+        least[vertex] = std::min(least[vertex], float(m_distances[i][vertex]));
       }
     }
     for (Index vertex = 0; vertex < group.distance.size(); ++vertex) {
@@ -383,7 +382,7 @@ private:
   std::vector<std::size_t> m_pending; ///< places in the group
   std::vector<Level_source> m_level_sources;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
-  std::vector<Heat_field> m_fields;
+  std::vector<std::vector<double>> m_distances;
   Vertex_loop m_loop;
   Vertex_loop m_fine_loop;
   std::vector<Index> m_halfedges;
@@ -392,7 +391,7 @@ private:
 /// The first stage as published (Alg. 2, lines 1 to 9): sources are drawn by their distance from earlier ones; the heat
 /// method gives the distance field of each, and that its separator.
 ///
-/// Sources are drawn in rounds, of which each knows all earlier ones; so the answer does not depend on the number of
+/// Sources are drawn in rounds, each after all earlier ones are done; so the answer does not depend on the number of
 /// threads. A thread takes a group of sources at a time, whose distances are solved for together.
 /// \tparam Surface a model of `SkeletonizationSurface`
 template <class Surface>
