@@ -49,7 +49,7 @@ public:
   /// Takes over the first `number_of_faces` faces of `input`; what is next to others becomes border. So the faces that
   /// bridge borders can be left out, from `first_hole_filling_face()` on; they are otherwise faces like all. Linear.
   Intrinsic_triangulation(const Triangulation& input, Index number_of_faces)
-      : Base(input, mollifying_length(input, number_of_faces)), m_outgoing(input.number_of_vertices(), no_index)
+      : Base(input, mollifying_length(input, number_of_faces))
   {
     this->m_halfedges.reserve(3 * std::size_t(number_of_faces));
     for (Index f = 0; f < number_of_faces; ++f) {
@@ -58,52 +58,21 @@ public:
     for (Index h = 0; h < this->number_of_halfedges(); ++h) {
       const Index twin = input.twin(h);
       this->m_halfedges[h].twin = twin < this->number_of_halfedges() ? twin : no_index;
-      // At a border, the first halfedge of the fan has no twin.
-      Index& outgoing = m_outgoing[this->origin(h)];
-      outgoing = outgoing == no_index || this->m_halfedges[h].twin == no_index ? h : outgoing;
     }
   }
 
   /// \name Combinatorics
   /// @{
-  Index number_of_vertices() const { return Index(m_outgoing.size()); }
+  Index number_of_vertices() const { return this->input().number_of_vertices(); }
   /// `no_index` on a border.
   Index twin(Index halfedge) const { return this->m_halfedges[halfedge].twin; }
   bool is_border(Index halfedge) const { return twin(halfedge) == no_index; }
   /// The halfedge that stands for the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, twin(halfedge)); }
-
-  /// A halfedge from `vertex`; the first one counterclockwise if there is a border, `no_index` if there is no face.
-  Index first_outgoing(Index vertex) const { return m_outgoing[vertex]; }
-  /// The next halfedge of the same origin, counterclockwise; `no_index` if a border comes before.
-  Index next_around_origin(Index halfedge) const { return twin(previous(halfedge)); }
-  bool is_border_vertex(Index vertex) const { return m_outgoing[vertex] != no_index && is_border(m_outgoing[vertex]); }
-
-  /// Calls `function(h)` for all halfedges from `vertex`, counterclockwise, from `first_outgoing(vertex)` on.
-  template <class Function>
-  void for_each_outgoing(Index vertex, const Function& function) const
-  {
-    Index halfedge = m_outgoing[vertex];
-    while (halfedge != no_index) {
-      function(halfedge);
-      halfedge = next_around_origin(halfedge);
-      if (halfedge == m_outgoing[vertex]) {
-        return;
-      }
-    }
-  }
   /// @}
 
   /// \name Geometry
   /// @{
-  double face_area(Index f) const { return flat_triangle(*this, 3 * f).area(); }
-  /// The sum of the angles of the faces at `vertex`: 2 pi where the surface is flat.
-  double vertex_angle(Index vertex) const
-  {
-    double sum = 0;
-    for_each_outgoing(vertex, [&](Index halfedge) { sum += this->angle(halfedge); });
-    return sum;
-  }
   double mean_edge_length() const
   {
     double sum = 0;
@@ -135,7 +104,7 @@ public:
   void flip(Index halfedge)
   {
     CGAL_precondition(is_flippable(halfedge));
-    flip(halfedge, flat_diamond(*this, halfedge).other_diagonal());
+    this->replace_diagonal(halfedge, flat_diamond(*this, halfedge).other_diagonal());
   }
 
   /// Whether the angles opposite the edge sum up to at most pi, plus `delaunay_tolerance`.
@@ -187,27 +156,6 @@ public:
   {
     this->trace_over_input(halfedge, trace, [this](Index h) { return twin(h); });
   }
-
-  /// Writes to `trace` the edges of this triangulation that `input_halfedge` crosses, in order from its origin; empty
-  /// if it is an edge here. O(k + degree).
-  void trace_input_edge(Index input_halfedge, Edge_trace& trace) const
-  {
-    trace.clear();
-    const Start start = find_start(input_halfedge);
-    if (this->is_input_edge(start.corner) && start.rank == 0) {
-      return;
-    }
-    // It crosses the side opposite its origin after those that go round the corner to the right.
-    const Index opposite = next(start.corner);
-    const auto coordinate = [this](Index h) { return this->m_halfedges[h].coordinate; };
-    const Triangle_curves curves(coordinate(start.corner), coordinate(opposite), coordinate(next(opposite)));
-    // Ranks are seen from the entered side, hence from the left.
-    typename Base::Curve_position at{twin(opposite), coordinate(opposite) - curves.around[1] - start.rank};
-    do {
-      trace.cross(twin(at.halfedge));
-    } while (this->follow(at, [this](Index h) { return twin(h); }));
-    trace.straighten(*this, start.corner);
-  }
   /// @}
 
   /// What the angles opposite an edge may exceed pi by, in radians: far more than rounding makes of cocircular
@@ -218,39 +166,6 @@ private:
   static constexpr double pi = boost::math::constants::pi<double>();
   /// The least part of the area of a quadrilateral that a diagonal has to leave on either side.
   static constexpr double min_part = 1e-9;
-
-  /// The corner in which an input halfedge leaves its origin, and how many input halfedges further on than the side of
-  /// the corner; 0 if it runs along this side.
-  struct Start
-  {
-    Index corner;
-    Normal_coordinate rank;
-  };
-
-  Start find_start(Index input_halfedge) const
-  {
-    Start start{m_outgoing[this->input().origin(input_halfedge)], 0};
-    for (;;) {
-      const auto coordinate = [this](Index h) { return this->m_halfedges[h].coordinate; };
-      const Index h = start.corner;
-      const Normal_coordinate emanating =
-          Triangle_curves::emanating(coordinate(h), coordinate(next(h)), coordinate(previous(h)));
-      start.rank = 0;
-      Index incident_edge = this->input_halfedge(h);
-      if (this->is_input_edge(h) && incident_edge == input_halfedge) {
-        return start;
-      }
-      while (start.rank < emanating) {
-        ++start.rank;
-        incident_edge = this->advance(incident_edge, 1);
-        if (incident_edge == input_halfedge) {
-          return start;
-        }
-      }
-      start.corner = next_around_origin(h);
-      CGAL_assertion(start.corner != no_index);
-    }
-  }
 
   double opposite_angles(Index halfedge) const
   {
@@ -270,27 +185,9 @@ private:
     if (at_target.angle() + at_origin.angle() >= pi) {
       return false;
     }
-    flip(halfedge, diagonal);
+    this->replace_diagonal(halfedge, diagonal);
     return true;
   }
-
-  void flip(Index h, double new_length)
-  {
-    const Index t = twin(h);
-    const auto replace = [this](Index vertex, Index old_halfedge, Index new_halfedge) {
-      if (m_outgoing[vertex] == old_halfedge) {
-        m_outgoing[vertex] = new_halfedge;
-      }
-    };
-    // The ends lose the edge; of the halfedges from the apexes, those that move.
-    replace(this->origin(h), h, next(t));
-    replace(this->origin(t), t, next(h));
-    replace(this->origin(previous(h)), previous(h), t);
-    replace(this->origin(previous(t)), previous(t), h);
-    this->replace_diagonal(h, new_length);
-  }
-
-  std::vector<Index> m_outgoing;
 };
 
 /// Makes the intrinsic Delaunay triangulation of the first `number_of_faces` faces of `surface`, which is referred to.
