@@ -17,7 +17,6 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 
-#include <boost/endian/conversion.hpp>
 #include <boost/unordered_map.hpp>
 #include <boost/unordered_set.hpp>
 #include <nlohmann/json.hpp>
@@ -433,39 +432,21 @@ private:
     }
     std::vector<double> numbers(names.size(), 0.);
     for (std::size_t item = 0; item < element.number_of_items; ++item) {
-      for (const Ply_property& property : element.properties) {
-        const std::size_t size = property.is_list ? next_size(property) : 1;
-        const std::ptrdiff_t place = std::find(names.begin(), names.end(), property.name) - names.begin();
-        for (std::size_t i = 0; i < size; ++i) {
-          const double number = m_source.number(property.type);
-          if (!property.is_list && std::size_t(place) < names.size()) {
-            numbers[std::size_t(place)] = number;
-          }
-        }
-      }
+      read_ply_item(m_source, element, m_collector.filename(),
+                    [&](const Ply_property& property, std::size_t, double number) {
+                      const auto name = std::find(names.begin(), names.end(), property.name);
+                      if (!property.is_list && name != names.end()) {
+                        numbers[std::size_t(name - names.begin())] = number;
+                      }
+                    });
       use(numbers);
     }
-  }
-
-  std::size_t next_size(const Ply_property& property)
-  {
-    const double size = m_source.number(property.size_type);
-    if (!(size >= 0 && size <= double(m_source.remaining()))) {
-      m_collector.fail("the list " + property.name + " is longer than the file");
-    }
-    return std::size_t(size);
-  }
-
-  static bool has_property(const Ply_element& element, std::string_view name)
-  {
-    return std::any_of(element.properties.begin(), element.properties.end(),
-                       [&](const Ply_property& p) { return p.name == name && !p.is_list; });
   }
 
   void check_properties(const Ply_element& element, std::initializer_list<std::string_view> names) const
   {
     for (const std::string_view name : names) {
-      if (!has_property(element, name)) {
+      if (!has_ply_number(element, name)) {
         m_collector.fail("its element " + element.name + " has no property " + std::string(name));
       }
     }
@@ -474,7 +455,7 @@ private:
   void read_nodes(const Ply_element& element)
   {
     check_properties(element, {"x", "y", "z"});
-    const bool has_radius = has_property(element, "radius");
+    const bool has_radius = has_ply_number(element, "radius");
     read_items(element, {"x", "y", "z", "radius"}, [&](const std::vector<double>& numbers) {
       const Vector_3 point(numbers[0], numbers[1], numbers[2]);
       if (!point.allFinite()) {
@@ -508,22 +489,6 @@ private:
   Source m_source;
   Skeleton_collector m_collector;
 };
-
-/// Reads `content`, that of a PLY file, ASCII or binary.
-/// \throw File_error if it is malformed
-inline Indexed_skeleton parse_ply_edges(std::string_view content, const std::string& filename)
-{
-  Text_scanner scanner(content, filename);
-  const Ply_header header = read_ply_header(scanner);
-  if (header.encoding == Ply_header::Encoding::ascii) {
-    return Ply_edge_parser<Ply_text_source>(Ply_text_source(scanner), filename).parse(header);
-  }
-  const boost::endian::order order = header.encoding == Ply_header::Encoding::binary_little_endian
-                                         ? boost::endian::order::little
-                                         : boost::endian::order::big;
-  const Byte_scanner bytes(content.substr(content.size() - scanner.remaining()), order, filename);
-  return Ply_edge_parser<Ply_binary_source>(Ply_binary_source(bytes), filename).parse(header);
-}
 
 /// Reads the vertices and poly-lines of PolyData, and the point arrays `Radius` and `IsOpening`, if they are there.
 /// \throw File_error if it is malformed
@@ -559,7 +524,7 @@ inline Indexed_skeleton parse_skeleton(std::string_view content, std::size_t end
 {
   // In the order of `skeleton_endings`.
   constexpr std::array<Indexed_skeleton (*)(std::string_view, const std::string&), number_of_read_skeleton_endings>
-      parsers{parse_gel_graph, parse_json_skeleton, parse_obj_lines, parse_ply_edges,
+      parsers{parse_gel_graph, parse_json_skeleton, parse_obj_lines, parse_ply_by<Ply_edge_parser>,
               parse_polylines, parse_swc,           parse_vtk_lines};
   if (content.empty()) {
     throw File_error(filename + ": the file is empty; fetch or write it again");

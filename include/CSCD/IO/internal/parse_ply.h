@@ -208,6 +208,40 @@ private:
   Byte_scanner m_scanner;
 };
 
+/// Reads the number of entries of a list.
+/// \param filename for messages
+/// \throw File_error if there cannot be as many
+template <class Source>
+std::size_t next_ply_size(Source& source, const Ply_property& list, const std::string& filename)
+{
+  const double size = source.number(list.size_type);
+  if (!(size >= 0 && size <= double(source.remaining()))) {
+    throw File_error(filename + ": the list " + list.name + " is longer than the file; write the file again");
+  }
+  return static_cast<std::size_t>(size);
+}
+
+/// Reads all numbers of an item and calls `use(property, position in the list, number)` for each.
+/// \param filename for messages
+/// \throw File_error if the file ends before
+template <class Source, class Use>
+void read_ply_item(Source& source, const Ply_element& element, const std::string& filename, const Use& use)
+{
+  for (const Ply_property& property : element.properties) {
+    const std::size_t size = property.is_list ? next_ply_size(source, property, filename) : 1;
+    for (std::size_t i = 0; i < size; ++i) {
+      use(property, i, source.number(property.type));
+    }
+  }
+}
+
+/// Whether the items of `element` have a property `name` that is a number.
+inline bool has_ply_number(const Ply_element& element, std::string_view name)
+{
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [&](const Ply_property& p) { return p.name == name && !p.is_list; });
+}
+
 /// Reads the vertices and faces of PLY; all other elements and properties are passed over.
 template <class Source>
 class Ply_parser
@@ -223,7 +257,7 @@ public:
       } else if (element.name == "face" || element.name == "faces") {
         read_polygons(element);
       } else {
-        read_items(element, [](const Ply_property&, std::size_t, double) {});
+        skip_items(element);
       }
     }
     check_corners();
@@ -231,44 +265,22 @@ public:
   }
 
 private:
-  /// Reads all numbers of an item and calls `use(property, position in the list, number)` for each.
-  template <class Use>
-  void read_item(const Ply_element& element, Use use)
-  {
-    for (const Ply_property& property : element.properties) {
-      const std::size_t size = property.is_list ? next_size(property) : 1;
-      for (std::size_t i = 0; i < size; ++i) {
-        use(property, i, m_source.number(property.type));
-      }
-    }
-  }
+  using Names = std::array<std::string_view, 3>;
 
   template <class Use>
-  void read_items(const Ply_element& element, Use use)
+  void read_item(const Ply_element& element, const Use& use)
+  {
+    read_ply_item(m_source, element, m_filename, use);
+  }
+
+  void skip_items(const Ply_element& element)
   {
     if (element.properties.empty()) {
       return; // such items take no room in the file, so that their number proves nothing
     }
     for (std::size_t item = 0; item < element.number_of_items; ++item) {
-      read_item(element, use);
+      read_item(element, [](const Ply_property&, std::size_t, double) {});
     }
-  }
-
-  std::size_t next_size(const Ply_property& property)
-  {
-    const double size = m_source.number(property.size_type);
-    if (!(size >= 0 && size <= double(m_source.remaining()))) {
-      fail("the list " + property.name + " is longer than the file");
-    }
-    return static_cast<std::size_t>(size);
-  }
-
-  using Names = std::array<std::string_view, 3>;
-
-  static bool has_number(const Ply_element& element, std::string_view name)
-  {
-    return std::any_of(element.properties.begin(), element.properties.end(),
-                       [&](const Ply_property& p) { return p.name == name && !p.is_list; });
   }
 
   /// Writes `number` to the coordinate of `vector` that `property` names, if it does.
@@ -285,12 +297,12 @@ private:
     constexpr Names names{"x", "y", "z"};
     constexpr Names normal_names{"nx", "ny", "nz"};
     for (std::string_view name : names) {
-      if (!has_number(element, name)) {
+      if (!has_ply_number(element, name)) {
         fail("its vertices have no property " + std::string(name));
       }
     }
     const bool has_normals = std::all_of(normal_names.begin(), normal_names.end(),
-                                         [&](std::string_view name) { return has_number(element, name); });
+                                         [&](std::string_view name) { return has_ply_number(element, name); });
     m_soup.points.reserve(std::min(element.number_of_items, m_source.remaining() / names.size() + 1));
     const bool are_read =
         !has_normals && (read_point_records<float>(element, names) || read_point_records<double>(element, names));
@@ -432,20 +444,28 @@ private:
   Polygon_soup m_soup;
 };
 
-/// Reads `content`, that of a PLY file, ASCII or binary.
+/// Reads `content`, that of a PLY file, ASCII or binary, by a `Parser` of one of the sources of numbers.
 /// \throw File_error if it is malformed
-inline Polygon_soup parse_ply(std::string_view content, const std::string& filename)
+template <template <class> class Parser>
+auto parse_ply_by(std::string_view content, const std::string& filename)
 {
   Text_scanner scanner(content, filename);
   const Ply_header header = read_ply_header(scanner);
   if (header.encoding == Ply_header::Encoding::ascii) {
-    return Ply_parser<Ply_text_source>(Ply_text_source(scanner), filename).parse(header);
+    return Parser<Ply_text_source>(Ply_text_source(scanner), filename).parse(header);
   }
   const Byte_scanner bytes(content.substr(content.size() - scanner.remaining()),
                            header.encoding == Ply_header::Encoding::binary_little_endian ? boost::endian::order::little
                                                                                          : boost::endian::order::big,
                            filename);
-  return Ply_parser<Ply_binary_source>(Ply_binary_source(bytes), filename).parse(header);
+  return Parser<Ply_binary_source>(Ply_binary_source(bytes), filename).parse(header);
+}
+
+/// Reads the mesh or the points of `content`, that of a PLY file.
+/// \throw File_error if it is malformed
+inline Polygon_soup parse_ply(std::string_view content, const std::string& filename)
+{
+  return parse_ply_by<Ply_parser>(content, filename);
 }
 
 } // namespace CSCD::internal
