@@ -38,8 +38,10 @@ Cut_loop find_loop(const Measured_cloud& cloud, Index source, Target_rule rule, 
   Finder finder(cloud.frames(), cloud.complex().points());
   const std::vector<double> distances = cloud.distances(source);
   Cut_loop loop;
-  finder(Point_cut_locus_indicators(cloud.derivatives(), distances), source,
-         Point_cut_locus_indicators::default_criterion(), rule, loop);
+  const Point_cut_locus_indicators measures(cloud.derivatives(), distances);
+  finder.find(
+      measures, source, cloud.complex().point(source), rule,
+      [&](Index v) { return measures.is_cut(v, Point_cut_locus_indicators::default_criterion()); }, loop);
   vertices.clear();
   for (const Index h : finder.halfedges(loop)) {
     vertices.push_back(cloud.complex().origin(h));

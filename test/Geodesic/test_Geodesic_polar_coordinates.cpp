@@ -121,7 +121,6 @@ TEST(Geodesic_polar_coordinates, is_never_shorter_than_the_straight_line_and_par
     Fixture fixture(shape);
     Observer observer;
     fixture.front.grow(1, no_cap, observer);
-    EXPECT_EQ(fixture.front.source(), 1u);
     EXPECT_EQ(fixture.front.parent(1), no_index);
     EXPECT_EQ(fixture.front.distance(1), 0.f);
     EXPECT_EQ(fixture.front.number_of_visits(), fixture.surface.number_of_vertices());

@@ -99,7 +99,7 @@ TEST_F(Node_placement, pieces_hold_each_vertex_once)
   std::vector<int> times(regions.level().surface.number_of_vertices(), 0);
   double weight = 0;
   for (Index piece = 0; piece < packing.cut_graph().pieces().size(); ++piece) {
-    EXPECT_FALSE(pieces.is_empty(piece));
+    EXPECT_FALSE(pieces.vertices(piece).empty());
     EXPECT_GT(pieces.height(piece), 0.f);
     weight += pieces.area_sum(piece).weight;
     EXPECT_LT(pieces.area_sum(piece, pieces.height(piece)).weight, pieces.area_sum(piece).weight);

@@ -79,7 +79,6 @@ public:
   std::size_t number_of_visits() const { return m_number_of_visits; }
   /// The length of the longest edge at the source of the last front.
   float ring_radius() const { return m_ring_radius; }
-  Index source() const { return m_source; }
 
   /// Geodesic distance from the source; valid for accepted vertices.
   float distance(Index vertex) const { return m_nodes[vertex].distance; }

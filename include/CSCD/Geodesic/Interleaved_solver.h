@@ -75,7 +75,6 @@ public:
   }
 
   std::size_t size() const { return m_place.size(); }
-  std::size_t number_of_nonzeros() const { return m_row.size(); }
 
   /// The place of `row` in the order of elimination, in which right-hand sides and solutions are given.
   Index place(Index row) const { return m_place[row]; }

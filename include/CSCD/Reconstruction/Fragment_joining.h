@@ -88,8 +88,6 @@ public:
     return result;
   }
 
-  Index number_of_fragments() const { return m_number_of_fragments; }
-
 private:
   /// A vertex that is among so many nearest neighbors of one in another fragment belongs to the same body ...
   static constexpr Index near_neighbors = 16;

@@ -51,9 +51,6 @@ public:
     }
   }
 
-  /// The number of faces that the last flood visited.
-  std::size_t number_of_visits() const { return m_front[0].size() + m_front[1].size(); }
-
   /// Keeps all later floods from crossing `loop`.
   void add_barrier(const Vertex_loop& loop)
   {
@@ -200,12 +197,6 @@ private:
     } else {
       m_heap.decrease(vertex, distance);
     }
-  }
-
-  bool is_in_ball(Index face) const
-  {
-    return m_reached.is_marked(m_surface.origin(3 * face)) && m_reached.is_marked(m_surface.origin(3 * face + 1)) &&
-           m_reached.is_marked(m_surface.origin(3 * face + 2));
   }
 
   /// Vertices less edges and plus faces of the ball; numbers its faces.

@@ -19,7 +19,6 @@
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/use.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -119,9 +118,8 @@ private:
   {
     for (const Separator& separator : separators) {
       m_separators.push_back(separator);
-      const bool is_packed = m_packing.insert_last();
+      [[maybe_unused]] const bool is_packed = m_packing.insert_last();
       CGAL_assertion(is_packed);
-      CGAL_USE(is_packed);
     }
     if (!separators.empty()) {
       m_packing.cut_again();

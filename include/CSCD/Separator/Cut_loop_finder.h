@@ -6,7 +6,6 @@
 #ifndef CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 #define CSCD_SEPARATOR_CUT_LOOP_FINDER_H
 
-#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Separator/Descent.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/incoming_directions.h>
@@ -42,8 +41,6 @@ struct Cut_loop
   /// Distance in space between the two paths half way down, relative to that of the target along the surface: 0.64 on a
   /// round tube, about 0 around a bump.
   double path_separation = 0;
-  /// How many candidates had which outcome, in the order of `Cut_loop_outcome`.
-  std::array<std::size_t, number_of_cut_loop_outcomes> number_of_candidates{};
 };
 
 /// Selects the target of a source among its cut points, traces the two paths back from it, and joins them (supplement,
@@ -66,23 +63,9 @@ public:
     CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
   }
 
-  /// Finds the loop of `source` with the cut points that `criterion` says.
-  void operator()(const Measures& measures, Index source, const Cut_criterion& criterion, Target_rule rule,
-                  Cut_loop& loop)
-  {
-    find(
-        measures, source, rule, [&](Index vertex) { return measures.is_cut(vertex, criterion); }, loop);
-  }
-
-  /// Finds the loop of `source` with the cut points for which `is_cut(vertex)` holds. O(n log n) for n vertices: where
-  /// the field has minima everywhere, as on faces of extreme shape, it gives up.
-  template <class Predicate>
-  void find(const Measures& measures, Index source, Target_rule rule, const Predicate& is_cut, Cut_loop& loop)
-  {
-    find(measures, source, m_points[source], rule, is_cut, loop);
-  }
-
-  /// The same for a source at `source_point`, in a face at the vertex `source`, to which the paths lead.
+  /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, to which the paths lead, with the
+  /// cut points for which `is_cut(vertex)` holds. O(n log n) for n vertices: where the field has minima everywhere, as
+  /// on faces of extreme shape, it gives up.
   template <class Predicate>
   void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)
@@ -90,7 +73,6 @@ public:
     m_source_point = source_point;
     loop.outcome = Cut_loop_outcome::no_cut_point;
     loop.steps.clear();
-    loop.number_of_candidates = {};
     m_descent.set_budget(max_steps_per_vertex * m_points.size());
     double begin = 0;
     double end = first_shell * m_frames.mean_edge_length();
@@ -104,7 +86,6 @@ public:
         m_candidates.pop_back();
         if (is_cut(vertex)) {
           loop.outcome = try_target(measures, source, vertex, loop);
-          ++loop.number_of_candidates[std::size_t(loop.outcome)];
         }
       }
     }

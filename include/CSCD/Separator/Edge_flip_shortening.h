@@ -46,8 +46,6 @@ public:
 
   /// \name Segments
   /// @{
-  /// The number of segments that were added, removed ones included.
-  Index number_of_added_segments() const { return Index(m_segments.size()); }
   Index halfedge(Index segment) const { return m_segments[segment].halfedge; }
   /// `no_index` at the ends of an open path.
   Index next(Index segment) const { return m_segments[segment].next; }

@@ -45,7 +45,6 @@ public:
 
   /// The vertices of `piece`; none in a piece that is smaller than the triangles of the level.
   CGAL::Iterator_range<const Index*> vertices(Index piece) const { return m_vertices[piece]; }
-  bool is_empty(Index piece) const { return m_vertices.size(piece) == 0; }
 
   /// A sum of points by area.
   struct Weighted_sum

@@ -59,13 +59,6 @@ public:
     m_nodes[b].neighbors.push_back(a);
   }
 
-  /// Removes one edge between `a` and `b`.
-  void remove_edge(Index a, Index b)
-  {
-    erase_one(m_nodes[a].neighbors, b);
-    erase_one(m_nodes[b].neighbors, a);
-  }
-
   /// Replaces one edge between `a` and `b` by a path over the new node at `position`. \return the new node
   Index split_edge(Index a, Index b, const Vector_3& position, double radius)
   {
@@ -142,10 +135,6 @@ private:
   static void replace_one(std::vector<Index>& list, Index old_value, Index new_value)
   {
     *std::find(list.begin(), list.end(), old_value) = new_value;
-  }
-  static void erase_one(std::vector<Index>& list, Index value)
-  {
-    list.erase(std::find(list.begin(), list.end(), value));
   }
 
   std::vector<Node> m_nodes;
