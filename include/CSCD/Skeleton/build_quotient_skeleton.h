@@ -42,6 +42,29 @@ inline std::array<Index, 3> face_halfedges(const Point_complex& surface, Index f
   return surface.face_halfedges(face);
 }
 
+/// For each part of the network between regions, the regions of the border cycles around it; linear.
+/// \param networks of edges, joined where they are connected between regions
+/// \param cycles of halfedges that leave a region, joined around its borders
+template <class Surface, class Region>
+std::vector<std::vector<Index>> collect_meetings(const Surface& surface, const Region& region, Disjoint_sets& networks,
+                                                 Disjoint_sets& cycles)
+{
+  std::vector<std::vector<Index>> meetings;
+  std::vector<Index> meeting_of_network(surface.number_of_halfedges(), no_index);
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (region(surface.origin(h)) == region(surface.target(h)) || cycles.find(h) != h) {
+      continue;
+    }
+    Index& meeting = meeting_of_network[networks.find(edge_of(surface, h))];
+    if (meeting == no_index) {
+      meeting = Index(meetings.size());
+      meetings.emplace_back();
+    }
+    meetings[meeting].push_back(region(surface.origin(h)));
+  }
+  return meetings;
+}
+
 /// The graph of regions that touch (Alg. 2, line 14), with cliques removed and true small cycles kept.
 ///
 /// Regions meet in a network of curves between them. Where a connected part of the network is one closed curve, it has
@@ -68,7 +91,7 @@ public:
       }
     }
     join_at_holes(surface, region, is_between);
-    collect(surface, region, is_between);
+    m_meetings = collect_meetings(surface, region, m_networks, m_cycles);
   }
 
   /// For each connected part of the network, the regions of the border cycles around it, two at least; a region with
@@ -182,23 +205,6 @@ private:
     }
   }
 
-  template <class Surface, class Region, class Predicate>
-  void collect(const Surface& surface, const Region& region, const Predicate& is_between)
-  {
-    std::vector<Index> meeting_of_network(surface.number_of_halfedges(), no_index);
-    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-      if (!is_between(h) || m_cycles.find(h) != h) {
-        continue;
-      }
-      Index& meeting = meeting_of_network[m_networks.find(edge_of(surface, h))];
-      if (meeting == no_index) {
-        meeting = Index(m_meetings.size());
-        m_meetings.emplace_back();
-      }
-      m_meetings[meeting].push_back(region(surface.origin(h)));
-    }
-  }
-
   Disjoint_sets m_networks; ///< of edges between regions
   Disjoint_sets m_cycles;   ///< of halfedges that leave a region
   std::vector<std::vector<Index>> m_meetings;
@@ -257,7 +263,7 @@ public:
     for (Index a = 0; a < graph.number_of_vertices(); ++a) {
       join_at_vertex(region, a);
     }
-    collect(region);
+    m_meetings = collect_meetings(graph, region, m_networks, m_cycles);
   }
 
   std::vector<std::vector<Index>> meetings() && { return std::move(m_meetings); }
@@ -332,23 +338,6 @@ private:
         }
         leaving[size++] = leaves;
       }
-    }
-  }
-
-  template <class Region>
-  void collect(const Region& region)
-  {
-    std::vector<Index> meeting_of_network(m_graph.number_of_halfedges(), no_index);
-    for (Index h = 0; h < m_graph.number_of_halfedges(); ++h) {
-      if (region(m_graph.origin(h)) == region(m_graph.target(h)) || m_cycles.find(h) != h) {
-        continue;
-      }
-      Index& meeting = meeting_of_network[m_networks.find(edge_of(m_graph, h))];
-      if (meeting == no_index) {
-        meeting = Index(m_meetings.size());
-        m_meetings.emplace_back();
-      }
-      m_meetings[meeting].push_back(region(m_graph.origin(h)));
     }
   }
 
