@@ -9,9 +9,9 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Indexed_heap.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -128,8 +128,7 @@ class Local_handle_search
 {
 public:
   Local_handle_search(const Triangulated_surface& surface, const Vertex_fan_table& corners)
-      : m_surface(surface), m_corners(corners), m_heap(surface.number_of_vertices()),
-        m_reached(surface.number_of_vertices()), m_distance(surface.number_of_vertices()),
+      : m_surface(surface), m_corners(corners), m_front(surface.number_of_vertices()),
         m_parent(surface.number_of_vertices()), m_first_hop(surface.number_of_vertices()),
         m_face_seen(surface.number_of_faces()), m_face_number(surface.number_of_faces())
   {
@@ -139,20 +138,19 @@ public:
   bool grow(Index center, float radius)
   {
     m_ball.clear();
-    m_reached.clear();
-    m_heap.clear();
-    reach(center, 0, no_index, no_index);
-    while (!m_heap.empty()) {
-      const Indexed_heap::Entry entry = m_heap.pop();
-      const Index vertex = entry.vertex;
+    m_front.clear();
+    m_front.reach(center, 0);
+    m_parent[center] = m_first_hop[center] = no_index;
+    m_front.spread([&](Index vertex, float distance) {
       m_ball.push_back(vertex);
       for (const Corner& corner : m_corners.neighbors(vertex)) {
-        const float distance = entry.key + corner.length;
-        if (distance <= radius) {
-          reach(corner.neighbor, distance, vertex, vertex == center ? corner.neighbor : m_first_hop[vertex]);
+        const float longer = distance + corner.length;
+        if (longer <= radius && m_front.reach(corner.neighbor, longer)) {
+          m_parent[corner.neighbor] = vertex;
+          m_first_hop[corner.neighbor] = vertex == center ? corner.neighbor : m_first_hop[vertex];
         }
       }
-    }
+    });
     return count_euler_number() == 1;
   }
 
@@ -183,22 +181,6 @@ private:
     float loop_length;
   };
 
-  void reach(Index vertex, float distance, Index parent, Index first_hop)
-  {
-    const bool is_new = m_reached.mark(vertex);
-    if (!is_new && distance >= m_distance[vertex]) {
-      return;
-    }
-    m_distance[vertex] = distance;
-    m_parent[vertex] = parent;
-    m_first_hop[vertex] = first_hop;
-    if (is_new) {
-      m_heap.push(vertex, distance);
-    } else {
-      m_heap.decrease(vertex, distance);
-    }
-  }
-
   /// Vertices less edges and plus faces of the ball; numbers its faces.
   std::ptrdiff_t count_euler_number()
   {
@@ -207,9 +189,9 @@ private:
     std::ptrdiff_t number_of_halfedges = 0;
     for (Index vertex : m_ball) {
       for (Index h : m_surface.outgoing(vertex)) {
-        number_of_halfedges += m_reached.is_marked(m_surface.target(h)) ? 1 : 0;
+        number_of_halfedges += m_front.is_reached(m_surface.target(h)) ? 1 : 0;
         const Index face = Triangulated_surface::face(h);
-        if (m_reached.is_marked(m_surface.target(h)) && m_reached.is_marked(m_surface.opposite_vertex(h)) &&
+        if (m_front.is_reached(m_surface.target(h)) && m_front.is_reached(m_surface.opposite_vertex(h)) &&
             m_face_seen.mark(face)) {
           m_face_number[face] = m_number_of_faces++;
         }
@@ -231,8 +213,8 @@ private:
     for (Index a : m_ball) {
       for (Index h : m_surface.outgoing(a)) {
         const Index b = m_surface.target(h);
-        if (m_surface.edge(h) == h && m_reached.is_marked(b) && m_parent[a] != b && m_parent[b] != a) {
-          m_edges.push_back({h, m_distance[a] + m_distance[b] + float(m_surface.length(h))});
+        if (m_surface.edge(h) == h && m_front.is_reached(b) && m_parent[a] != b && m_parent[b] != a) {
+          m_edges.push_back({h, m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h))});
         }
       }
     }
@@ -256,9 +238,7 @@ private:
 
   const Triangulated_surface& m_surface;
   const Vertex_fan_table& m_corners;
-  Indexed_heap m_heap;
-  Epoch_marks m_reached;
-  std::vector<float> m_distance;
+  Dijkstra_search m_front;
   std::vector<Index> m_parent;
   std::vector<Index> m_first_hop;
   Epoch_marks m_face_seen;
