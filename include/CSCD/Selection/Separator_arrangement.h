@@ -7,10 +7,8 @@
 #define CSCD_SELECTION_SEPARATOR_ARRANGEMENT_H
 
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Epoch_marks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -152,39 +150,6 @@ private:
 
 /// The arrangements of the local method.
 using Separator_arrangement = Separator_arrangement_on<Triangulated_surface>;
-
-/// For each of `separators`, 1 if it crosses itself in a face. Linear in the number of crossings.
-/// \tparam Triangulation a model of `SurfaceTriangulation`
-template <class Triangulation>
-std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators)
-{
-  std::vector<std::uint8_t> result;
-  result.reserve(separators.size());
-  Separator_arrangement_on<Triangulation> arrangement(surface);
-  for (Index i = 0; i < separators.size(); ++i) {
-    arrangement.clear();
-    result.push_back(arrangement.insert(i, separators[i].crossings) ? 0 : 1);
-  }
-  return result;
-}
-
-/// For each of `separators`, 1 if it crosses an edge twice: among points there are no faces in which curves could be
-/// followed more closely. Linear in the number of crossings.
-inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
-                                                     const std::vector<Separator>& separators)
-{
-  std::vector<std::uint8_t> result;
-  result.reserve(separators.size());
-  Epoch_marks crossed(surface.number_of_halfedges());
-  for (const Separator& separator : separators) {
-    crossed.clear();
-    const bool is_simple =
-        std::all_of(separator.crossings.begin(), separator.crossings.end(),
-                    [&](const Edge_crossing& crossing) { return crossed.mark(edge_of(surface, crossing.halfedge)); });
-    result.push_back(is_simple ? 0 : 1);
-  }
-  return result;
-}
 
 } // namespace CSCD::internal
 

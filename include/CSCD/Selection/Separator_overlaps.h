@@ -9,23 +9,55 @@
 #include <CSCD/Selection/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Epoch_marks.h>
 
 #include <CGAL/Iterator_range.h>
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// For each of `separators`, 1 if it crosses itself in a face. Linear in the number of crossings.
+/// \tparam Triangulation a model of `SurfaceTriangulation`
+template <class Triangulation>
+std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators)
+{
+  std::vector<std::uint8_t> result;
+  result.reserve(separators.size());
+  Separator_arrangement_on<Triangulation> arrangement(surface);
+  for (Index i = 0; i < separators.size(); ++i) {
+    arrangement.clear();
+    result.push_back(arrangement.insert(i, separators[i].crossings) ? 0 : 1);
+  }
+  return result;
+}
+
+/// For each of `separators`, 1 if it crosses an edge twice: among points there are no faces in which curves could be
+/// followed more closely. Linear in the number of crossings.
+inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
+                                                     const std::vector<Separator>& separators)
+{
+  std::vector<std::uint8_t> result;
+  result.reserve(separators.size());
+  Epoch_marks crossed(surface.number_of_halfedges());
+  for (const Separator& separator : separators) {
+    crossed.clear();
+    const bool is_simple =
+        std::all_of(separator.crossings.begin(), separator.crossings.end(),
+                    [&](const Edge_crossing& crossing) { return crossed.mark(edge_of(surface, crossing.halfedge)); });
+    result.push_back(is_simple ? 0 : 1);
+  }
+  return result;
+}
 
 /// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.
 template <class Surface>
