@@ -18,7 +18,6 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
-#include <string>
 
 namespace {
 

@@ -16,7 +16,6 @@
 #include <cmath>
 #include <exception>
 #include <iostream>
-#include <limits>
 
 namespace {
 

@@ -18,7 +18,6 @@
 #include <exception>
 #include <iostream>
 #include <ostream>
-#include <string>
 #include <vector>
 
 using Kernel = CGAL::Simple_cartesian<double>;

@@ -21,7 +21,6 @@
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <iostream>
 #include <optional>
 #include <string>

@@ -15,7 +15,6 @@
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>

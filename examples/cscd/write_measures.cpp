@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <iomanip>
 #include <locale>
 #include <sstream>

@@ -17,7 +17,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/detection.h>
 
-#include <cstddef>
 #include <iterator>
 #include <optional>
 #include <type_traits>

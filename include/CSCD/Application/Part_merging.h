@@ -18,7 +18,6 @@
 #include <map>
 #include <queue>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {

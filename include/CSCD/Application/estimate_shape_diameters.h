@@ -11,7 +11,6 @@
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Traits/input_concepts.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <cstddef>

@@ -14,7 +14,6 @@
 #include <CGAL/assertions.h>
 
 #include <boost/container/small_vector.hpp>
-#include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
 #include <cmath>

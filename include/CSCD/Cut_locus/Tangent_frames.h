@@ -9,8 +9,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
-#include <CGAL/assertions.h>
-
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>

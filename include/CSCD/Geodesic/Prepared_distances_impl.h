@@ -14,8 +14,6 @@
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/build_point_complex.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <utility>
 

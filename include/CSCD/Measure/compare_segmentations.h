@@ -16,8 +16,6 @@
 
 #include <boost/range/iterator_range_core.hpp>
 
-#include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CSCD {

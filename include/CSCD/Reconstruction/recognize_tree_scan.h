@@ -11,7 +11,6 @@
 #include <CSCD/internal/principal_axes.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -16,7 +16,6 @@
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>

@@ -10,7 +10,6 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>

@@ -15,7 +15,6 @@
 #include <CSCD/internal/Epoch_marks.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>

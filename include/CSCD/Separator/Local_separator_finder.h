@@ -19,7 +19,6 @@
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>

@@ -10,12 +10,10 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <set>
 #include <tuple>

@@ -15,7 +15,6 @@
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>

@@ -21,8 +21,6 @@
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <utility>
 #include <vector>
 

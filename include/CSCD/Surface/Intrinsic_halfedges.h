@@ -11,11 +11,8 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 
-#include <CGAL/assertions.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

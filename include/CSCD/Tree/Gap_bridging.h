@@ -18,10 +18,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {

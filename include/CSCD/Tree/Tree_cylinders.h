@@ -12,7 +12,6 @@
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>

@@ -21,7 +21,6 @@
 #include <limits>
 #include <locale>
 #include <ostream>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
