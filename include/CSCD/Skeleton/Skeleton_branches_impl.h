@@ -520,8 +520,7 @@ private:
 
 CSCD_INLINE std::vector<double> edge_significances(const Indexed_skeleton& skeleton)
 {
-  return skeleton.has_radii() ? Branch_hierarchy(skeleton, Branch_measure::significance).levels()
-                              : std::vector<double>();
+  return skeleton.has_radii() ? significance_levels(skeleton) : std::vector<double>();
 }
 
 CSCD_INLINE Skeleton_branches measure_branches(const Indexed_skeleton& skeleton, const std::vector<Index>& roots)

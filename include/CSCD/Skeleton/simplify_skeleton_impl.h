@@ -6,7 +6,7 @@
 #ifndef CSCD_SKELETON_SIMPLIFY_SKELETON_IMPL_H
 #define CSCD_SKELETON_SIMPLIFY_SKELETON_IMPL_H
 
-#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton/Branch_hierarchy_impl.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Skeleton/split_into_branches.h>
