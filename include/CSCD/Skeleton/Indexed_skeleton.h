@@ -8,7 +8,6 @@
 
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Dijkstra_search.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
@@ -19,7 +18,6 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CSCD::internal {
@@ -48,38 +46,6 @@ inline std::vector<std::vector<Index>> node_neighbors(const Indexed_skeleton& sk
     neighbors[v].push_back(u);
   }
   return neighbors;
-}
-
-/// Distances along a skeleton from some of its nodes.
-struct Skeleton_distances
-{
-  /// To a node in another component.
-  static constexpr double unreachable = std::numeric_limits<double>::infinity();
-
-  std::vector<double> distance;
-  std::vector<Index> previous; ///< the next node on the way to those
-};
-
-/// \param neighbors of the nodes of `skeleton`
-inline Skeleton_distances distances_along(const Indexed_skeleton& skeleton,
-                                          const std::vector<std::vector<Index>>& neighbors,
-                                          const std::vector<Index>& starts)
-{
-  const std::size_t n = skeleton.number_of_nodes();
-  Skeleton_distances result{std::vector<double>(n, Skeleton_distances::unreachable), std::vector<Index>(n, no_index)};
-  Dijkstra_search front(n);
-  for (const Index start : starts) {
-    front.reach(start, 0);
-  }
-  front.spread([&](Index node, float distance) {
-    result.distance[node] = distance;
-    for (const Index next : neighbors[node]) {
-      if (front.reach(next, distance + float(skeleton.length({node, next})))) {
-        result.previous[next] = node;
-      }
-    }
-  });
-  return result;
 }
 
 /// Copies `skeleton`, nodes and edges in the order in which the graph iterates them; expectedly linear.
