@@ -133,6 +133,11 @@ struct Assert_named_parameter_is_used
   static constexpr bool value = true;
 };
 
+/// Whether a parameter is among `UsedTags`, or is the one with which a chain without parameters begins.
+template <class Tag, class... UsedTags>
+inline constexpr bool is_used_v =
+    std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
+
 /// Refuses those parameters of the chain with the implementation `Node` that are not among `UsedTags`.
 template <class Node, class... UsedTags>
 struct Assert_named_parameters_are_used;
@@ -140,9 +145,7 @@ struct Assert_named_parameters_are_used;
 template <class T, class Tag, class Base, class... UsedTags>
 struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, Base>, UsedTags...>
 {
-  static constexpr bool is_used =
-      std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
-  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used>::value &&
+  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used_v<Tag, UsedTags...>>::value &&
                                 Assert_named_parameters_are_used<typename Base::base, UsedTags...>::value;
 };
 
@@ -150,9 +153,7 @@ template <class T, class Tag, class... UsedTags>
 struct Assert_named_parameters_are_used<CGAL::internal_np::Named_params_impl<T, Tag, CGAL::internal_np::No_property>,
                                         UsedTags...>
 {
-  static constexpr bool is_used =
-      std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
-  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used>::value;
+  static constexpr bool value = Assert_named_parameter_is_used<Tag, is_used_v<Tag, UsedTags...>>::value;
 };
 
 /// Refuses at compile time the parameters of `NamedParameters` whose tags are not among `UsedTags`: the first line of

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace CSCD {
 
@@ -200,6 +202,14 @@ constexpr Vector_3 triangle_vector(const Vector_3& a, const Vector_3& b, const V
 inline double triangle_area(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
   return triangle_vector(a, b, c).norm() / 2;
+}
+
+/// `v` as a point of any type that is constructible from three coordinates.
+template <class Point>
+Point make_point(const Vector_3& v)
+{
+  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  return Point(Coordinate(v.x()), Coordinate(v.y()), Coordinate(v.z()));
 }
 
 } // namespace internal

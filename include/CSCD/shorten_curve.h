@@ -115,10 +115,8 @@ public:
     internal::Surface_path path;
     const Shortening_outcome outcome =
         m_shorten(internal::halfedges_between(m_surface, numbers, is_closed), is_closed, path);
-    using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
     for (const Edge_crossing& crossing : path.points) {
-      const Vector_3 point = internal::crossing_point(m_surface, crossing);
-      *points++ = Point(Coordinate(point.x()), Coordinate(point.y()), Coordinate(point.z()));
+      *points++ = internal::make_point<Point>(internal::crossing_point(m_surface, crossing));
     }
     return outcome;
   }

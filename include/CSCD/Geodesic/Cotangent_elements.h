@@ -163,15 +163,9 @@ private:
         sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
       }
     }
-    m_component.assign(number_of_vertices(), no_index);
-    for (Index v = 0; v < number_of_vertices(); ++v) {
-      const Index root = sets.find(v);
-      if (m_component[root] == no_index) {
-        m_component[root] = Index(m_units.size());
-        m_units.push_back(0);
-      }
-      m_component[v] = m_component[root];
-    }
+    Index number_of_components = 0;
+    m_component = sets.numbers(number_of_components);
+    m_units.assign(number_of_components, 0.);
   }
 
   template <class Triangulation>

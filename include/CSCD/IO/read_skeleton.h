@@ -17,7 +17,6 @@
 #include <istream>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -38,10 +37,7 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
   for (std::size_t v = 0; v < indexed.number_of_nodes(); ++v) {
     nodes.push_back(add_vertex(result));
     auto& node = result[nodes.back()];
-    const Vector_3& point = indexed.points[v];
-    using Point = std::decay_t<decltype(node.point)>;
-    using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-    node.point = Point(Coordinate(point.x()), Coordinate(point.y()), Coordinate(point.z()));
+    node.point = make_point<std::decay_t<decltype(node.point)>>(indexed.points[v]);
     if constexpr (has_radius_v<Skeleton>) {
       node.radius = indexed.has_radii() ? indexed.radii[v] : 0;
     }

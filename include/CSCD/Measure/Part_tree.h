@@ -11,12 +11,13 @@
 
 #include <CGAL/assertions.h>
 
+#include <boost/random/mersenne_twister.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,7 @@ inline std::vector<Index> in_random_order(std::size_t number)
 {
   std::vector<Index> order(number);
   std::iota(order.begin(), order.end(), Index(0));
-  std::mt19937 generator;
+  boost::random::mt19937 generator;
   for (std::size_t i = number; i > 1; --i) {
     std::swap(order[i - 1], order[generator() % i]);
   }

@@ -18,7 +18,6 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -53,7 +52,6 @@ void reconstruct_surface(const Surface& surface, const Skeleton& skeleton, Trian
 {
   using Vertex_point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type;
   using Point = typename boost::property_traits<Vertex_point_map>::value_type;
-  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
   internal::check_evaluation_parameters<Surface, NamedParameters, internal_np::reconstruction_method_t>();
   const Reconstruction_method method = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::reconstruction_method), Reconstruction_method::convolution);
@@ -63,7 +61,7 @@ void reconstruct_surface(const Surface& surface, const Skeleton& skeleton, Trian
   std::vector<Point> points;
   points.reserve(triangles.points.size());
   for (const Vector_3& p : triangles.points) {
-    points.emplace_back(Coordinate(p.x()), Coordinate(p.y()), Coordinate(p.z()));
+    points.push_back(internal::make_point<Point>(p));
   }
   TriangleMesh mesh;
   CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, triangles.faces, mesh);

@@ -132,14 +132,7 @@ private:
       sets.join(face[0], face[1]);
       sets.join(face[0], face[2]);
     }
-    m_fragment.assign(m_triangles.points.size(), no_index);
-    for (Index vertex = 0; vertex < m_fragment.size(); ++vertex) {
-      const Index root = sets.find(vertex);
-      if (m_fragment[root] == no_index) {
-        m_fragment[root] = m_number_of_fragments++;
-      }
-      m_fragment[vertex] = m_fragment[root];
-    }
+    m_fragment = sets.numbers(m_number_of_fragments);
     m_groups = Disjoint_sets(m_number_of_fragments);
     m_members.resize(m_number_of_fragments);
     for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {

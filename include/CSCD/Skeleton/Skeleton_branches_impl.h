@@ -20,6 +20,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/squared_distance_3.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/unordered_map.hpp>
 
 #include <algorithm>
@@ -83,7 +84,7 @@ private:
 
   void measure_radii(Skeleton_branch& branch) const
   {
-    constexpr double pi = 3.141592653589793;
+    using boost::math::double_constants::pi;
     branch.min_radius = branch.max_radius = branch.end_radii[0];
     branch.cone_area = branch.cone_volume = 0;
     double integral = 0; // of the radius over the length
@@ -378,7 +379,7 @@ public:
     }
     double least = Skeleton_branch::unknown;
     for (const Curve& curve : curves) {
-      constexpr double half_turn = 3.141592653589793; // the angle of a closed curve is a multiple of a turn
+      constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
       const bool is_closed = curve.number_of_segments > 0 && curve.number_of_segments == curve.number_of_places;
       if (is_closed && std::abs(curve.angle) > half_turn && !(std::abs(curve.area) >= least)) {
         least = std::abs(curve.area);

@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <iterator>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -117,9 +116,7 @@ Skeleton to_simplified_graph(const Skeleton& skeleton, const Indexed_skeleton& b
       node.vertices.clear();
     }
     if (origin == no_index || point != before.points[origin]) {
-      using Point = std::decay_t<decltype(node.point)>;
-      using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-      node.point = Point(Coordinate(point.x()), Coordinate(point.y()), Coordinate(point.z()));
+      node.point = make_point<std::decay_t<decltype(node.point)>>(point);
     }
     if constexpr (has_radius_v<Skeleton>) {
       node.radius = simplified.skeleton.radii[v];

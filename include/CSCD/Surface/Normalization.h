@@ -13,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -38,9 +36,7 @@ struct Normalization
 template <class Point>
 Point to_input_point(const Normalization& normalization, const Vector_3& point)
 {
-  using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  const Vector_3 result = normalization.to_input(point);
-  return Point(Coordinate(result.x()), Coordinate(result.y()), Coordinate(result.z()));
+  return internal::make_point<Point>(normalization.to_input(point));
 }
 
 /// Minimal area of a surface, relative to the square of its extent: rounding leaves smaller areas of collinear points.

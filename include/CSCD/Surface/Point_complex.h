@@ -209,13 +209,7 @@ private:
     for (Index h = 0; h < number_of_halfedges(); ++h) {
       sets.join(origin(h), target(h));
     }
-    std::vector<Index> number(m_points.size(), no_index);
-    m_component.reserve(m_points.size());
-    for (Index v = 0; v < number_of_vertices(); ++v) {
-      Index& component = number[sets.find(v)];
-      component = component == no_index ? m_number_of_components++ : component;
-      m_component.push_back(component);
-    }
+    m_component = sets.numbers(m_number_of_components);
   }
 
   /// Where the corners of triangles at a vertex, seen along its normal, add up to more than a full turn, they overlap

@@ -11,6 +11,8 @@
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <cstddef>
 #include <limits>
@@ -52,8 +54,7 @@ namespace internal {
 /// The volume of a cylinder.
 inline double volume(const Tree_cylinder& cylinder)
 {
-  constexpr double pi = 3.141592653589793;
-  return pi * cylinder.radius * cylinder.radius * cylinder.length;
+  return boost::math::double_constants::pi * cylinder.radius * cylinder.radius * cylinder.length;
 }
 
 inline std::vector<Tree_cylinder> make_tree_cylinders(const Indexed_skeleton& skeleton, const Tree_report& report)

@@ -52,6 +52,20 @@ public:
     return true;
   }
 
+  /// For each index, the number of its set; sets are counted in the order of their first index.
+  /// \param number_of_sets is set to the number of all sets
+  std::vector<Index> numbers(Index& number_of_sets)
+  {
+    std::vector<Index> result(size(), no_index);
+    number_of_sets = 0;
+    for (Index index = 0; index < size(); ++index) {
+      const Index root = find(index);
+      result[root] = result[root] == no_index ? number_of_sets++ : result[root];
+      result[index] = result[root];
+    }
+    return result;
+  }
+
 private:
   // Plain pointers are property maps too, but which of their functions are found depends on what was included before.
   template <class Value>
