@@ -4,9 +4,7 @@
 // The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
 #include "cscd/applications.h"
-#include "cscd/classify.h"
 #include "cscd/commands.h"
-#include "cscd/loops.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>

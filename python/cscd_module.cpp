@@ -6,7 +6,6 @@
 
 #include "commands.h"
 #include "compute_skeleton.h"
-#include "correspondence.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"

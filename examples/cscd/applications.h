@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands of the program that use a skeleton, and their arguments.
+// The commands of the program that use a skeleton or its separators, and their arguments.
 
 #ifndef CSCD_PROGRAM_APPLICATIONS_H
 #define CSCD_PROGRAM_APPLICATIONS_H
+
+#include <CSCD/Application/find_surface_loops.h>
 
 #include <cstddef>
 #include <string>
@@ -47,6 +49,38 @@ void segment(const Segment_options& options);
 /// Reads a mesh and writes the shape diameter at each of its vertices, one a line.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void write_diameters(const Application_options& options);
+
+/// Which loops to find; all kinds if none is chosen.
+struct Loops_options : Application_options
+{
+  bool handles = false;
+  bool tunnels = false;
+  bool constrictions = false;
+  double min_depth = CSCD::default_min_constriction_depth;
+};
+
+/// Reads a mesh and writes its handle loops, tunnel loops and constrictions, in the format of the output's ending.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void write_loops(const Loops_options& options);
+
+/// \name What shapes are compared by
+/// @{
+inline constexpr const char* diameter_descriptor = "diameter";
+inline constexpr const char* skeleton_descriptor = "skeleton";
+/// @}
+
+/// Which shapes to classify.
+struct Classify_options
+{
+  std::string manifest; ///< file name of a table of mesh files and classes
+  std::string output;   ///< a file name, or `standard_stream`
+  std::string descriptor = skeleton_descriptor;
+  bool is_quiet = false;
+};
+
+/// Reads meshes and writes the class of each, as found by the nearest of the others, as JSON.
+/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
+void classify(const Classify_options& options);
 
 } // namespace cscd
 

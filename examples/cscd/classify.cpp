@@ -3,7 +3,7 @@
 //
 // The command `cscd classify`: from a table of meshes to their classes.
 
-#include "classify.h"
+#include "applications.h"
 
 #include "commands.h"
 #include "compute_skeleton.h"

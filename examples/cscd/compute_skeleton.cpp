@@ -9,6 +9,7 @@
 #include "roots.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published_policies.h>
@@ -337,6 +338,16 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
   }
   return options.method == published_method ? compute_published_point_skeleton(input, options, visitor)
                                             : compute_point_skeleton(input, options, visitor);
+}
+
+std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result)
+{
+  std::vector<CSCD::Vertex_label> labels = CSCD::label_vertices(input.mesh, result.skeleton, result.branches);
+  if (input.is_point_set) { // its points are the first vertices of the mesh
+    labels.resize(input.points.size());
+    return labels;
+  }
+  return CSCD::internal::labels_of_file(input.as_read.points, CSCD::internal::to_vectors(input.mesh.points()), labels);
 }
 
 } // namespace cscd

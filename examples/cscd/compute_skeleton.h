@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation of the skeleton.
+// The computation of the skeleton, and which node the vertices of the input belong to.
 
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
 
 #include "Progress_bar.h"
 #include "types.h"
+#include <CSCD/IO/write_correspondence.h>
+
+#include <vector>
 
 namespace cscd {
 
@@ -15,6 +18,10 @@ namespace cscd {
 /// \param bar shows the progress, or null
 /// \throw CSCD::Input_error if it cannot be skeletonized
 Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options, Progress_bar* bar);
+
+/// The label of each vertex or point of the file, in its order.
+/// \pre `input` has kept what was read
+std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
 
 } // namespace cscd
 

@@ -3,8 +3,7 @@
 //
 // The command `cscd loops`: from arguments to files.
 
-#include "loops.h"
-
+#include "applications.h"
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "types.h"

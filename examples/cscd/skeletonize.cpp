@@ -6,7 +6,6 @@
 #include "Progress_bar.h"
 #include "commands.h"
 #include "compute_skeleton.h"
-#include "correspondence.h"
 #include "roots.h"
 #include "three_js_source.h"
 #include "types.h"
