@@ -224,6 +224,73 @@ void add_volume(CLI::App& command, cscd::Volume_options& options)
                    "of a volume: the surfaces of cavities get skeletons, too, instead of being filled");
 }
 
+/// Adds the variants of the published method.
+void add_published_method(CLI::App& command, cscd::Skeletonize_options& options)
+{
+  command
+      .add_option("--target", options.target,
+                  "published method: whether loops close at the cut point nearest in space or along the surface")
+      ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
+  command.add_option("--shortening", options.shortening, "published method: how loops are shortened")
+      ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
+  command
+      .add_option("--cut-locus", options.cut_locus,
+                  "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
+      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
+  command.add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
+      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
+  command
+      .add_option("--placement", options.placement,
+                  "published method: nodes are centroids of regions or, of a mesh, in the middle of sections")
+      ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
+  command.add_flag("--literal", options.is_literal,
+                   "published method: as printed, with the tree, sources one by one, overlap by crossings");
+  command.add_flag_function(
+      "--intrinsic,!--extrinsic", [&options](std::int64_t count) { options.is_intrinsic = count > 0; },
+      "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
+  command.add_flag("--multiscale", options.is_multiscale,
+                   "published method: distances on coarse levels of a mesh; several times as fast on large ones");
+}
+
+/// Adds the files that are written besides the skeleton.
+void add_further_outputs(CLI::App& command, cscd::Skeletonize_options& options)
+{
+  command.add_option("--branches", options.branches, "file for the table of branches as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command.add_option("--nodes", options.nodes, "file for the table of nodes as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      .add_option("--cylinders", options.cylinders,
+                  "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      .add_option("--breast-height", options.breast_height,
+                  "where diameters of trunks are measured, above the root, in the unit of the scan")
+      ->check(CLI::PositiveNumber)
+      ->type_name("H")
+      ->capture_default_str();
+  command
+      .add_option("--correspondence", options.correspondence,
+                  "file for the node and branch of each vertex or point as CSV, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--labelled", options.labelled,
+          "file for the input as PLY with node, branch, radius and distance to the skeleton at each vertex, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command.add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+  command.add_option("--html", options.html, "file for a page that shows surface and skeleton, or -")
+      ->check(check_name)
+      ->type_name("FILE");
+}
+
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
 {
   CLI::App* command = app.add_subcommand("skeletonize", "compute the curve skeleton of a triangle mesh or a point set");
@@ -249,29 +316,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();
-  command
-      ->add_option("--target", options.target,
-                   "published method: whether loops close at the cut point nearest in space or along the surface")
-      ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
-  command->add_option("--shortening", options.shortening, "published method: how loops are shortened")
-      ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
-  command
-      ->add_option("--cut-locus", options.cut_locus,
-                   "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
-      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
-  command->add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
-      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
-  command
-      ->add_option("--placement", options.placement,
-                   "published method: nodes are centroids of regions or, of a mesh, in the middle of sections")
-      ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
-  command->add_flag("--literal", options.is_literal,
-                    "published method: as printed, with the tree, sources one by one, overlap by crossings");
-  command->add_flag_function(
-      "--intrinsic,!--extrinsic", [&options](std::int64_t count) { options.is_intrinsic = count > 0; },
-      "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
-  command->add_flag("--multiscale", options.is_multiscale,
-                    "published method: distances on coarse levels of a mesh; several times as fast on large ones");
+  add_published_method(*command, options);
   command
       ->add_option(
           "--shape", options.shape,
@@ -302,40 +347,7 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   add_volume(*command, options.volume);
   add_fragments(*command, options.fragments, "vertices or points");
   add_root_and_swc(*command, options.root, options.swc);
-  command->add_option("--branches", options.branches, "file for the table of branches as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command->add_option("--nodes", options.nodes, "file for the table of nodes as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      ->add_option("--cylinders", options.cylinders,
-                   "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      ->add_option("--breast-height", options.breast_height,
-                   "where diameters of trunks are measured, above the root, in the unit of the scan")
-      ->check(CLI::PositiveNumber)
-      ->type_name("H")
-      ->capture_default_str();
-  command
-      ->add_option("--correspondence", options.correspondence,
-                   "file for the node and branch of each vertex or point as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      ->add_option(
-          "--labelled", options.labelled,
-          "file for the input as PLY with node, branch, radius and distance to the skeleton at each vertex, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command->add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command->add_option("--html", options.html, "file for a page that shows surface and skeleton, or -")
-      ->check(check_name)
-      ->type_name("FILE");
+  add_further_outputs(*command, options);
   command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
 }
 
