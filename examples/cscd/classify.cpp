@@ -4,7 +4,6 @@
 // The command `cscd classify`: from a table of meshes to their classes.
 
 #include "applications.h"
-
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "dump_json.h"

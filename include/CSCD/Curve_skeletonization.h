@@ -107,7 +107,7 @@ public:
   /// @{
 
   /// Finds separators all over the surface. The answer does not depend on `ConcurrencyTag` nor on the number of
-  /// threads. \return their number \throw Cancelled_error if the visitor wants to stop
+  /// threads. \return their number \throw Cancelled_error if the visitor stops the work
   template <class ConcurrencyTag = CGAL::Sequential_tag>
   std::size_t find_separators()
   {
@@ -136,7 +136,7 @@ public:
 
   /// Weighs, packs and prunes the separators, and cuts the surface along those that remain.
   /// \return the number of packed separators
-  /// \throw Cancelled_error if the visitor wants to stop
+  /// \throw Cancelled_error if the visitor stops the work
   std::size_t pack_separators()
   {
     run_stage(Skeletonization_stage::pack_separators, [this] {
@@ -153,7 +153,7 @@ public:
   /// Builds the skeleton and writes it to `skeleton`, which is cleared first.
   /// \tparam OutputSkeleton a model of `CurveSkeletonGraph`
   /// \pre `pack_separators()` has been called
-  /// \throw Cancelled_error if the visitor wants to stop; `skeleton` is then as it was
+  /// \throw Cancelled_error if the visitor stops the work; `skeleton` is then as it was
   template <class OutputSkeleton>
   void convert_to_skeleton(OutputSkeleton& skeleton)
   {

@@ -11,7 +11,7 @@
 
 #include <type_traits>
 
-// Later versions of CGAL have further kinds of entries in their list; to us they are parameters like all others.
+// Later versions of CGAL have further kinds of entries in their list; here all of them are ordinary parameters.
 #define CGAL_add_named_parameter_with_compatibility(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_cref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
 #define CGAL_add_named_parameter_with_compatibility_ref_only(X, Y, Z) CGAL_add_named_parameter(X, Y, Z)
@@ -36,7 +36,7 @@ namespace internal_np {
 
 /// A chain of named parameters: the parameter `Tag` with a value of type `T`, in front of the chain `Base`.
 /// It is a `CGAL::Named_function_parameters`, which every function of CGAL takes, and can be prolonged by the
-/// parameters of CGAL and by our own. Values are held as CGAL holds them: copied if they can be, else by reference.
+/// parameters of CGAL and of CSCD. Values are held as CGAL holds them: copied if they can be, else by reference.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
@@ -77,8 +77,9 @@ namespace CGAL {
 template <class PolygonMesh, class NamedParametersGT, class NamedParametersVPM>
 class GetGeomTraits;
 
-/// CGAL asks this of a chain of named parameters where one of several overloads takes a mesh in its place. Like the
-/// specialization that CGAL has for its own chains, it makes that overload drop out instead of failing to compile.
+/// CGAL instantiates this with a chain of named parameters where one of several overloads takes a mesh in its place.
+/// Like the specialization that CGAL has for its own chains, it makes that overload drop out instead of failing to
+/// compile.
 template <class T, class Tag, class Base, class NamedParametersGT, class NamedParametersVPM>
 class GetGeomTraits<CSCD::Named_parameters<T, Tag, Base>, NamedParametersGT, NamedParametersVPM>
 {
@@ -135,8 +136,8 @@ struct Assert_named_parameter_is_used
 
 /// Whether a parameter is among `UsedTags`, or is the one with which a chain without parameters begins.
 template <class Tag, class... UsedTags>
-inline constexpr bool is_used_v =
-    std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, UsedTags> || ...);
+inline constexpr bool is_used_v = std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
+                                  (std::is_same_v<Tag, UsedTags> || ...);
 
 /// Refuses those parameters of the chain with the implementation `Node` that are not among `UsedTags`.
 template <class Node, class... UsedTags>
@@ -166,7 +167,7 @@ constexpr void check_named_parameters()
 
 } // namespace internal
 
-/// Functions that begin a chain of named parameters: all of CGAL's and our own; and what reads them.
+/// Functions that begin a chain of named parameters: those of CGAL and of CSCD; and what reads them.
 namespace parameters {
 
 using CGAL::parameters::choose_parameter;

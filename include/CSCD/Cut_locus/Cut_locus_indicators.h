@@ -102,7 +102,7 @@ protected:
   static void add_neighbor(double direction, const Complex& transport, const Complex& gradient,
                            Gradient_samples& samples)
   {
-    constexpr double min_gradient = 0.1;
+    constexpr double min_gradient = 0.1; // away from ridges and sources it is 1
     const double norm = std::abs(gradient);
     if (norm > min_gradient && std::isfinite(norm)) {
       samples.push_back({std::polar(1., direction), transport * gradient / norm});

@@ -34,16 +34,7 @@ enum class Front_end
 /// polygonal meshes" (2012): where two neighbors on a triangle are known, the source is unfolded into the triangle's
 /// plane and the third corner gets its distance to that image; the initial angle is interpolated between the two
 /// neighbors by the angles that the image sees. Where the ray misses the triangle, distance and angle come along an
-/// edge. Vertices are accepted nearly, not strictly, in order of distance: over an obtuse angle the front reaches a
-/// corner that is nearer than the vertex it came from. That is one vertex in a hundred on smooth bodies, three where
-/// noise is as large as the edges; what has been accepted before keeps the distance that it had. Reuse one object for
-/// many sources: nothing of the size of the surface is touched for each of them.
-///
-/// An observer has
-/// - `on_meeting(vertex, neighbor)`: `vertex` was accepted, its neighbor had been before, and their initial directions
-///   differ by more than `wide_angle`;
-/// - `stop_distance()`: no vertex farther than this is visited;
-/// - `has_found()`: while false, the front is capped by the largest number of visits.
+/// edge. Reuse one object for many sources: nothing of the size of the surface is touched for each of them.
 class Geodesic_polar_coordinates
 {
 public:
@@ -57,6 +48,15 @@ public:
   }
 
   /// Grows the front from `source`, visiting at most `max_visits` vertices unless `observer` has found something.
+  ///
+  /// Vertices are accepted nearly, not strictly, in order of distance: over an obtuse angle the front reaches a corner
+  /// that is nearer than the vertex it came from. That is one vertex in a hundred on smooth bodies, three where noise
+  /// is as large as the edges; what has been accepted before keeps the distance that it had.
+  /// \tparam Observer has
+  ///         - `on_meeting(vertex, neighbor)`: `vertex` was accepted, its neighbor had been before, and their initial
+  ///           directions differ by more than `wide_angle`;
+  ///         - `stop_distance()`: no vertex farther than this is visited;
+  ///         - `has_found()`: while false, the front is capped by the largest number of visits
   template <class Observer>
   Front_end grow(Index source, std::size_t max_visits, Observer& observer)
   {

@@ -39,7 +39,7 @@ struct alignas(size * sizeof(double)) Simd_pack
 
 /// The factors of symmetric positive definite matrices with a common pattern, for many right-hand sides.
 ///
-/// Eigen factors (LDL^T with approximate minimum degree ordering); the triangular solves are our own. Eigen solves for
+/// Eigen factors (LDL^T with approximate minimum degree ordering). The triangular solves are not Eigen's, which treat
 /// several right-hand sides one after the other, each of which waits for the factor to come from memory. Here the
 /// numbers of several right-hand sides lie side by side, and one pass over the factor serves all.
 /// All members are const and may be called by several threads at once.

@@ -30,7 +30,7 @@
 
 namespace CSCD::internal {
 
-/// Forgets normals that are none, and tells so: unless most of them are of unit length, and differ, they are colors or
+/// Removes normals that are none, and tells so: unless most of them are of unit length, and differ, they are colors or
 /// the like. Of normals, those of another length are set to zero: they are not known.
 inline void keep_normals_only(Polygon_soup& soup)
 {

@@ -188,7 +188,7 @@ private:
     }
   }
 
-  /// Links borders; a vertex on a border refers to the halfedge on it, as `Surface_mesh` wants it.
+  /// Links borders; a vertex on a border refers to the halfedge on it, as in every `Surface_mesh`.
   void link_borders()
   {
     for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {

@@ -102,7 +102,8 @@ public:
     m_files.push_back({filename, place, internal::temporary_name(place)});
     const std::string& temporary = m_files.back().temporary;
     if (fs::exists(status)) {
-      internal::write_directly(temporary, filename, [](std::ostream&) {}); // nobody else is to read what comes then
+      // Before the file holds anything, only those who may read the old one get to read it.
+      internal::write_directly(temporary, filename, [](std::ostream&) {});
       fs::permissions(temporary, status.permissions(), error);
     }
     internal::write_directly(temporary, filename, write);

@@ -100,7 +100,7 @@ void write_node_table(std::ostream& out, const Skeleton& skeleton, const Skeleto
 }
 
 /// writes cylinders as CSV in the columns of TreeQSM's text files (`save_model_text`, version 2.4): indices are counted
-/// from 1, 0 is none. What TreeQSM knows of its fit (`mad`, `SurfCov`) is `NaN`. Linear.
+/// from 1, 0 is none. The columns on the fit of TreeQSM (`mad`, `SurfCov`) are `NaN`. Linear.
 /// \param report of the skeleton of which the cylinders were made
 /// \throw File_error if `out` fails
 inline void write_cylinders(std::ostream& out, const std::vector<Tree_cylinder>& cylinders, const Tree_report& report)

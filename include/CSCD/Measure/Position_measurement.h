@@ -152,6 +152,7 @@ private:
   /// The direction of the skeleton at a node of one or two edges; nothing at others and where it turns back.
   std::optional<Vector_3> tangent(Index v, const std::vector<Index>& neighbors) const
   {
+    // Of the sum of two unit vectors: the angle, in radians, by which they differ from opposite ones.
     constexpr double min_norm = 1e-6;
     if (neighbors.empty() || neighbors.size() > 2) {
       return std::nullopt;

@@ -148,11 +148,10 @@ private:
   /// A search for the least value looks into as many nodes of the tree at most.
   static constexpr std::size_t max_number_of_nodes = 1 << 12;
 
-  /// Nodes of the tree are divided by direction where the sources are nearer to each other than this. In mean lengths
-  /// of a segment.
+  /// Nodes of the tree are divided by direction where the sources are nearer to each other than this.
   static double direction_length(const std::vector<Segment>& segments)
   {
-    constexpr double factor = 8;
+    constexpr double factor = 8; // in mean lengths of a segment
     double sum = 0;
     for (const auto& [source, target] : segments) {
       sum += (target - source).norm();

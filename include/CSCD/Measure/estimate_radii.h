@@ -120,8 +120,8 @@ private:
     if (m_skeleton.edges.size() <= m_skeleton.number_of_nodes() + max_number_of_cycles) {
       return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(right);
     }
-    constexpr int max_number_of_steps = 300;
-    constexpr double tolerance = 1e-9; // of the residual
+    constexpr int max_number_of_steps = 300; // bounds the time where the iteration converges slowly
+    constexpr double tolerance = 1e-9;       // of the residual
     Eigen::ConjugateGradient<Eigen::SparseMatrix<double>, Eigen::Lower | Eigen::Upper> iteration(laplacian);
     iteration.setMaxIterations(max_number_of_steps);
     iteration.setTolerance(tolerance);

@@ -332,7 +332,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t maximum_resolution = 10000;
+  static constexpr std::size_t maximum_resolution = 10000; // cells along the diagonal of the bounding box
   /// Nodes farther than this from the center of the bounding box, and radii greater than this, in its diagonals, cannot
   /// belong to the surface.
   static constexpr double max_length = 2;

@@ -150,9 +150,9 @@ inline double root_mean_square_distance(const std::vector<Vector_3>& points)
 inline double estimate_area(const std::vector<Vector_3>& points)
 {
   constexpr double number_of_balls = 2000;
-  constexpr std::size_t sample = 50000; // points from which it is estimated, about
-  constexpr int max_number_of_trials = 40;
-  constexpr double first_radius = 0.05; // relative to the mean distance of the points from their centroid
+  constexpr std::size_t sample = 50000;    // points from which it is estimated, about
+  constexpr int max_number_of_trials = 40; // of radii; stops the search where no radius leaves as many balls
+  constexpr double first_radius = 0.05;    // relative to the mean distance of the points from their centroid
   const double target = std::min(number_of_balls, double(points.size()) / 4);
   const std::size_t step = std::max<std::size_t>(1, points.size() / sample);
   double radius = first_radius * root_mean_square_distance(points);

@@ -48,7 +48,7 @@ private:
 class Front_edge_numbers
 {
 public:
-  /// Forgets all edges: to be called before each reconstruction.
+  /// Removes all edges: to be called before each reconstruction.
   static void clear() { numbers().clear(); }
   /// The number of an edge, the next one if it is met for the first time.
   static std::size_t number(const void* edge) { return numbers().emplace(edge, numbers().size()).first->second; }

@@ -158,7 +158,7 @@ private:
   /// Points that have far fewer others around than most: all, or if they are few in a large cloud, those of a sample.
   std::vector<Index> lonely_points() const
   {
-    constexpr int max_number_of_trials = 10;
+    constexpr int max_number_of_trials = 10; // of radii; stops the search where no radius has the median
     const std::vector<Index> places = some_points();
     double radius = std::sqrt(outlier_neighbors * estimate_area(m_cloud.points) * double(sample_step()) /
                               (3 * double(m_cloud.points.size())));

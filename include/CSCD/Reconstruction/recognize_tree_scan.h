@@ -89,7 +89,7 @@ inline std::vector<std::vector<Vector_3>> offsets_around(const std::vector<Vecto
 inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
 {
   constexpr double number_of_balls = 7000;
-  constexpr std::size_t probes = 1000;
+  constexpr std::size_t probes = 1000;  // balls: parts of them are then known to about a hundredth
   constexpr std::size_t min_points = 8; // fewer show no form
   constexpr double thin_part = 0.2;     // of the second to the first principal variance
   constexpr double high_part = 0.25;    // of the third to the second
@@ -128,10 +128,10 @@ inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
 /// that was scanned line by line; if all are parallel to one plane, a body that was sliced.
 inline bool is_scan_of_trees(const Cloud_forms& forms)
 {
-  constexpr double min_along_curves = 0.08;
-  constexpr double max_along_curves = 0.6;
-  constexpr double min_of_both = 0.3;
-  constexpr double min_steepness = 0.02; // twigs in all directions have 0.33; slices, without noise, 0
+  constexpr double min_along_curves = 0.08; // between a thirtieth and a tenth
+  constexpr double max_along_curves = 0.6;  // between a quarter and all
+  constexpr double min_of_both = 0.3;       // below two fifths
+  constexpr double min_steepness = 0.02;    // twigs in all directions have 0.33; slices, without noise, 0
   return forms.steepness > min_steepness && forms.along_curves > min_along_curves &&
          forms.along_curves < max_along_curves && forms.along_curves + forms.in_space > min_of_both;
 }
@@ -142,9 +142,9 @@ inline bool is_scan_of_trees(const Cloud_forms& forms)
 /// \param spacing mean distance of six neighbors, which is twice the distance along a curve
 inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing)
 {
-  constexpr double ball_radius = 12; // in spacings
-  constexpr double max_width = 0.75; // standard deviation across, in spacings
-  constexpr std::size_t probes = 300;
+  constexpr double ball_radius = 12;       // in spacings
+  constexpr double max_width = 0.75;       // standard deviation across, in spacings
+  constexpr std::size_t probes = 300;      // balls: the part of them is then known to about a fiftieth
   constexpr std::size_t min_points = 8;    // fewer show no form
   constexpr double min_part = 0.9;         // of the balls
   constexpr std::size_t min_number = 1000; // fewer are triangulated soon, whatever their form

@@ -83,10 +83,7 @@ private:
 /// The surface is where the weighted mean of (n + n_i) . (x - p_i) vanishes, over the points p_i near x with their
 /// normals n_i, n being the weighted mean of these. That is a plane fit with oriented normals, but for n beside n_i: a
 /// chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly where a plane
-/// fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019). The
-/// weight is (1 - d^2/r_i^2)^4, nearly exp(-d^2/h^2) for h = r_i/2, but smooth where it ends; r_i follows the local
-/// spacing of the points.
-///
+/// fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019).
 /// Only points of the sheet of the site count, which is sought over edges from the last one: so no point jumps to
 /// another sheet. Const and thread safe; copies are cheap.
 class Moving_least_squares_projection
@@ -120,7 +117,7 @@ public:
   }
 
 private:
-  static constexpr int max_iterations = 4;
+  static constexpr int max_iterations = 4; // of a projection
   /// Less is not worth an iteration, relative to the spacing of the points.
   static constexpr double min_height = 1e-2;
 
@@ -132,7 +129,9 @@ private:
     });
   }
 
-  /// Sets the normal of the surface at the point of `projected`. \return how high above the surface it is
+  /// Sets the normal of the surface at the point of `projected`. The weight at distance d from a point of radius r is
+  /// (1 - d^2/r^2)^4, nearly exp(-d^2/h^2) for h = r/2, but smooth where it ends; r follows the local spacing.
+  /// \return how high above the surface it is
   double fit(Projected_point& projected) const
   {
     double sum = 0;

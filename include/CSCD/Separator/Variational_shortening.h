@@ -65,12 +65,7 @@ struct Variational_report
 /// The energy of points x_i is the sum of H(|x_i - x_{i+1}|) + lambda max(0, |x_i - c| - r)^2, where H(s) = exp(s^2) -
 /// 1 makes the curve short and its sides equal, and the second term keeps the points in a ball around c. The supplement
 /// gives no unit of length; here it is the mean side of the polygon to begin with, for both terms: so nothing depends
-/// on the scale or on the number of points. With lambda = 10 a curve under full tension leaves the ball by about a
-/// hundredth of its sides times its number of turns.
-/// The gradient is made tangential and spread along the curve by the inverse of the chain's stiffness: without that,
-/// the number of iterations grows with that of the points. The step is that of Barzilai and Borwein, "Two-point step
-/// size gradient methods" (1988), halved until the energy sinks enough (Armijo), and every point is projected back to
-/// the surface.
+/// on the scale or on the number of points.
 ///
 /// The ball does not prevent a curve that nothing holds from shrinking to a point, as the supplement has it: that is
 /// noticed by the lost length. An object is working memory, and is reused.
@@ -82,7 +77,8 @@ class Variational_shortening
 public:
   explicit Variational_shortening(Projection projection) : m_projection(std::move(projection)) {}
 
-  /// Weight of leaving the ball, that of the supplement.
+  /// Weight of leaving the ball, lambda, that of the supplement: a curve under full tension leaves the ball by about a
+  /// hundredth of its sides times its number of turns.
   static constexpr double ball_weight = 10;
   /// Most iterations; a curve on a smooth surface takes some twenty.
   static constexpr int max_iterations = 200;
@@ -138,6 +134,10 @@ private:
   std::size_t size() const { return m_curve.size(); }
   std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
 
+  /// Iterates to the least energy. The gradient is made tangential and spread along the curve by the inverse of the
+  /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
+  /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
+  /// (Armijo), and every point is projected back to the surface.
   Variational_report shorten(const Vector_3& center, double radius)
   {
     m_center = center;

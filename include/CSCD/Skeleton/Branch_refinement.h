@@ -92,7 +92,7 @@ public:
 private:
   /// Edges are divided into parts of about this length, relative to the mean radius at their ends.
   static constexpr double part_length = 0.5;
-  static constexpr int max_parts = 30;
+  static constexpr int max_parts = 30; // of an edge: bounds the work on long, thin ones
   static constexpr int number_of_sweeps = 2;
   /// A node moves at most this far, relative to the expected radius.
   static constexpr double max_shift = 1;

@@ -57,7 +57,7 @@ public:
   {
   }
 
-  /// Forgets all faces and flips.
+  /// Removes all faces.
   void clear()
   {
     this->m_halfedges.clear();

@@ -31,7 +31,7 @@ namespace CSCD::internal {
 class Delaunay_star
 {
 public:
-  /// Forgets all points.
+  /// Removes all points.
   void clear() { m_points.clear(); }
 
   /// Adds a point under the number `label`, unless it is at the origin.

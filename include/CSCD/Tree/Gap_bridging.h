@@ -142,7 +142,7 @@ private:
     /// The length of a stick of the same scatter.
     double extent() const
     {
-      constexpr double stick = 12;
+      constexpr double stick = 12; // squared length over variance of points that are uniform on a segment
       return std::sqrt(stick * std::max(0., sum_of_squares / number - (sum / number).squaredNorm()));
     }
   };

@@ -141,7 +141,7 @@ inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& poi
 /// \return nothing if the points are at one place or on a line
 inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& points)
 {
-  constexpr int rounds = 12;
+  constexpr int rounds = 12;   // of reweighting
   constexpr double cutoff = 4; // in standard deviations: weights vanish
   std::optional<Circle_fit> circle = fit_circle_algebraically(points, std::vector<double>(points.size(), 1.));
   if (!circle) {
