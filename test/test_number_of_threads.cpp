@@ -48,7 +48,9 @@ std::vector<Shape_maker> shapes_of_many_sources()
   return {{"noisy_y_tube", [] { return noisy(y_tube(0.2), 0.05, 1); }},
           {"comb", [] { return comb(6, 0.2); }},
           {"chain", [] { return chain_of_rings(3, 12); }},
-          {"capsule_with_holes", [] { return with_small_holes(capsule(8, 1, 24), 5, 7); }}};
+          {"capsule_with_holes", [] { return with_small_holes(capsule(8, 1, 24), 5, 7); }},
+          // Of more vertices than loops over vertices pass at once.
+          {"fine_torus_with_holes", [] { return with_small_holes(torus(3, 1, 80), 5, 7); }}};
 }
 
 class Number_of_threads : public testing::TestWithParam<Shape_maker>

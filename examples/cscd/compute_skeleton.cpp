@@ -207,7 +207,7 @@ Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletoni
   const auto treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
                          : options.borders == open_borders  ? CSCD::Border_treatment::open
                                                             : CSCD::Border_treatment::automatic;
-  const Traits traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment);
+  const Traits traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment, options.number_of_threads);
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method

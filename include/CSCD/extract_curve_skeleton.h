@@ -59,6 +59,15 @@ auto skeletonization_policies(const NamedParameters& np)
   }
 }
 
+/// The number of threads that `ConcurrencyTag` and `np` ask for, 0 for as many as TBB allows; any integer type will do.
+template <class ConcurrencyTag, class NamedParameters>
+unsigned requested_threads(const NamedParameters& np)
+{
+  constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+  const auto number = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_threads), 0u);
+  return is_parallel ? unsigned(number) : 1;
+}
+
 /// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that meshes and points
 /// have in common.
 template <class ConcurrencyTag, class Traits, class MakeTraits, class Policies, class Skeleton, class NamedParameters>
@@ -174,8 +183,9 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton
   using Traits = Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>>;
   const auto treatment = parameters::choose_parameter(parameters::get_parameter(np, internal_np::border_treatment),
                                                       Border_treatment::automatic);
-  return internal::skeletonize<ConcurrencyTag, Traits>([&] { return Traits(mesh, point_map, treatment); },
-                                                       internal::skeletonization_policies(np), skeleton, np);
+  return internal::skeletonize<ConcurrencyTag, Traits>(
+      [&] { return Traits(mesh, point_map, treatment, internal::requested_threads<ConcurrencyTag>(np)); },
+      internal::skeletonization_policies(np), skeleton, np);
 }
 
 } // namespace CSCD

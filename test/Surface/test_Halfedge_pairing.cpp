@@ -5,6 +5,7 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "Traits/message_of.h"
+#include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Halfedge_pairing.h>
 
@@ -196,6 +197,33 @@ TEST(check_manifold, refuses_a_vertex_on_the_border_of_one_fan_and_inside_anothe
   Indexed_triangles triangles = combinatorial({{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}, {0, 4, 5}}, 6);
   const std::string text = message(triangles);
   EXPECT_TRUE(names(text, "vertex 100 is pinched")) << text;
+}
+
+TEST(Halfedge_pairing, is_the_same_for_any_number_of_threads)
+{
+  // Tetrahedra of which some contradict each other, and some touch in a vertex, far behind the first ones.
+  constexpr Index number = 10000;
+  Faces faces;
+  for (Index v = 0; v < 4 * number; v += 4) {
+    const bool is_reversed = v % 16000 == 12000;
+    faces.push_back({v, is_reversed ? v + 1 : v + 2, is_reversed ? v + 2 : v + 1});
+    faces.push_back({v, v + 1, v + 3});
+    faces.push_back({v + 1, v + 2, v + 3});
+    faces.push_back({v + 2, v, v % 20000 == 16000 ? v + 7 : v + 3});
+  }
+  const CSCD::test::Allow_threads allow(3);
+  const Halfedge_pairing expected(faces, 4 * number);
+  EXPECT_EQ(target(faces, expected.conflict()), 12001u);
+  for (const unsigned number_of_threads : {2u, 3u}) {
+    const Halfedge_pairing pairing(faces, 4 * number, number_of_threads);
+    EXPECT_EQ(pairing.conflict(), expected.conflict());
+    EXPECT_EQ(pairing.pinched_vertex(), expected.pinched_vertex());
+    EXPECT_EQ(pairing.has_border(), expected.has_border());
+    EXPECT_EQ(pairing.outgoing().values(), expected.outgoing().values());
+    for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
+      ASSERT_EQ(pairing.twin(h), expected.twin(h));
+    }
+  }
 }
 
 } // namespace

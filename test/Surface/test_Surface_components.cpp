@@ -22,7 +22,7 @@ TEST(Surface_components, measures_each_component)
   const Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::merged(
       "cubes",
       {CSCD::test::cube(), CSCD::test::reversed(CSCD::test::translated(CSCD::test::box("b", {1, 2, 3}), {5, 0, 0}))}));
-  const Surface_components components(triangles, Halfedge_pairing(triangles.faces, triangles.points.size()));
+  const Surface_components components(triangles);
   ASSERT_EQ(components.number(), 2u);
   for (Index f = 0; f < 24; ++f) {
     EXPECT_EQ(components.component[f], f / 12);
@@ -39,10 +39,10 @@ TEST(orient_outwards, turns_what_looks_inwards)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::hollow_sphere(1));
   Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   EXPECT_LT(components.measures[1].volume, 0);
   EXPECT_EQ(CSCD::internal::orient_outwards(triangles, pairing, components), 1u);
-  for (const auto& measure : Surface_components(triangles, pairing).measures) {
+  for (const auto& measure : Surface_components(triangles).measures) {
     EXPECT_GT(measure.volume, 0);
   }
   EXPECT_GT(components.measures[1].volume, 0);
@@ -56,7 +56,7 @@ TEST(orient_outwards, leaves_a_flat_body_alone)
 {
   Indexed_triangles triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}, 1};
   Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   EXPECT_EQ(CSCD::internal::orient_outwards(triangles, pairing, components), 0u);
 }
 

@@ -103,7 +103,7 @@ int euler_number_of_surface(const Voxel_surface& surface)
 
 double volume_inside(const Voxel_surface& surface)
 {
-  const CSCD::internal::Surface_components components(surface.triangles, surface.pairing);
+  const CSCD::internal::Surface_components components(surface.triangles);
   return std::accumulate(components.measures.begin(), components.measures.end(), 0.,
                          [](double sum, const auto& measure) { return sum + measure.volume; });
 }
@@ -133,8 +133,8 @@ TEST(Voxel_surface, joins_voxels_through_edges_and_corners_or_not)
   const Volume volume = make_volume({4, 4, 3}, [](int x, int y, int z) { return x == y && z == (x == 2 ? 1 : 0); });
   const Voxel_surface joined = make_voxel_surfaces(volume, voxel_settings(Voxel_connectivity::twenty_six)).front();
   const Voxel_surface apart = make_voxel_surfaces(volume, voxel_settings(Voxel_connectivity::six)).front();
-  EXPECT_EQ(CSCD::internal::Surface_components(joined.triangles, joined.pairing).number(), 1U);
-  EXPECT_EQ(CSCD::internal::Surface_components(apart.triangles, apart.pairing).number(), 4U);
+  EXPECT_EQ(CSCD::internal::Surface_components(joined.triangles).number(), 1U);
+  EXPECT_EQ(CSCD::internal::Surface_components(apart.triangles).number(), 4U);
 }
 
 TEST(Voxel_surface, fills_cavities_or_keeps_them)

@@ -30,7 +30,7 @@ struct Ordered
   explicit Ordered(const Shape& shape) : triangles(CSCD::test::to_indexed_triangles(shape))
   {
     const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-    order = CSCD::internal::canonical_order(triangles, pairing, Surface_components(triangles, pairing));
+    order = CSCD::internal::canonical_order(triangles, pairing, Surface_components(triangles));
     CSCD::renumber(triangles, order.vertices);
   }
 
@@ -121,7 +121,7 @@ TEST(renumber, sorts_faces_and_keeps_bridging_ones_last)
     EXPECT_LT(face[0], std::min(face[1], face[2]));
   }
   EXPECT_EQ(triangles.points[0], Vector_3(1, 1, 1));
-  const CSCD::internal::Surface_components components(triangles, Halfedge_pairing(triangles.faces, 8));
+  const CSCD::internal::Surface_components components(triangles);
   EXPECT_NEAR(components.measures[0].volume, 1, 1e-14) << "faces keep their orientation";
 }
 

@@ -33,13 +33,13 @@ struct Refined
     Halfedge_pairing pairing(triangles.faces, triangles.points.size());
     CSCD::internal::bridge_borders(triangles, pairing);
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-    Surface_components components(triangles, pairing);
+    Surface_components components(triangles);
     area = total(components);
     volume = components.measures.front().volume;
     number_of_inserted_vertices = CSCD::internal::refine_large_faces(triangles, pairing, components);
     EXPECT_EQ(triangles.points.size(), shape.points.size() + number_of_inserted_vertices);
     EXPECT_EQ(components.component.size(), triangles.faces.size());
-    const Surface_components refined(triangles, pairing);
+    const Surface_components refined(triangles);
     EXPECT_EQ(refined.component, components.component);
     EXPECT_NEAR(total(refined), area, 1e-11 * area);
     EXPECT_NEAR(refined.measures.front().volume, volume, 1e-11 * std::abs(volume));
@@ -140,7 +140,7 @@ TEST(refine_large_faces, ends_on_faces_without_area)
 {
   Indexed_triangles triangles{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 2, 1}}, 2};
   Halfedge_pairing pairing(triangles.faces, 3);
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   EXPECT_EQ(CSCD::internal::refine_large_faces(triangles, pairing, components), 0u);
 }
 
@@ -148,7 +148,7 @@ TEST(split_two_face_components, leaves_other_surfaces_alone)
 {
   Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::tetrahedron());
   Halfedge_pairing pairing(triangles.faces, 4);
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   EXPECT_EQ(CSCD::internal::split_two_face_components(triangles, pairing, components), 0u);
   EXPECT_EQ(triangles.faces.size(), 4u);
 }
@@ -164,11 +164,11 @@ TEST(split_two_face_components, splits_the_second_face)
   triangles.faces.insert(triangles.faces.end(), {{7, 9, 8}, {4, 6, 5}});
   triangles.first_hole_filling_face = 7; // the last face
   Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   EXPECT_EQ(CSCD::internal::split_two_face_components(triangles, pairing, components), 2u);
   EXPECT_EQ(triangles.faces.size(), 12u);
   EXPECT_EQ(triangles.first_hole_filling_face, 9u);
-  EXPECT_EQ(Surface_components(triangles, pairing).component, components.component);
+  EXPECT_EQ(Surface_components(triangles).component, components.component);
   CSCD::internal::refine_large_faces(triangles, pairing, components);
   const Triangulated_surface surface(std::move(triangles));
   ASSERT_FALSE(surface.defect());

@@ -59,7 +59,7 @@ public:
     if (pairing.has_border()) {
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
-    Surface_components components(triangles, pairing);
+    Surface_components components(triangles);
     orient_outwards(triangles, pairing, components);
     split_two_face_components(triangles, pairing, components);
     m_number_of_components = components.number();

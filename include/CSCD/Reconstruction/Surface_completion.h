@@ -107,7 +107,7 @@ private:
     m_surface.report.number_of_holes = bridge_borders(m_surface.triangles, m_surface.pairing);
     m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
     pair();
-    Surface_components components(m_surface.triangles, m_surface.pairing);
+    Surface_components components(m_surface.triangles);
     orient_outwards(m_surface.triangles, m_surface.pairing, components);
     m_number_of_components = components.number();
   }
@@ -142,7 +142,7 @@ private:
 
   void renumber_canonically()
   {
-    const Surface_components components(m_surface.triangles, m_surface.pairing);
+    const Surface_components components(m_surface.triangles);
     const Canonical_order order = canonical_order(m_surface.triangles, m_surface.pairing, components);
     renumber(m_surface.triangles, order.vertices);
     pair();

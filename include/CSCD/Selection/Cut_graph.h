@@ -101,64 +101,59 @@ private:
     double begin_place;   ///< where the chord begins, in the order around the face
   };
 
-  /// Numbers the clusters by their first vertex, and sums up what cannot be cut.
+  /// Joins what cannot be cut to clusters, and sums it up. In the order of memory, so that it does not wait for that.
   void gather()
   {
-    std::vector<Index> front;
-    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
-      if (m_cluster[vertex] == no_index) {
-        gather_cluster(vertex, front);
-      }
-    }
-    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
-      if (is_crossable(face)) {
-        m_crossable_faces.push_back(face);
+    Disjoint_sets joined(m_surface.number_of_vertices());
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      if (m_surface.edge(h) != h) {
         continue;
       }
-      Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
+      if (m_crossed_edge[h] != 0) {
+        m_crossable_edges.push_back(h);
+      } else {
+        joined.join(m_surface.origin(h), m_surface.target(h));
+      }
+    }
+    number_clusters(joined);
+    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
+      gather_face(face);
+    }
+  }
+
+  /// Numbers the clusters by their first vertex, and counts their vertices.
+  void number_clusters(Disjoint_sets& joined)
+  {
+    for (Index vertex = 0; vertex < m_cluster.size(); ++vertex) {
+      Index& number = m_cluster[joined.find(vertex)];
+      if (number == no_index) {
+        number = Index(m_clusters.size());
+        m_clusters.push_back({0, 0});
+      }
+      m_cluster[vertex] = number;
+      ++m_clusters[number].euler;
+    }
+  }
+
+  /// Counts those edges of `face` that have it as their first face, and `face` itself unless it can be cut.
+  void gather_face(Index face)
+  {
+    bool is_crossable = false;
+    Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const Index edge = m_surface.edge(h);
+      if (m_crossed_edge[edge] != 0) {
+        is_crossable = true;
+      } else if (edge == h) {
+        --m_clusters[m_cluster[m_surface.origin(h)]].euler;
+      }
+    }
+    if (is_crossable) {
+      m_crossable_faces.push_back(face);
+    } else {
       ++home.euler;
       home.area += double(m_surface.face_area(face));
     }
-  }
-
-  /// Floods the cluster of `first`, over edges that no separator crosses, and counts its vertices and edges.
-  void gather_cluster(Index first, std::vector<Index>& front)
-  {
-    const auto number = Index(m_clusters.size());
-    int euler = 0;
-    m_cluster[first] = number;
-    front.assign(1, first);
-    while (!front.empty()) {
-      const Index vertex = front.back();
-      front.pop_back();
-      ++euler;
-      for (Index halfedge : m_surface.outgoing(vertex)) {
-        const bool is_edge = m_surface.edge(halfedge) == halfedge;
-        if (m_crossed_edge[m_surface.edge(halfedge)] != 0) {
-          if (is_edge) {
-            m_crossable_edges.push_back(halfedge);
-          }
-          continue;
-        }
-        euler -= is_edge ? 1 : 0;
-        const Index target = m_surface.target(halfedge);
-        if (m_cluster[target] == no_index) {
-          m_cluster[target] = number;
-          front.push_back(target);
-        }
-      }
-    }
-    m_clusters.push_back({euler, 0});
-  }
-
-  bool is_crossable(Index face) const
-  {
-    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
-      if (m_crossed_edge[m_surface.edge(h)] != 0) {
-        return true;
-      }
-    }
-    return false;
   }
 
   /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.

@@ -12,8 +12,11 @@
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
 
+#include <boost/core/noinit_adaptor.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -139,7 +142,7 @@ private:
   Indexed_heap m_heap;
   Epoch_marks m_reached;
   Epoch_marks m_settled;
-  std::vector<Label> m_labels;
+  std::vector<Label, boost::noinit_adaptor<std::allocator<Label>>> m_labels; // of what has been reached
   Vertex_loop m_path;
 };
 

@@ -10,6 +10,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,14 +26,17 @@ class Vertex_assignment
 {
 public:
   /// Assigns all vertices; linear in their number for skeletons of bounded degree.
-  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder)
+  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder,
+                    unsigned number_of_threads = 1)
       : m_surface(surface), m_builder(builder), m_node(surface.number_of_vertices())
   {
     collect_starts(cut_graph);
-    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
-      m_node[vertex] =
-          descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
-    }
+    for_each_range(Index(m_node.size()), number_of_threads, [&](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        m_node[vertex] =
+            descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
+      }
+    });
   }
 
   /// The node to which `vertex` belongs.

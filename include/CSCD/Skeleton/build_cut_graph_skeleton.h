@@ -19,6 +19,8 @@
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <utility>
 #include <vector>
@@ -27,15 +29,18 @@ namespace CSCD::internal {
 
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`: nodes are
 /// placed, junctions centered, branches refined, smoothed and centered, and what left the body is brought back; what
-/// could not be is counted in `report`. Nodes that own little of the surface go.
+/// could not be is counted in `report`. Nodes that own little of the surface go. As many threads as found the
+/// separators share what can be shared.
 inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
                                                   const std::vector<Separator>& separators,
                                                   const std::vector<Index>& packed, const Cut_graph& cut_graph,
                                                   Skeletonization_report& report)
 {
-  Node_placement placement(solid, separators, packed, cut_graph);
+  const auto number_of_threads = unsigned(report.number_of_threads);
   Embedded_skeleton result;
-  result.graph = placement();
+  call_both(
+      number_of_threads, [&] { result.graph = Node_placement(solid, separators, packed, cut_graph)(); },
+      [&solid] { solid.is_inside(Vector_3::Zero()); }); // the first query builds what the others search
   make_simple(result.graph);
   merge_junctions(result.graph);
   Junction_centering(solid, result.graph)();
@@ -49,13 +54,13 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Inside_repair(solid, result.graph)();
   Sheet_placement(solid, result.graph).finish();
   straightening.drop_scarce_nodes(
-      Vertex_assignment(solid.triangulation(), cut_graph, result.graph).numbers_of_vertices());
+      Vertex_assignment(solid.triangulation(), cut_graph, result.graph, number_of_threads).numbers_of_vertices());
   straightening.blunt_turns();
   result.graph.compact();
   Inside_repair check(solid, result.graph);
   report.number_of_nodes_outside = check.number_of_nodes_outside();
   report.number_of_edges_outside = check.number_of_edges_outside();
-  Vertex_assignment(solid.triangulation(), cut_graph, result.graph).move_to(result);
+  Vertex_assignment(solid.triangulation(), cut_graph, result.graph, number_of_threads).move_to(result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -26,12 +27,13 @@ namespace CSCD::internal {
 class Coarsening
 {
 public:
-  explicit Coarsening(const Triangulated_surface& fine) : m_fine(fine)
+  /// \param number_of_threads 0 for as many as TBB allows; collapses are done by one
+  explicit Coarsening(const Triangulated_surface& fine, unsigned number_of_threads = 1) : m_fine(fine)
   {
     freeze_wide_stars();
     freeze_bridges();
     choose_kept_vertices();
-    copy_rings();
+    copy_rings(number_of_threads);
     collapse_others();
     number_coarse_vertices();
   }
@@ -94,7 +96,7 @@ private:
   }
 
   /// The ring of a kept vertex has room to grow; no other ring grows.
-  void copy_rings()
+  void copy_rings(unsigned number_of_threads)
   {
     const Index n = m_fine.number_of_vertices();
     m_degree.assign(n, 0);
@@ -107,12 +109,14 @@ private:
       size += m_status[vertex] == Status::kept ? std::max(degree, max_degree_after) : Index(m_degree[vertex]);
     }
     m_ring.resize(size);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      if (m_degree[vertex] > 0) {
-        const auto outgoing = m_fine.outgoing(vertex);
-        std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
+    for_each_range(n, number_of_threads, [this](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        if (m_degree[vertex] > 0) {
+          const auto outgoing = m_fine.outgoing(vertex);
+          std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
+        }
       }
-    }
+    });
   }
 
   /// Faces without weight stay as they are, so that every level has them.

@@ -29,8 +29,10 @@ public:
 
   /// Pairs the halfedges of `faces`, of which there are less than 2^29, by the numbers of their ends; near linear,
   /// whatever the degrees.
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   /// \pre the corners of `faces` are less than `number_of_points`, and each face has three different ones
-  Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points);
+  Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points,
+                   unsigned number_of_threads = 1);
 
   /// The number of halfedges, three a face.
   Index number_of_halfedges() const { return Index(m_twin.size()); }
@@ -47,11 +49,11 @@ public:
   }
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
-  Index conflict() const { return m_conflict; }
+  Index conflict() const { return m_findings.conflict; }
   /// The first vertex around which the faces form several fans, or `no_index`. \pre there is no conflict
-  Index pinched_vertex() const { return m_pinched_vertex; }
+  Index pinched_vertex() const { return m_findings.pinched_vertex; }
   /// Whether any halfedge has no twin.
-  bool has_border() const { return m_has_border; }
+  bool has_border() const { return m_findings.has_border; }
 
 private:
   /// Most degrees are at most this, and nearly all the second one. Fans of more faces are ordered by sorting, so that
@@ -61,20 +63,28 @@ private:
   /// Vertices ahead for which memory is asked for.
   static constexpr Index prefetch_distance = 8;
 
-  /// Pairs the halfedges of the edges at `vertex` and orders those that leave it.
-  void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex);
+  /// What is no manifold around some vertices, the first of each kind.
+  struct Findings
+  {
+    Index conflict = no_index;
+    Index pinched_vertex = no_index;
+    bool has_border = false;
+  };
+
+  /// Pairs and orders the halfedges that leave the vertices from `begin` to `end` - 1, and no others.
+  Findings pair_range(const std::vector<std::array<Index, 3>>& faces, Index begin, Index end);
+  /// Pairs and orders those that leave `vertex`.
+  void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings);
   /// Orders `row` counterclockwise from its first halfedge on, by searching one after the other; false if the faces do
   /// not go once around.
   template <std::size_t max_degree>
   static bool order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row);
   /// Pairs and orders by sorting, for faces of any kind; finds borders, conflicts and pinched vertices.
-  void order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex);
+  void order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings);
 
   std::vector<Index> m_twin;
   internal::Compressed_rows<Index> m_outgoing;
-  Index m_conflict = no_index;
-  Index m_pinched_vertex = no_index;
-  bool m_has_border = false;
+  Findings m_findings;
 };
 
 /// Calls `use(h)` for each halfedge `h` that leaves the origin of `halfedge` inside the same fan of faces.
@@ -97,8 +107,10 @@ void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use&
 /// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
 /// and that the faces around every vertex form one fan. Linear.
 /// \param name gives the number by which a message calls a vertex
+/// \param number_of_threads 0 for as many as TBB allows
 /// \throw Input_error naming the first edge or vertex that violates this
-Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name);
+Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
+                                unsigned number_of_threads = 1);
 
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
 /// appended. Linear. \return for every copy, in order, the vertex of which it is one

@@ -8,6 +8,7 @@
 
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -49,7 +50,7 @@ namespace CSCD::internal {
 namespace CSCD {
 
 CSCD_INLINE Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces,
-                                               std::size_t number_of_points)
+                                               std::size_t number_of_points, unsigned number_of_threads)
     : m_twin(3 * faces.size(), no_index), m_outgoing(number_of_points, [&faces](const auto& add) {
         Index halfedge = 0;
         for (const std::array<Index, 3>& face : faces) {
@@ -59,26 +60,43 @@ CSCD_INLINE Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Inde
         }
       })
 {
-  for (Index vertex = 0; vertex < number_of_points; ++vertex) {
+  std::vector<Findings> findings(number_of_points / internal::range_size + 1);
+  internal::for_each_range(Index(number_of_points), number_of_threads, [&](Index begin, Index end) {
+    findings[begin / internal::range_size] = pair_range(faces, begin, end);
+  });
+  for (const Findings& found : findings) {
+    m_findings.conflict = m_findings.conflict == no_index ? found.conflict : m_findings.conflict;
+    m_findings.pinched_vertex = std::min(m_findings.pinched_vertex, found.pinched_vertex);
+    m_findings.has_border = m_findings.has_border || found.has_border;
+  }
+}
+
+CSCD_INLINE Halfedge_pairing::Findings Halfedge_pairing::pair_range(const std::vector<std::array<Index, 3>>& faces,
+                                                                    Index begin, Index end)
+{
+  Findings findings;
+  for (Index vertex = begin; vertex < end; ++vertex) {
 #ifdef __GNUC__
     // Half of the time went to waiting for faces: ask for those of a vertex that comes soon.
-    if (vertex + prefetch_distance < number_of_points) {
+    if (vertex + prefetch_distance < end) {
       for (const Index h : m_outgoing[vertex + prefetch_distance]) {
         __builtin_prefetch(&faces[face(h)]);
       }
     }
 #endif
-    pair_around(faces, vertex);
+    pair_around(faces, vertex, findings);
   }
+  return findings;
 }
 
-CSCD_INLINE void Halfedge_pairing::pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex)
+CSCD_INLINE void Halfedge_pairing::pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex,
+                                               Findings& findings)
 {
   const auto row = m_outgoing[vertex];
   const auto degree = row.size();
   if (degree <= small_degree ? !order_by_search<small_degree>(faces, row)
                              : degree > medium_degree || !order_by_search<medium_degree>(faces, row)) {
-    order_by_sorting(faces, vertex);
+    order_by_sorting(faces, vertex, findings);
     return;
   }
   for (const Index* h = row.begin(); h != row.end(); ++h) {
@@ -117,7 +135,8 @@ bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& 
   return true;
 }
 
-CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex)
+CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex,
+                                                    Findings& findings)
 {
   struct Corner
   {
@@ -141,8 +160,8 @@ CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array
   std::sort(corners.begin(), corners.end());
   const auto is_same_edge = [](const Corner& a, const Corner& b) { return a.target == b.target; };
   const auto same = std::adjacent_find(corners.begin(), corners.end(), is_same_edge);
-  if (same != corners.end() && m_conflict == no_index) {
-    m_conflict = (same + 1)->halfedge;
+  if (same != corners.end() && findings.conflict == no_index) {
+    findings.conflict = (same + 1)->halfedge;
   }
   const auto is_less = [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; };
   auto first = std::min_element(corners.begin(), corners.end(), is_less);
@@ -158,7 +177,7 @@ CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array
   for (auto it = corners.begin(); it != corners.end(); ++it) {
     if (m_twin[it->halfedge] == no_index) {
       first = is_on_border && is_less(*first, *it) ? first : it;
-      m_has_border = is_on_border = true;
+      findings.has_border = is_on_border = true;
     }
   }
   std::vector<Index> ordered;
@@ -170,14 +189,15 @@ CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array
   } while (at < corners.size() && ordered.size() < corners.size() && corners[at].halfedge != first->halfedge);
   if (ordered.size() == corners.size()) {
     std::copy(ordered.begin(), ordered.end(), row.begin());
-  } else if (m_pinched_vertex == no_index) {
-    m_pinched_vertex = vertex;
+  } else if (findings.pinched_vertex == no_index) {
+    findings.pinched_vertex = vertex;
   }
 }
 
-CSCD_INLINE Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name)
+CSCD_INLINE Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
+                                            unsigned number_of_threads)
 {
-  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size(), number_of_threads);
   if (pairing.conflict() != no_index) {
     internal::refuse_edge(triangles, pairing.conflict(), name);
   }

@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -22,18 +23,11 @@ namespace CSCD::internal {
 /// The components of faces that are connected through edges, numbered in the order of their first faces.
 struct Surface_components
 {
-  /// Numbers and measures the components of `triangles`; linear.
-  /// \pre `triangles` is closed, and `pairing` is that of its faces
-  Surface_components(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
-      : component(triangles.faces.size(), no_index)
+  /// Numbers and measures the components of `triangles`; near linear.
+  /// \pre the faces of each vertex form one fan: what has a vertex in common is connected
+  explicit Surface_components(const Indexed_triangles& triangles)
   {
-    std::vector<Index> stack;
-    for (Index seed = 0; seed < component.size(); ++seed) {
-      if (component[seed] == no_index) {
-        flood(seed, pairing, stack);
-        measures.emplace_back();
-      }
-    }
+    number_components(triangles);
     measure(triangles);
   }
 
@@ -61,20 +55,23 @@ private:
   /// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
   static constexpr double degenerate_height = 1e-8;
 
-  void flood(Index seed, const Halfedge_pairing& pairing, std::vector<Index>& stack)
+  /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
+  void number_components(const Indexed_triangles& triangles)
   {
-    component[seed] = number();
-    stack.push_back(seed);
-    while (!stack.empty()) {
-      const Index face = stack.back();
-      stack.pop_back();
-      for (Index halfedge = 3 * face; halfedge < 3 * face + 3; ++halfedge) {
-        const Index neighbor = pairing.twin(halfedge) / 3;
-        if (component[neighbor] == no_index) {
-          component[neighbor] = number();
-          stack.push_back(neighbor);
-        }
+    Disjoint_sets joined(triangles.points.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      joined.join(face[0], face[1]);
+      joined.join(face[0], face[2]);
+    }
+    std::vector<Index> number_of_set(triangles.points.size(), no_index);
+    component.reserve(triangles.faces.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      Index& number_of_face = number_of_set[joined.find(face[0])];
+      if (number_of_face == no_index) {
+        number_of_face = number();
+        measures.emplace_back();
       }
+      component.push_back(number_of_face);
     }
   }
 

@@ -10,10 +10,12 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <cstddef>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -59,12 +61,15 @@ private:
 class Surface_levels
 {
 public:
-  /// Coarsens `finest` until a level has at most `coarsest_size` vertices. Linear.
-  explicit Surface_levels(Triangulated_surface&& finest)
+  /// Coarsens `finest`, which need not be measured yet, until a level has at most `coarsest_size` vertices. Linear.
+  /// \param number_of_threads 0 for as many as TBB allows; the levels are the same for any number
+  explicit Surface_levels(Triangulated_surface&& finest, unsigned number_of_threads = 1)
+      : m_number_of_threads(number_of_threads)
   {
     m_levels.emplace_back(std::move(finest));
     while (m_levels.back().surface.number_of_vertices() > coarsest_size && add_level()) {
     }
+    m_levels.back().surface.measure();
   }
 
   /// The number of levels.
@@ -98,13 +103,18 @@ private:
 
   bool add_level()
   {
-    const Surface_level& fine = m_levels.back();
-    const internal::Coarsening coarsening(fine.surface);
+    Surface_level& fine = m_levels.back();
+    // Coarsening needs no areas and no normals.
+    std::optional<const internal::Coarsening> result;
+    internal::call_both(
+        m_number_of_threads, [&] { result.emplace(fine.surface, m_number_of_threads); },
+        [&] { fine.surface.measure(); });
+    const internal::Coarsening& coarsening = *result;
     const std::size_t size = coarsening.fine_vertex().size();
     if (double(size) > min_reduction * fine.surface.number_of_vertices()) {
       return false;
     }
-    Triangulated_surface coarse(coarsening.triangles());
+    Triangulated_surface coarse(coarsening.triangles(), m_number_of_threads);
     if (coarse.defect()) {
       return false;
     }
@@ -114,14 +124,17 @@ private:
       level.finest_vertex.push_back(fine.to_finest(vertex));
     }
     const Index n = m_levels.front().surface.number_of_vertices();
-    level.level_vertex.reserve(n);
-    for (Index vertex = 0; vertex < n; ++vertex) {
-      level.level_vertex.push_back(coarsening.coarse_vertex()[fine.from_finest(vertex)]);
-    }
+    level.level_vertex.resize(n);
+    internal::for_each_range(n, m_number_of_threads, [&](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        level.level_vertex[vertex] = coarsening.coarse_vertex()[fine.from_finest(vertex)];
+      }
+    });
     m_levels.push_back(std::move(level));
     return true;
   }
 
+  unsigned m_number_of_threads;
   std::vector<Surface_level> m_levels;
 };
 

@@ -41,9 +41,10 @@ public:
   /// \param pairing that of the faces, without conflicts and pinched vertices
   /// \param treatment which components are doubled first: a sheet becomes a thin body, of two sides and a rim along its
   ///        wide borders, and its separators from border to border become closed curves around that
+  /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
   /// \throw Input_error if the surface has no extent or no area
   Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                     Border_treatment treatment = Border_treatment::bridge);
+                     Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1);
   Triangulated_solid(Triangulated_solid&&) = delete;
   ~Triangulated_solid();
 

@@ -17,9 +17,10 @@
 namespace CSCD {
 
 CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                                                   Border_treatment treatment)
+                                                   Border_treatment treatment, unsigned number_of_threads)
 {
-  internal::Compiled_surface compiled = internal::compile_surface(std::move(triangles), std::move(pairing), treatment);
+  internal::Compiled_surface compiled =
+      internal::compile_surface(std::move(triangles), std::move(pairing), treatment, number_of_threads);
   m_input_vertex = std::move(compiled.input_point);
   m_component_begin = std::move(compiled.component_begin);
   m_normalization = compiled.normalization;
@@ -30,7 +31,7 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles
   m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
   m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
   m_number_of_reversed_components = compiled.number_of_reversed_components;
-  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface));
+  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads);
 }
 
 CSCD_INLINE Triangulated_solid::~Triangulated_solid() = default;

@@ -112,8 +112,15 @@ public:
 
   /// Compiles `triangles` to a closed surface; linear.
   /// Where they are no closed oriented manifold, `defect()` names the first violation and nothing else may be called.
-  explicit Triangulated_surface(Indexed_triangles&& triangles)
-      : Triangulated_surface(std::move(triangles), Halfedge_pairing(triangles.faces, triangles.points.size()), true)
+  explicit Triangulated_surface(Indexed_triangles&& triangles) : Triangulated_surface(std::move(triangles), 1)
+  {
+    measure();
+  }
+
+  /// The same by `number_of_threads` threads, 0 for as many as TBB allows; areas and normals wait for `measure()`.
+  Triangulated_surface(Indexed_triangles&& triangles, unsigned number_of_threads)
+      : Triangulated_surface(std::move(triangles),
+                             Halfedge_pairing(triangles.faces, triangles.points.size(), number_of_threads), true)
   {
   }
 
@@ -123,6 +130,15 @@ public:
       : Triangulated_surface(std::move(triangles), std::move(pairing), false)
   {
     CGAL_precondition(!m_defect);
+    measure();
+  }
+
+  /// Computes areas and normals, unless they are known; linear. Nothing if there is a defect.
+  void measure()
+  {
+    if (!m_defect && m_face_area.empty()) {
+      measure_faces();
+    }
   }
 
   /// \name Combinatorics
@@ -228,8 +244,6 @@ private:
       m_defect = {m_origin[lone], target(lone)};
     } else if (pinched != no_index) {
       m_defect = {pinched, no_index};
-    } else {
-      measure_faces();
     }
   }
 

@@ -214,7 +214,7 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
 /// Leaves out the components that look inwards, before smoothing. \return their number
 inline std::size_t find_cavities(Indexed_triangles& triangles, Halfedge_pairing& pairing, bool are_left_out)
 {
-  const Surface_components components(triangles, pairing);
+  const Surface_components components(triangles);
   const auto is_cavity = [&components](Index face) {
     return components.measures[components.component[face]].volume < 0;
   };

@@ -49,10 +49,10 @@ public:
     Canonical_order result;
     result.vertices.reserve(m_triangles.points.size());
     std::vector<char> is_numbered(m_triangles.points.size(), 0);
-    std::vector<Index> entry;
+    std::vector<Index> parent;
     for (Index component : sorted) {
       result.component_begin.push_back(Index(result.vertices.size()));
-      append_component(m_first[component], is_numbered, entry, result.vertices);
+      append_component(m_first[component], is_numbered, parent, result.vertices);
     }
     result.component_begin.push_back(Index(result.vertices.size()));
     return result;
@@ -139,24 +139,27 @@ private:
 #endif
   }
 
-  void append_component(Index first, std::vector<char>& is_numbered, std::vector<Index>& entry,
+  /// \param parent working memory: for each vertex of the component, the neighbor at which its row begins
+  void append_component(Index first, std::vector<char>& is_numbered, std::vector<Index>& parent,
                         std::vector<Index>& vertices) const
   {
     const std::size_t begin_of_component = vertices.size();
     vertices.push_back(origin(first));
     is_numbered[origin(first)] = 1;
-    entry.assign(1, first);
-    for (std::size_t i = 0; i < entry.size(); ++i) {
+    parent.assign(1, target(first));
+    for (std::size_t i = 0; i < parent.size(); ++i) {
       prefetch_rows(vertices, begin_of_component + i);
-      const auto row = m_pairing.outgoing()[vertices[begin_of_component + i]];
-      const auto begin = std::find(row.begin(), row.end(), entry[i]);
+      const Index vertex = vertices[begin_of_component + i];
+      const auto row = m_pairing.outgoing()[vertex];
+      const auto begin =
+          std::find_if(row.begin(), row.end(), [this, to = parent[i]](Index h) { return target(h) == to; });
       for (const auto& [from, to] : {std::pair(begin, row.end()), std::pair(row.begin(), begin)}) {
         for (auto halfedge = from; halfedge != to; ++halfedge) {
           const Index neighbor = target(*halfedge);
           if (!is_numbered[neighbor]) {
             is_numbered[neighbor] = 1;
             vertices.push_back(neighbor);
-            entry.push_back(m_pairing.twin(*halfedge));
+            parent.push_back(vertex);
           }
         }
       }

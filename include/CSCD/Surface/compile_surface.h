@@ -30,7 +30,7 @@ namespace CSCD::internal {
 /// A surface in normalized coordinates and canonical order, and what was done to the input for it.
 struct Compiled_surface
 {
-  Triangulated_surface surface;
+  Triangulated_surface surface; ///< not measured yet
   Normalization normalization;
   std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
   std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
@@ -65,10 +65,11 @@ inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed 
 
 /// Closes, orients, refines, renumbers and normalizes `triangles`, and compiles them; near linear.
 /// \param treatment which components are doubled as sheets instead of being closed
+/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
 /// \pre the points are finite, each has a face, and `pairing`, that of the faces, has no conflict and no pinched vertex
 /// \throw Input_error if the surface has no extent or no area
 inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
-                                        Border_treatment treatment)
+                                        Border_treatment treatment, unsigned number_of_threads)
 {
   Compiled_surface result;
   const std::size_t number_of_input_points = triangles.points.size();
@@ -88,7 +89,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  Surface_components components(triangles, pairing);
+  Surface_components components(triangles);
   result.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
@@ -102,7 +103,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
 
   Canonical_order order = canonical_order(triangles, pairing, components);
   pairing = {}; // before memory is taken for those of the new numbers
-  renumber(triangles, order.vertices);
+  renumber(triangles, order.vertices, number_of_threads);
   result.side_of_sheet.resize(sheets.side.size());
   for (std::size_t i = 0; i < sheets.side.size(); ++i) {
     result.side_of_sheet[i] = sheets.side[order.vertices[i]];
@@ -114,7 +115,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   result.component_begin = std::move(order.component_begin);
   // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
   result.normalization = to_unit_box.then(normalize_area(triangles));
-  result.surface = Triangulated_surface(std::move(triangles));
+  result.surface = Triangulated_surface(std::move(triangles), number_of_threads);
   CGAL_postcondition(!result.surface.defect());
   return result;
 }

@@ -54,16 +54,17 @@ public:
 
   /// Compiles `mesh`, which is not referred to later; near linear.
   /// \param treatment which borders are bridged, and which are rims of sheets
+  /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
   /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges or
   ///        vertices where it is no oriented manifold, coordinates that are not finite, or no extent or area
   explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
-                                Border_treatment treatment = Border_treatment::bridge)
+                                Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
     const auto start = std::chrono::steady_clock::now();
-    auto collected = internal::collect_triangles(mesh, point_map);
+    auto collected = internal::collect_triangles(mesh, point_map, number_of_threads);
     m_descriptors = std::move(collected.descriptors);
     m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
-    m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing), treatment);
+    m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing), treatment, number_of_threads);
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
   /// The same, with the point map of `mesh`.

@@ -84,12 +84,13 @@ std::array<Index, 3> collect_corners(const TriangleMesh& mesh, const VertexNumbe
 /// Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
 /// \param mesh a model of `FaceListGraph`
 /// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
+/// \param number_of_threads 0 for as many as TBB allows
 /// \throw Input_error naming the element, by its number in the order of iteration, if `mesh` has no faces, a face that
 ///        is no triangle or uses a vertex twice, an edge with more than two faces or with faces of opposite
 ///        orientation, a pinched vertex, a coordinate that is not finite, or more faces than can be indexed
 template <class TriangleMesh, class VertexPointMap>
 Collected_triangles<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>
-collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
+collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map, unsigned number_of_threads = 1)
 {
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   if (std::size_t(num_faces(mesh)) > maximum_number_of_faces ||
@@ -127,7 +128,8 @@ collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map)
     }
   }
   result.descriptors.resize(input_number.size());
-  result.pairing = check_manifold(triangles, [&input_number](Index vertex) { return input_number[vertex]; });
+  result.pairing = check_manifold(
+      triangles, [&input_number](Index vertex) { return input_number[vertex]; }, number_of_threads);
   return result;
 }
 

@@ -10,8 +10,11 @@
 #include <CSCD/internal/Epoch_marks.h>
 #include <CSCD/internal/Indexed_heap.h>
 
+#include <boost/core/noinit_adaptor.hpp>
+
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -71,7 +74,7 @@ public:
 private:
   Indexed_heap m_heap;
   Epoch_marks m_reached;
-  std::vector<float> m_distance;
+  std::vector<float, boost::noinit_adaptor<std::allocator<float>>> m_distance; // of what has been reached
 };
 
 /// A front that starts from labeled vertices; each vertex gets the label of the one from which it is reached first, so

@@ -8,8 +8,11 @@
 
 #include <CSCD/Vector_3.h>
 
+#include <boost/core/noinit_adaptor.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -98,7 +101,7 @@ private:
   }
 
   std::vector<Entry> m_entries;
-  std::vector<Index> m_position;
+  std::vector<Index, boost::noinit_adaptor<std::allocator<Index>>> m_position; // of vertices that are in the heap
 };
 
 } // namespace CSCD::internal

@@ -62,6 +62,17 @@ private:
 #endif
 };
 
+/// The number of threads that a loop has for `requested` ones, 0 for as many as TBB allows: never more than that.
+inline unsigned number_of_loop_threads(unsigned requested)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const auto allowed = unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+#else
+  const unsigned allowed = 1;
+#endif
+  return requested == 0 ? allowed : std::min(requested, allowed);
+}
+
 /// Runs a function on indices, each time with a working object that belongs to the running thread: by TBB where it is
 /// linked and more than one thread is requested.
 template <class Worker>
@@ -73,7 +84,7 @@ public:
   ///        `tbb::global_control`; more than that are never used
   template <class MakeWorker>
   For_each_index(MakeWorker make_worker, unsigned number_of_threads)
-      : m_number_of_threads(number_of_threads == 0 ? max_threads() : std::min(number_of_threads, max_threads())),
+      : m_number_of_threads(number_of_loop_threads(number_of_threads)),
 #ifdef CGAL_LINKED_WITH_TBB
         m_arena(int(m_number_of_threads)),
 #endif
@@ -124,15 +135,6 @@ private:
     Worker worker;
   };
 #endif
-
-  static unsigned max_threads()
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    return unsigned(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-#else
-    return 1;
-#endif
-  }
 
   unsigned m_number_of_threads;
 #ifdef CGAL_LINKED_WITH_TBB
