@@ -125,10 +125,11 @@ Input read_graph(const Skeletonize_options& options)
     throw Usage_error(
         "standard input has no ending: name its format by --format graph, edges, obj, off, ply, stl or xyz");
   }
-  const std::string content = options.input == standard_stream ? CSCD::internal::read_content(std::cin, name)
-                                                               : CSCD::internal::read_content(options.input);
-  const std::string lower = boost::algorithm::to_lower_copy(
-      options.format.empty() ? options.input : "." + options.format, std::locale::classic());
+  const std::string content = options.input == standard_stream
+                                  ? CSCD::internal::read_content(std::cin, name, "." + options.format)
+                                  : CSCD::internal::read_content(options.input);
+  const std::string lower = CSCD::internal::without_gzip_ending(boost::algorithm::to_lower_copy(
+      options.format.empty() ? options.input : "." + options.format, std::locale::classic()));
   const auto ends_with = [&lower](const char* ending) { return boost::algorithm::ends_with(lower, ending); };
   const std::string ending = lower.substr(std::min(lower.find_last_of('.'), lower.size()));
   Graph graph;

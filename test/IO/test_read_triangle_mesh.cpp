@@ -8,6 +8,7 @@
 #include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/Application/make_rig.h>
+#include <CSCD/IO/internal/decode_bytes.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/exceptions.h>
@@ -648,6 +649,30 @@ TEST(Read_triangle_mesh, reads_compressed_vtp)
     EXPECT_NE(std::string::npos, std::string(error.what()).find("install zlib1g-dev")) << error.what();
   }
   refusal(std::string(content).replace(content.find("vtkZLib"), 7, "vtkLZ4"), CSCD::Mesh_format::vtk);
+}
+
+TEST(Read_triangle_mesh, reads_what_gzip_has_compressed)
+{
+  // A tetrahedron in OFF, as two members of a file.
+  const std::string gzipped =
+      CSCD::internal::Encoded_bytes("H4sIAAAAAAACA/N3c+MyUTBRMOAyUABCLkMwaaBgCBUx5DIGkkZAGgBSzT"
+                                    "+iKgAAAB+LCAAAAAAAAgMzVjBQMFQw5jIGkkZg2ggoYswFAHwgM/EYAAAA",
+                                    true, "input")
+          .take_all();
+  const test_support::Temporary_folder folder;
+  const auto read_part = [&](std::size_t size) {
+    Mesh mesh;
+    CSCD::read_triangle_mesh(folder.write("tetrahedron.off.GZ", gzipped.substr(0, size)), mesh);
+    return mesh;
+  };
+  try {
+    EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(read_part(gzipped.size())));
+  } catch (const CSCD::File_error& error) { // of a build without zlib
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("install zlib1g-dev")) << error.what();
+  }
+  for (const std::size_t size : {std::size_t(0), std::size_t(5), gzipped.size() / 2, gzipped.size() - 1}) {
+    EXPECT_THROW(read_part(size), CSCD::File_error) << size;
+  }
 }
 
 TEST(Read_triangle_mesh, nodes_of_gltf_and_items_of_3mf_move_meshes)

@@ -14,7 +14,7 @@
 #include <CSCD/IO/internal/parse_mesh.h>
 #include <CSCD/IO/internal/parse_ply.h>
 #include <CSCD/IO/internal/parse_vtk.h>
-#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_points_impl.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -326,10 +326,10 @@ CSCD_INLINE Polygon_soup read_polygons(std::istream& in, Mesh_format format, con
 
 CSCD_INLINE Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
 {
+  const std::string content = read_content(in, name, ending);
   if (const std::optional<Point_format> points_only = find_point_format(ending)) {
-    return read_point_soup(in, *points_only, name);
+    return parse_points(content, *points_only, name);
   }
-  const std::string content = read_content(in, name);
   return parse_polygon_soup(content, mesh_format_among_all(ending), name);
 }
 

@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_READ_VOLUME_IMPL_H
 #define CSCD_IO_READ_VOLUME_IMPL_H
 
+#include <CSCD/IO/internal/Inflating_stream.h>
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/decode_bytes.h>
 #include <CSCD/IO/read_volume.h>
@@ -24,9 +25,6 @@
 
 #ifdef CSCD_WITH_TIFF
 #include <tiffio.h>
-#endif
-#ifdef CSCD_WITH_ZLIB
-#include <zlib.h>
 #endif
 
 #include <algorithm>
@@ -101,70 +99,6 @@ struct Volume_file
   std::string filename;
   Volume_grid grid;
 };
-
-#ifndef CSCD_WITH_ZLIB
-[[noreturn]] inline void fail_without_zlib(const std::string& filename)
-{
-  fail_in_volume(filename, "is compressed, and this was built without zlib",
-                 "install zlib1g-dev and build again, or write the file without compression");
-}
-#else
-/// Decompresses what zlib or gzip has compressed, piece by piece.
-class Inflating_stream
-{
-public:
-  Inflating_stream(std::ifstream& in, const std::string& filename) : m_in(in), m_filename(filename)
-  {
-    constexpr int recognizes_header = 32;
-    if (inflateInit2(&m_stream, MAX_WBITS + recognizes_header) != Z_OK) {
-      fail_to_decompress(filename);
-    }
-  }
-  Inflating_stream(Inflating_stream&&) = delete;
-  ~Inflating_stream() { inflateEnd(&m_stream); }
-
-  /// \throw File_error if there are not `size` bytes left, or they are damaged
-  void read(char* bytes, std::size_t size)
-  {
-    while (size > 0) {
-      const std::size_t part = std::min(size, std::size_t(std::numeric_limits<uInt>::max()));
-      m_stream.next_out = reinterpret_cast<Bytef*>(bytes);
-      m_stream.avail_out = uInt(part);
-      while (m_stream.avail_out > 0) {
-        inflate_some();
-      }
-      bytes += part;
-      size -= part;
-    }
-  }
-
-private:
-  void inflate_some()
-  {
-    if (m_stream.avail_in == 0) {
-      m_in.read(m_buffer.data(), std::streamsize(m_buffer.size()));
-      m_stream.next_in = reinterpret_cast<Bytef*>(m_buffer.data());
-      m_stream.avail_in = uInt(m_in.gcount());
-      if (m_stream.avail_in == 0) {
-        fail_in_volume(m_filename, "compressed data end before all voxels", "fetch or write the file again");
-      }
-    }
-    const int status = ::inflate(&m_stream, Z_NO_FLUSH);
-    if (status == Z_STREAM_END) {
-      inflateReset(&m_stream); // gzip allows several streams in one file
-    } else if (status != Z_OK) {
-      fail_to_decompress(m_filename);
-    }
-  }
-
-  static constexpr std::size_t buffer_size = std::size_t(1) << 16U; // bytes
-
-  std::ifstream& m_in;
-  std::string m_filename;
-  std::vector<char> m_buffer = std::vector<char>(buffer_size);
-  z_stream m_stream{};
-};
-#endif
 
 /// Calls `use` with each of `count` numbers in `bytes`, of type `Number`.
 template <class Number, class Use>

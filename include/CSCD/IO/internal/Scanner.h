@@ -6,6 +6,8 @@
 #ifndef CSCD_IO_INTERNAL_SCANNER_H
 #define CSCD_IO_INTERNAL_SCANNER_H
 
+#include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/internal/Inflating_stream.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
@@ -29,10 +31,14 @@
 
 namespace CSCD::internal {
 
-/// All that is left in `in`.
-/// \throw File_error if reading fails
-inline std::string read_content(std::istream& in, const std::string& name)
+/// All that is left in `in`, decompressed if the ending of `format` is that of gzip.
+/// \param name for messages
+/// \throw File_error if reading fails, or if it cannot be decompressed
+inline std::string read_content(std::istream& in, const std::string& name, const std::string& format = "")
 {
+  if (has_gzip_ending(format)) {
+    return read_gzipped(in, name);
+  }
   constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
   std::string content;
   while (in) {
@@ -47,7 +53,7 @@ inline std::string read_content(std::istream& in, const std::string& name)
   return content;
 }
 
-/// The content of the file `filename`.
+/// The content of the file `filename`, decompressed if its ending is that of gzip.
 /// \throw File_error if it cannot be read
 inline std::string read_content(const std::string& filename)
 {
@@ -62,8 +68,8 @@ inline std::string read_content(const std::string& filename)
                      "); check the name and the permissions");
   }
   const auto size = std::filesystem::file_size(filename, error);
-  if (error) {
-    return read_content(in, filename); // a pipe
+  if (error || has_gzip_ending(filename)) {
+    return read_content(in, filename, filename); // a pipe, or of another size
   }
   std::string content(static_cast<std::size_t>(size), '\0');
   in.read(content.data(), static_cast<std::streamsize>(content.size()));

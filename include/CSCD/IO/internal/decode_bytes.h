@@ -134,6 +134,14 @@ private:
   throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
 }
 
+/// \throw File_error telling that this was built without zlib
+[[noreturn]] inline void fail_without_zlib(const std::string& filename)
+{
+  throw File_error(filename +
+                   ": is compressed, and this was built without zlib; install zlib1g-dev and build again, or "
+                   "write the file without compression");
+}
+
 /// Decompresses what zlib has compressed.
 /// \param size of the result
 /// \param has_header whether the header of zlib is there, as in VTK; not in ZIP archives
@@ -163,9 +171,7 @@ inline std::string inflate(std::string_view bytes, std::size_t size, [[maybe_unu
   }
   return result;
 #else
-  throw File_error(filename +
-                   ": is compressed, and this was built without zlib; install zlib1g-dev and build again, or "
-                   "write the file without compression");
+  fail_without_zlib(filename);
 #endif
 }
 
