@@ -57,10 +57,9 @@ public:
   {
     m_corners = m_soup.corners.data() + m_soup.first_corner[polygon];
     m_size = m_soup.size_of_polygon(polygon);
-    if (m_size <= 3) {
-      append_fan(0); // of fewer corners: nothing
-    } else if (!triangulate_as_fan() && !triangulate_by_cgal()) {
-      append_fan(0);
+    const bool is_cut = m_size > 3 && (triangulate_as_fan() || triangulate_by_cgal());
+    if (!is_cut) {
+      append_fan(0); // of fewer than three corners: nothing
     }
   }
 

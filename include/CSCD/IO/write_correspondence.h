@@ -70,10 +70,10 @@ inline std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& poi
 /// The values of the points of a file of which a mesh was made, from those of the vertices of the mesh. Repairs merge,
 /// double and drop points, but never move one: a point has the value of the vertex at its place; of several, that of
 /// the first one that `is_known`. Expectedly linear.
-template <class Value, class Is_known>
+template <class Value, class Predicate>
 std::vector<Value> values_of_file(const std::vector<Vector_3>& points_of_file,
                                   const std::vector<Vector_3>& points_of_mesh, const std::vector<Value>& values,
-                                  Is_known is_known)
+                                  Predicate is_known)
 {
   if (points_of_file == points_of_mesh) {
     return values; // not repaired: points at the same place may have different values
