@@ -255,40 +255,25 @@ void add_published_method(CLI::App& command, cscd::Skeletonize_options& options)
 /// Adds the files that are written besides the skeleton.
 void add_further_outputs(CLI::App& command, cscd::Skeletonize_options& options)
 {
-  command.add_option("--branches", options.branches, "file for the table of branches as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command.add_option("--nodes", options.nodes, "file for the table of nodes as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      .add_option("--cylinders", options.cylinders,
-                  "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -")
-      ->check(check_name)
-      ->type_name("FILE");
+  const auto add_file = [&command](const char* name, std::string& file, const char* content) {
+    command.add_option(name, file, content)->check(check_name)->type_name("FILE");
+  };
+  add_file("--branches", options.branches, "file for the table of branches as CSV, or -");
+  add_file("--nodes", options.nodes, "file for the table of nodes as CSV, or -");
+  add_file("--cylinders", options.cylinders,
+           "of a scan of trees: file for its cylinders as CSV in the columns of TreeQSM, or -");
   command
       .add_option("--breast-height", options.breast_height,
                   "where diameters of trunks are measured, above the root, in the unit of the scan")
       ->check(CLI::PositiveNumber)
       ->type_name("H")
       ->capture_default_str();
-  command
-      .add_option("--correspondence", options.correspondence,
-                  "file for the node and branch of each vertex or point as CSV, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      .add_option(
-          "--labelled", options.labelled,
-          "file for the input as PLY with node, branch, radius and distance to the skeleton at each vertex, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command.add_option("--report", options.report, "file for counts, timings and warnings as JSON, or -")
-      ->check(check_name)
-      ->type_name("FILE");
-  command.add_option("--html", options.html, "file for a page that shows surface and skeleton, or -")
-      ->check(check_name)
-      ->type_name("FILE");
+  add_file("--correspondence", options.correspondence,
+           "file for the node and branch of each vertex or point as CSV, or -");
+  add_file("--labelled", options.labelled,
+           "file for the input as PLY with node, branch, radius and distance to the skeleton at each vertex, or -");
+  add_file("--report", options.report, "file for counts, timings and warnings as JSON, or -");
+  add_file("--html", options.html, "file for a page that shows surface and skeleton, or -");
 }
 
 void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)

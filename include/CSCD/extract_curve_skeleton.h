@@ -93,7 +93,7 @@ Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies
   Curve_skeletonization<Traits, Policies, Visitor_reference> skeletonization(traits, policies, visitor);
   // Any integer type will do for a number.
   skeletonization.set_random_seed(unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0u)))
-      .set_number_of_threads(unsigned(choose_parameter(get_parameter(np, internal_np::number_of_threads), 0u)))
+      .set_number_of_threads(requested_threads<ConcurrencyTag>(np))
       .set_maximum_number_of_sources(std::size_t(choose_parameter(
           get_parameter(np, internal_np::maximum_number_of_sources), std::numeric_limits<std::size_t>::max())));
   return skeletonization.template run<ConcurrencyTag>(skeleton);

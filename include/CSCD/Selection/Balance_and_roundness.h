@@ -82,7 +82,7 @@ private:
                                                               : m_surface.origin(crossing.halfedge)];
       };
       const Vector_3& corner = end(a, true);
-      const double area = (end(a, false) - corner).cross(end(b, false) - corner).norm() / 2;
+      const double area = triangle_area(corner, end(a, false), end(b, false));
       const double part_at_corner = is_corner_left ? (1 - a.position) * (1 - b.position) : a.position * b.position;
       result += area * (is_corner_left ? part_at_corner - 1. / 3 : 1. / 3 - part_at_corner);
     }

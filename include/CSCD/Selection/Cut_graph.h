@@ -88,7 +88,7 @@ public:
 private:
   explicit Cut_graph(const Triangulated_surface& surface)
       : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
-        m_first_interval(surface.number_of_halfedges(), no_index), m_cluster(surface.number_of_vertices(), no_index)
+        m_first_interval(surface.number_of_halfedges(), no_index)
   {
   }
 
@@ -124,14 +124,11 @@ private:
   /// Numbers the clusters by their first vertex, and counts their vertices.
   void number_clusters(Disjoint_sets& joined)
   {
-    for (Index vertex = 0; vertex < m_cluster.size(); ++vertex) {
-      Index& number = m_cluster[joined.find(vertex)];
-      if (number == no_index) {
-        number = Index(m_clusters.size());
-        m_clusters.push_back({0, 0});
-      }
-      m_cluster[vertex] = number;
-      ++m_clusters[number].euler;
+    Index number_of_clusters = 0;
+    m_cluster = joined.numbers(number_of_clusters);
+    m_clusters.assign(number_of_clusters, {0, 0});
+    for (const Index cluster : m_cluster) {
+      ++m_clusters[cluster].euler;
     }
   }
 
