@@ -375,26 +375,6 @@ TEST(Degenerate_input, needle)
   expect_skeleton(CSCD::test::box("foil", {1, 1, 1e-9}));
 }
 
-/// A prism of height 1 over a polygon, which is given with the triangles that fill it.
-Shape prism(const std::vector<Triple>& polygon, const std::vector<CSCD::test::Triangle>& fill)
-{
-  const std::size_t n = polygon.size();
-  Shape shape = triangles(polygon, {});
-  for (const Triple& p : polygon) {
-    shape.points.push_back({p[0], p[1], 1});
-  }
-  for (const auto& [a, b, c] : fill) {
-    shape.triangles.push_back({a, c, b});
-    shape.triangles.push_back({n + a, n + b, n + c});
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = (i + 1) % n;
-    shape.triangles.push_back({i, next, n + next});
-    shape.triangles.push_back({i, n + next, n + i});
-  }
-  return shape;
-}
-
 TEST(Degenerate_input, prisms_over_stars_and_combs_hold_their_skeletons)
 {
   for (const std::size_t arms : {40U, 400U}) {
@@ -410,23 +390,32 @@ TEST(Degenerate_input, prisms_over_stars_and_combs_hold_their_skeletons)
         fill.push_back({1, i, i + 2}); // slivers
       }
     }
-    EXPECT_EQ(expect_skeleton(prism(polygon, fill)).number_of_edges_outside, 0u) << arms << " arms";
+    EXPECT_EQ(expect_skeleton(CSCD::test::prism("star", polygon, fill)).number_of_edges_outside, 0u) << arms;
   }
-  constexpr std::size_t teeth = 30;
-  std::vector<Triple> polygon{{double(teeth), -10, 0}}; // of the back, and then the teeth from the right to the left
-  std::vector<CSCD::test::Triangle> fill;
-  for (std::size_t i = teeth; i-- > 0;) {
-    const double x = 2 * double(i);
-    const std::size_t first = polygon.size();
-    polygon.insert(polygon.end(), {{x + 1, 1, 0}, {x + 1, 6, 0}, {x, 6, 0}, {x, 1, 0}});
-    fill.push_back({first, first + 1, first + 2});
-    fill.push_back({first, first + 2, first + 3});
-    fill.push_back({0, first, first + 3});
-    if (i > 0) {
-      fill.push_back({0, first + 3, first + 4});
+  EXPECT_EQ(expect_skeleton(CSCD::test::comb(30, false)).number_of_edges_outside, 0u);
+}
+
+TEST(Degenerate_input, each_tooth_of_a_comb_is_a_branch)
+{
+  for (const std::size_t teeth : {30U, 100U}) {
+    SCOPED_TRACE(teeth);
+    for (const bool has_bar : {false, true}) {
+      const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::comb(teeth, has_bar));
+      EXPECT_GE(report.number_of_tips, teeth);
+      EXPECT_LE(report.number_of_tips, teeth + 3); // those of the back, too
     }
   }
-  EXPECT_EQ(expect_skeleton(prism(polygon, fill)).number_of_edges_outside, 0u);
+}
+
+TEST(Degenerate_input, fragments_are_not_refined)
+{
+  std::vector<Shape> parts;
+  for (std::size_t i = 0; i < 4000; ++i) {
+    parts.push_back(CSCD::test::translated(CSCD::test::tetrahedron(), {5.0 * static_cast<double>(i), 0, 0}));
+  }
+  const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::merged("fragments", parts));
+  EXPECT_EQ(report.number_of_surface_components, 4000u);
+  EXPECT_EQ(report.number_of_inserted_vertices, 0u);
 }
 
 /// Cubes of side `width` at the points of a lattice of n x n x n, those beside each other joined by struts of eight

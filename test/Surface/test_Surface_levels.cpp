@@ -197,6 +197,14 @@ TEST(Surface_levels, are_chosen_by_size)
   }
 }
 
+TEST(Surface_levels, of_a_surface_that_needs_the_finest_are_not_chosen)
+{
+  const Surface_levels levels(CSCD::test::to_surface(CSCD::test::torus(3, 1, 150)), 1, true);
+  EXPECT_GT(levels.size(), 1u);
+  EXPECT_TRUE(levels.needs_finest());
+  EXPECT_EQ(levels.finest_with_at_most(1), 0u);
+}
+
 TEST(Surface_levels, of_a_small_surface_is_the_surface)
 {
   const Surface_levels levels = CSCD::test::to_levels(CSCD::test::cube());

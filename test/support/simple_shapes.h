@@ -46,6 +46,51 @@ inline Shape cube()
   return box("cube", {1, 1, 1});
 }
 
+/// A prism of height 1 over a polygon, which is given with the triangles that fill it.
+inline Shape prism(const std::string& name, const std::vector<Triple>& polygon, const std::vector<Triangle>& fill)
+{
+  const std::size_t n = polygon.size();
+  Shape shape;
+  shape.name = name;
+  shape.points = polygon;
+  for (const Triple& p : polygon) {
+    shape.points.push_back({p[0], p[1], 1});
+  }
+  for (const auto& [a, b, c] : fill) {
+    shape.triangles.push_back({a, c, b});
+    shape.triangles.push_back({n + a, n + b, n + c});
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t next = (i + 1) % n;
+    shape.triangles.push_back({i, next, n + next});
+    shape.triangles.push_back({i, n + next, n + i});
+  }
+  return shape;
+}
+
+/// A comb whose teeth, of width 1 and length 5, stand on a bar or on a triangle; slivers from one of its corners fill
+/// it.
+inline Shape comb(std::size_t teeth, bool has_bar)
+{
+  const double width = 2 * static_cast<double>(teeth) - 1;
+  std::vector<Triple> polygon{has_bar ? Triple{width, -1, 0} : Triple{static_cast<double>(teeth), -10, 0}};
+  std::vector<Triangle> fill;
+  for (std::size_t i = teeth; i-- > 0;) { // from the right to the left
+    const double x = 2 * static_cast<double>(i);
+    const std::size_t first = polygon.size();
+    polygon.insert(polygon.end(), {{x + 1, 1, 0}, {x + 1, 6, 0}, {x, 6, 0}, {x, 1, 0}});
+    fill.insert(fill.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}, {0, first, first + 3}});
+    if (i > 0) {
+      fill.push_back({0, first + 3, first + 4});
+    }
+  }
+  if (has_bar) {
+    fill.push_back({0, polygon.size() - 1, polygon.size()});
+    polygon.push_back({0, -1, 0});
+  }
+  return prism("comb", polygon, fill);
+}
+
 inline Shape subdivided_cube(std::size_t times)
 {
   Shape shape = midpoint_subdivided(cube(), times);

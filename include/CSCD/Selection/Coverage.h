@@ -36,8 +36,7 @@ class Coverage
 public:
   explicit Coverage(const Surface_levels& levels)
       : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()),
-        m_hint(levels.coarsest().surface.number_of_vertices(), no_hint),
-        m_failure_radius(float(relative_failure_radius * std::sqrt(levels.finest().surface.total_area()))),
+        m_hint(levels.coarsest().surface.number_of_vertices(), no_hint), m_failure_radius(failure_radius(levels)),
         m_front(levels.finest().surface.number_of_vertices())
   {
     for (Index level = 0; level < levels.size(); ++level) {
@@ -101,6 +100,17 @@ private:
   /// there alone.
   static constexpr Index first_size = 6000;
   static constexpr std::uint8_t no_hint = std::numeric_limits<std::uint8_t>::max();
+
+  /// Vertices of a body that the failure radius suits.
+  static constexpr double usual_size = 2000;
+
+  static float failure_radius(const Surface_levels& levels)
+  {
+    const Triangulated_surface& surface = levels.finest().surface;
+    const double number_of_bodies =
+        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
+    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
+  }
 
   static void increase(std::uint8_t& count)
   {

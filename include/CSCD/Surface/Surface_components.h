@@ -37,6 +37,8 @@ struct Surface_components
     double volume = 0;                    ///< signed: negative where the faces look inwards
     Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers where there is no area
     double max_squared_length = 0;        ///< of the edges
+    std::size_t number_of_faces = 0;      ///< with hole-filling faces
+    std::size_t number_of_long_faces = 0; ///< faces much longer than high
   };
 
   Index number() const { return Index(measures.size()); }
@@ -54,6 +56,8 @@ struct Surface_components
 private:
   /// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
   static constexpr double degenerate_height = 1e-8;
+  /// A face is long if it is at least this much longer than high: halves of squares are twice as long.
+  static constexpr double long_ratio = 2.5;
 
   /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
   void number_components(const Indexed_triangles& triangles)
@@ -78,7 +82,6 @@ private:
   void measure(const Indexed_triangles& triangles)
   {
     std::vector<Vector_3> center_sum(number(), Vector_3::Zero());
-    std::vector<double> number_of_faces(number(), 0.);
     for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
       const std::array<Index, 3>& face = triangles.faces[f];
       const Vector_3& a = triangles.points[face[0]];
@@ -99,15 +102,37 @@ private:
       result.volume += a.dot(vector) / 6;
       result.centroid += area * center;
       center_sum[component[f]] += center;
-      number_of_faces[component[f]] += 1;
+      ++result.number_of_faces;
+      result.number_of_long_faces += longest >= long_ratio * doubled_area ? 1 : 0;
     }
     for (Index i = 0; i < number(); ++i) {
       Measure& result = measures[i];
-      result.centroid =
-          result.area > 0 ? Vector_3(result.centroid / result.area) : Vector_3(center_sum[i] / number_of_faces[i]);
+      result.centroid = result.area > 0 ? Vector_3(result.centroid / result.area)
+                                        : Vector_3(center_sum[i] / double(result.number_of_faces));
     }
   }
 };
+
+/// The genus of each of `components`, of closed `triangles`. Linear. \pre `pairing` is that of the faces
+inline std::vector<std::size_t> genus_of_components(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
+                                                    const Surface_components& components)
+{
+  std::vector<std::size_t> number_of_vertices(components.number(), 0);
+  std::vector<std::size_t> number_of_faces(components.number(), 0);
+  for (const Index component : components.component) {
+    ++number_of_faces[component];
+  }
+  for (Index vertex = 0; vertex < triangles.points.size(); ++vertex) {
+    if (pairing.outgoing().size(vertex) > 0) {
+      ++number_of_vertices[components.component_of_vertex(pairing, vertex)];
+    }
+  }
+  std::vector<std::size_t> genus(components.number());
+  for (std::size_t i = 0; i < genus.size(); ++i) {
+    genus[i] = genus_of_closed_surface(1, number_of_vertices[i], number_of_faces[i]);
+  }
+  return genus;
+}
 
 /// Volumes below this, relative to the area to the power 3/2, have no reliable sign: a ball has about 0.1.
 inline constexpr double min_signed_volume = 1e-9;

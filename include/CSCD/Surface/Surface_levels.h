@@ -63,8 +63,9 @@ class Surface_levels
 public:
   /// Coarsens `finest`, which need not be measured yet, until a level has at most `coarsest_size` vertices. Linear.
   /// \param number_of_threads 0 for as many as TBB allows; the levels are the same for any number
-  explicit Surface_levels(Triangulated_surface&& finest, unsigned number_of_threads = 1)
-      : m_number_of_threads(number_of_threads)
+  /// \param needs_finest whether coarser levels lose limbs, so that none is a substitute for the finest one
+  explicit Surface_levels(Triangulated_surface&& finest, unsigned number_of_threads = 1, bool needs_finest = false)
+      : m_number_of_threads(number_of_threads), m_needs_finest(needs_finest)
   {
     m_levels.emplace_back(std::move(finest));
     while (m_levels.back().surface.number_of_vertices() > coarsest_size && add_level()) {
@@ -83,11 +84,14 @@ public:
   /// The index of the coarsest level.
   Index top() const { return size() - 1; }
 
-  /// The index of the finest level that has at most `limit` vertices, or of the coarsest.
+  /// Whether coarser levels lose limbs.
+  bool needs_finest() const { return m_needs_finest; }
+  /// The index of the finest level that has at most `limit` vertices, or of the coarsest; of the finest if limbs need
+  /// it.
   Index finest_with_at_most(Index limit) const
   {
     Index level = 0;
-    while (level < top() && m_levels[level].surface.number_of_vertices() > limit) {
+    while (!m_needs_finest && level < top() && m_levels[level].surface.number_of_vertices() > limit) {
       ++level;
     }
     return level;
@@ -135,6 +139,7 @@ private:
   }
 
   unsigned m_number_of_threads;
+  bool m_needs_finest;
   std::vector<Surface_level> m_levels;
 };
 

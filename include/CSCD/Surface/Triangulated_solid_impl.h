@@ -31,7 +31,8 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles
   m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
   m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
   m_number_of_reversed_components = compiled.number_of_reversed_components;
-  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads);
+  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads,
+                                                    compiled.has_sampled_limbs);
 }
 
 CSCD_INLINE Triangulated_solid::~Triangulated_solid() = default;

@@ -15,6 +15,7 @@
 #include <CSCD/Surface/canonical_order.h>
 #include <CSCD/Surface/double_sheets.h>
 #include <CSCD/Surface/refine_large_faces.h>
+#include <CSCD/Surface/sample_limbs.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
@@ -35,6 +36,7 @@ struct Compiled_surface
   std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
   std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
   std::vector<signed char> side_of_sheet; ///< of every vertex, 1 or 2, or 0; empty without sheets
+  bool has_sampled_limbs = false;         ///< so many that coarser levels would lose them
   std::size_t number_of_sheets = 0;
   std::size_t number_of_wide_borders = 0;
   std::size_t number_of_bridged_borders = 0;
@@ -95,6 +97,9 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
+  if (sheets.number_of_sheets == 0 && triangles.first_hole_filling_face == triangles.faces.size()) {
+    result.has_sampled_limbs = sample_limbs(triangles, pairing, components) > 0;
+  }
   refine_large_faces(triangles, pairing, components);
   result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points - number_of_copied_points;
   if (sheets.number_of_sheets > 0) {
