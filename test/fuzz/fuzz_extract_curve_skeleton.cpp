@@ -3,11 +3,8 @@
 //
 // Fuzz target: any bytes, read as a polygon soup, oriented and skeletonized. The skeleton has all invariants, or the
 // soup is refused by an Input_error; everything else is a bug and aborts.
-//
-// The bytes: options, the maximum number of sources, the number of points; three signed bytes for each point; then
-// triangles, as three numbers of points each.
 
-#include "Bytes.h"
+#include "Coded_soup.h"
 #include "support/invariants.h"
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -30,7 +27,7 @@ namespace {
 using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
-using CSCD::test::Bytes;
+using CSCD::test::Coded_soup;
 
 /// Bits of the first byte.
 enum Option : unsigned
@@ -57,23 +54,15 @@ struct Soup
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-Soup take_soup(Bytes& bytes, unsigned options)
+Soup to_soup(const Coded_soup& coded)
 {
   Soup soup;
-  const std::size_t number_of_points = std::size_t(1) + bytes.take();
-  for (std::size_t i = 0; i < number_of_points; ++i) {
-    const double x = coordinate(bytes.take(), options);
-    const double y = coordinate(bytes.take(), options);
-    const double z = coordinate(bytes.take(), options);
-    soup.points.emplace_back(x, y, z);
+  for (const Coded_soup::Triple& point : coded.points) {
+    soup.points.emplace_back(coordinate(point[0], coded.options), coordinate(point[1], coded.options),
+                             coordinate(point[2], coded.options));
   }
-  while (!bytes.is_at_end()) {
-    const std::size_t a = bytes.take() % number_of_points;
-    const std::size_t b = bytes.take() % number_of_points;
-    const std::size_t c = bytes.take() % number_of_points;
-    if (a != b && b != c && c != a) {
-      soup.polygons.push_back({a, b, c});
-    }
+  for (const Coded_soup::Triple& triangle : coded.triangles) {
+    soup.polygons.emplace_back(triangle.begin(), triangle.end());
   }
   return soup;
 }
@@ -90,10 +79,8 @@ Soup take_soup(Bytes& bytes, unsigned options)
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-  Bytes bytes(data, size);
-  const unsigned options = bytes.take();
-  const std::size_t maximum_number_of_sources = bytes.take();
-  Soup soup = take_soup(bytes, options);
+  const Coded_soup coded(data, size);
+  Soup soup = to_soup(coded);
   CGAL::Polygon_mesh_processing::orient_polygon_soup(soup.points, soup.polygons);
   if (!CGAL::Polygon_mesh_processing::is_polygon_soup_a_polygon_mesh(soup.polygons)) {
     return 0;
@@ -103,7 +90,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Skeleton skeleton;
   try {
     const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(
-        mesh, skeleton, CSCD::parameters::maximum_number_of_sources(maximum_number_of_sources));
+        mesh, skeleton, CSCD::parameters::maximum_number_of_sources(coded.maximum_number_of_sources));
     const CSCD::test::Violations violations = CSCD::test::violated_invariants_without_area(mesh, skeleton, report);
     if (!violations.empty()) {
       report_and_abort(violations);
