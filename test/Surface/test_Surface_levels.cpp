@@ -4,6 +4,7 @@
 // Coarser surfaces keep the topology, the hole-filling faces, and a part of the vertices.
 
 #include "Surface/to_surface.h"
+#include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Coarsening.h>
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -85,6 +86,24 @@ TEST(Coarsening, leaves_about_two_sevenths_of_a_regular_surface_and_hardly_chang
   EXPECT_NEAR(coarse.total_area(), fine.total_area(), 0.02 * fine.total_area());
   for (Index face = 0; face < coarse.number_of_faces(); ++face) {
     EXPECT_GT(coarse.face_vector(face).dot(coarse.point(coarse.origin(3 * face))), 0) << "no face is turned over";
+  }
+}
+
+TEST(Coarsening, of_several_blocks_does_not_depend_on_the_number_of_threads)
+{
+  const CSCD::test::Allow_threads allow(3);
+  const Triangulated_surface fine = CSCD::test::to_surface(CSCD::test::noisy(CSCD::test::torus(3, 1, 260), 0.05, 1));
+  ASSERT_GT(fine.number_of_vertices(), 2U << 16U);
+  const Coarsening coarsening(fine, 1);
+  const Triangulated_surface coarse(coarsening.triangles());
+  ASSERT_FALSE(coarse.defect());
+  EXPECT_EQ(euler_number(coarse), euler_number(fine));
+  EXPECT_LT(coarse.number_of_vertices(), 0.4 * fine.number_of_vertices());
+  for (const unsigned number_of_threads : {2U, 3U}) {
+    const Coarsening by_threads(fine, number_of_threads);
+    EXPECT_EQ(by_threads.fine_vertex(), coarsening.fine_vertex());
+    EXPECT_EQ(by_threads.coarse_vertex(), coarsening.coarse_vertex());
+    EXPECT_EQ(by_threads.triangles().faces, coarsening.triangles().faces);
   }
 }
 

@@ -4,6 +4,7 @@
 // The numbers of the surface depend on its shape alone: not on the numbers of the input, nor on its pose.
 
 #include "Surface/to_indexed_triangles.h"
+#include "support/Allow_threads.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Indexed_triangles.h>
@@ -97,6 +98,38 @@ TEST(canonical_order, does_not_depend_on_the_numbers_of_the_input)
       }
     }
   }
+}
+
+TEST(canonical_order, does_not_depend_on_the_number_of_threads)
+{
+  const CSCD::test::Allow_threads allow(3);
+  // Of more vertices at the same number of edges from the first one than one thread reads at once.
+  const Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::sphere(7));
+  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  const Surface_components components(triangles);
+  const Canonical_order expected = CSCD::internal::canonical_order(triangles, pairing, components, 1);
+  EXPECT_EQ(expected.vertices, CSCD::internal::canonical_order(triangles, pairing, components, 2).vertices);
+  EXPECT_EQ(expected.vertices, CSCD::internal::canonical_order(triangles, pairing, components, 3).vertices);
+}
+
+TEST(canonical_order, goes_around_each_vertex_from_the_one_that_found_it)
+{
+  const Ordered ordered(CSCD::test::noisy(CSCD::test::torus(3, 1, 24), 0.2, 5));
+  const Halfedge_pairing pairing(ordered.triangles.faces, ordered.triangles.points.size());
+  Index next = 1;
+  for (Index vertex = 0; vertex < ordered.triangles.points.size(); ++vertex) {
+    std::vector<Index> ring;
+    for (const Index h : pairing.outgoing()[vertex]) {
+      ring.push_back(ordered.triangles.faces[h / 3][(h + 1) % 3]);
+    }
+    // The parent is the neighbor of the smallest number; the root begins with vertex 1.
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    for (const Index neighbor : ring) {
+      EXPECT_LE(neighbor, next);
+      next = std::max(next, neighbor + 1);
+    }
+  }
+  EXPECT_EQ(next, ordered.triangles.points.size());
 }
 
 TEST(canonical_order, does_not_depend_on_the_pose)

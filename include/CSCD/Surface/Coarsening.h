@@ -9,6 +9,7 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_index.h>
 #include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -32,9 +34,11 @@ public:
   {
     freeze_wide_stars();
     freeze_bridges();
-    choose_kept_vertices();
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
+      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
+    });
     copy_rings(number_of_threads);
-    collapse_others();
+    collapse_others(number_of_threads);
     number_coarse_vertices();
   }
 
@@ -60,6 +64,12 @@ public:
   const std::vector<Index>& fine_vertex() const { return m_fine_vertex; }
   /// For each fine vertex, the coarse vertex that it is or was collapsed into.
   const std::vector<Index>& coarse_vertex() const { return m_coarse_vertex; }
+  /// Hands over both.
+  void move_to(std::vector<Index>& fine, std::vector<Index>& coarse) &&
+  {
+    fine = std::move(m_fine_vertex);
+    coarse = std::move(m_coarse_vertex);
+  }
 
 private:
   enum class Status : std::uint8_t
@@ -72,6 +82,28 @@ private:
 
   /// Vertices of higher degree are frozen. A bound keeps the working memory of a collapse small.
   static constexpr Index max_degree = 20;
+
+  /// Consecutive vertices.
+  struct Block
+  {
+    bool contains(Index vertex) const { return begin <= vertex && vertex < end; }
+
+    Index begin;
+    Index end;
+  };
+
+  /// Vectors around a vertex, twice one after the other, so that no index has to be wrapped around.
+  using Star = std::array<Vector_3, 2 * std::size_t(max_degree)>;
+  /// Working memory of a thread, which need not be set to zero for each vertex.
+  struct Scratch
+  {
+    Star incident_edge;
+    Star face_vector;
+  };
+
+  /// The size of a block. Numbers go round the surface, so that most neighbors of a vertex are in its block; a smaller
+  /// surface is one block.
+  static constexpr Index block_size = 1U << 16U;
   /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
   static constexpr Index max_degree_after = 16;
   /// Squared cosine of the maximal turn of a face's normal in a collapse, about 78 degrees.
@@ -127,50 +159,78 @@ private:
     }
   }
 
-  void choose_kept_vertices()
+  /// Calls `treat(vertex, block, scratch)` for all vertices of each block, in order, and then with a block of all
+  /// vertices for those for which it has returned false. Where it returns true, it may have changed what is stored of
+  /// vertices of the block, and of no others.
+  template <class Treat>
+  void for_each_vertex(unsigned number_of_threads, const Treat& treat)
   {
-    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
-      if (m_status[vertex] != Status::open) {
-        continue;
+    const auto n = Index(m_status.size());
+    std::vector<std::vector<Index>> postponed(n / block_size + 1);
+    For_each_index<Scratch> for_each([] { return Scratch(); }, postponed.size() > 1 ? number_of_threads : 1);
+    for_each(Index(postponed.size()), [&](Index i, Scratch& scratch) {
+      const Block block{i * block_size, std::min((i + 1) * block_size, n)};
+      for (Index vertex = block.begin; vertex < block.end; ++vertex) {
+        if (!treat(vertex, block, scratch)) {
+          postponed[i].push_back(vertex);
+        }
       }
-      const auto outgoing = m_fine.outgoing(vertex);
-      const bool is_free = std::none_of(outgoing.begin(), outgoing.end(),
-                                        [this](Index h) { return m_status[m_fine.target(h)] == Status::kept; });
-      if (is_free) {
-        m_status[vertex] = Status::kept;
+    });
+    Scratch scratch;
+    for (const std::vector<Index>& vertices : postponed) {
+      for (const Index vertex : vertices) {
+        treat(vertex, Block{0, n}, scratch);
       }
     }
   }
 
-  void collapse_others()
+  /// Keeps `vertex` unless a neighbor is kept. \return false if it has a neighbor outside `block`
+  bool keep_if_free(Index vertex, const Block& block)
+  {
+    bool is_free = true;
+    for (const Index halfedge : m_fine.outgoing(vertex)) {
+      const Index neighbor = m_fine.target(halfedge);
+      if (!block.contains(neighbor)) {
+        return false;
+      }
+      is_free = is_free && m_status[neighbor] != Status::kept;
+    }
+    m_status[vertex] = is_free ? Status::kept : Status::open;
+    return true;
+  }
+
+  void collapse_others(unsigned number_of_threads)
   {
     m_parent.resize(m_status.size());
     std::iota(m_parent.begin(), m_parent.end(), Index(0));
-    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
-      if (m_status[vertex] != Status::open || m_degree[vertex] < 3) {
-        continue;
-      }
-      const Index* begin = ring(vertex);
-      if (std::any_of(begin, begin + m_degree[vertex], [this](Index v) { return m_status[v] == Status::frozen; })) {
-        continue;
-      }
-      const Index side = best_collapse(vertex);
-      if (side != no_index) {
-        collapse(vertex, side);
-      }
-    }
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch& scratch) {
+      return m_status[vertex] != Status::open || m_degree[vertex] < 3 || collapse_if_possible(vertex, block, scratch);
+    });
   }
 
-  /// Vectors around a vertex, twice one after the other, so that no index has to be wrapped around.
-  using Star = std::array<Vector_3, 2 * std::size_t(max_degree)>;
+  /// \return false if `vertex` has a neighbor outside `block`
+  bool collapse_if_possible(Index vertex, const Block& block, Scratch& scratch)
+  {
+    bool has_frozen_neighbor = false;
+    for (const Index* neighbor = ring(vertex); neighbor != ring(vertex) + m_degree[vertex]; ++neighbor) {
+      if (!block.contains(*neighbor)) {
+        return false;
+      }
+      has_frozen_neighbor = has_frozen_neighbor || m_status[*neighbor] == Status::frozen;
+    }
+    const Index side = has_frozen_neighbor ? no_index : best_collapse(vertex, scratch);
+    if (side != no_index) {
+      collapse(vertex, side);
+    }
+    return true;
+  }
 
   /// The position in the ring of `vertex` of the kept neighbor that it is best collapsed into, or `no_index`.
-  Index best_collapse(Index vertex)
+  Index best_collapse(Index vertex, Scratch& scratch) const
   {
     const Index degree = m_degree[vertex];
     const Index* neighbors = ring(vertex);
-    Star& incident_edge = m_incident_edge;
-    Star& face_vector = m_face_vector;
+    auto& [incident_edge, face_vector] = scratch;
     for (Index i = 0; i < degree; ++i) {
       incident_edge[i] = incident_edge[i + degree] = m_fine.point(neighbors[i]) - m_fine.point(vertex);
     }
@@ -322,8 +382,6 @@ private:
   std::vector<std::uint8_t> m_degree; // 0 where it is too high
   std::vector<Status> m_status;
   std::vector<Index> m_parent;
-  Star m_incident_edge; // of the vertex that is looked at, as the next; here, not to be set to zero each time
-  Star m_face_vector;
   std::vector<Index> m_fine_vertex;
   std::vector<Index> m_coarse_vertex;
 };

@@ -51,14 +51,17 @@ namespace CSCD {
 
 CSCD_INLINE Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces,
                                                std::size_t number_of_points, unsigned number_of_threads)
-    : m_twin(3 * faces.size(), no_index), m_outgoing(number_of_points, [&faces](const auto& add) {
-        Index halfedge = 0;
-        for (const std::array<Index, 3>& face : faces) {
-          for (const Index corner : face) {
-            add(corner, halfedge++);
-          }
-        }
-      })
+    : m_twin(3 * faces.size(), no_index), m_outgoing(
+                                              number_of_points,
+                                              [&faces](const auto& add) {
+                                                Index halfedge = 0;
+                                                for (const std::array<Index, 3>& face : faces) {
+                                                  for (const Index corner : face) {
+                                                    add(corner, halfedge++);
+                                                  }
+                                                }
+                                              },
+                                              number_of_threads)
 {
   std::vector<Findings> findings(number_of_points / internal::range_size + 1);
   internal::for_each_range(Index(number_of_points), number_of_threads, [&](Index begin, Index end) {

@@ -109,11 +109,14 @@ inline void sort_faces(Indexed_triangles& triangles, unsigned number_of_threads 
   const auto bucket = [&triangles, n](std::size_t f) {
     return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
   };
-  internal::Compressed_rows<std::array<Index, 3>> buckets(2 * n, [&](const auto& add) {
-    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-      add(bucket(f), triangles.faces[f]);
-    }
-  });
+  internal::Compressed_rows<std::array<Index, 3>> buckets(
+      2 * n,
+      [&](const auto& add) {
+        for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+          add(bucket(f), triangles.faces[f]);
+        }
+      },
+      number_of_threads);
   internal::for_each_range(Index(2 * n), number_of_threads, [&buckets](Index begin, Index end) {
     for (Index b = begin; b < end; ++b) {
       std::sort(buckets[b].begin(), buckets[b].end());

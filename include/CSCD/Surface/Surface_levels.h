@@ -7,6 +7,7 @@
 #define CSCD_SURFACE_SURFACE_LEVELS_H
 
 #include <CSCD/Surface/Coarsening.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
@@ -109,29 +110,32 @@ private:
   {
     Surface_level& fine = m_levels.back();
     // Coarsening needs no areas and no normals.
-    std::optional<const internal::Coarsening> result;
+    std::optional<internal::Coarsening> coarsening;
     internal::call_both(
-        m_number_of_threads, [&] { result.emplace(fine.surface, m_number_of_threads); },
+        m_number_of_threads, [&] { coarsening.emplace(fine.surface, m_number_of_threads); },
         [&] { fine.surface.measure(); });
-    const internal::Coarsening& coarsening = *result;
-    const std::size_t size = coarsening.fine_vertex().size();
-    if (double(size) > min_reduction * fine.surface.number_of_vertices()) {
+    if (double(coarsening->fine_vertex().size()) > min_reduction * fine.surface.number_of_vertices()) {
       return false;
     }
-    Triangulated_surface coarse(coarsening.triangles(), m_number_of_threads);
+    Indexed_triangles triangles = coarsening->triangles();
+    std::vector<Index> finest_vertex;
+    std::vector<Index> coarse_vertex;
+    std::move(*coarsening).move_to(finest_vertex, coarse_vertex);
+    coarsening.reset(); // before memory is taken for the surface
+    Triangulated_surface coarse(std::move(triangles), m_number_of_threads);
     if (coarse.defect()) {
       return false;
     }
     Surface_level level(std::move(coarse));
-    level.finest_vertex.reserve(size);
-    for (Index vertex : coarsening.fine_vertex()) {
-      level.finest_vertex.push_back(fine.to_finest(vertex));
+    for (Index& vertex : finest_vertex) {
+      vertex = fine.to_finest(vertex);
     }
+    level.finest_vertex = std::move(finest_vertex);
     const Index n = m_levels.front().surface.number_of_vertices();
     level.level_vertex.resize(n);
     internal::for_each_range(n, m_number_of_threads, [&](Index begin, Index end) {
       for (Index vertex = begin; vertex < end; ++vertex) {
-        level.level_vertex[vertex] = coarsening.coarse_vertex()[fine.from_finest(vertex)];
+        level.level_vertex[vertex] = coarse_vertex[fine.from_finest(vertex)];
       }
     });
     m_levels.push_back(std::move(level));

@@ -10,10 +10,10 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -41,20 +41,21 @@ public:
     find_roots();
   }
 
-  Canonical_order order() const
+  /// \param number_of_threads 0 for as many as TBB allows
+  Canonical_order order(unsigned number_of_threads) const
   {
     std::vector<Index> sorted(m_components.number());
     std::iota(sorted.begin(), sorted.end(), Index(0));
     std::sort(sorted.begin(), sorted.end(), [this](Index c, Index d) { return key(c) < key(d); });
+    Numbering numbering(m_triangles.points.size(), number_of_threads);
     Canonical_order result;
-    result.vertices.reserve(m_triangles.points.size());
-    std::vector<char> is_numbered(m_triangles.points.size(), 0);
-    std::vector<Index> parent;
     for (Index component : sorted) {
-      result.component_begin.push_back(Index(result.vertices.size()));
-      append_component(m_first[component], is_numbered, parent, result.vertices);
+      result.component_begin.push_back(numbering.size);
+      append_component(m_first[component], numbering);
     }
-    result.component_begin.push_back(Index(result.vertices.size()));
+    result.component_begin.push_back(numbering.size);
+    numbering.vertices.pop_back();
+    result.vertices = std::move(numbering.vertices);
     return result;
   }
 
@@ -63,6 +64,48 @@ private:
   static constexpr double distance_tolerance = 1e-9;
   /// Vertices ahead for which memory is asked for.
   static constexpr std::size_t prefetch_distance = 8;
+  /// Vertices whose rings one thread reads at once: enough that the loop itself hardly counts.
+  static constexpr std::size_t chunk_size = 256;
+  /// Chunks that are read before their neighbors are numbered: no more, so that what is read stays in the cache.
+  static constexpr std::size_t max_chunks = 16;
+
+  /// A vertex that may be the next one, and the neighbor whose ring it is in.
+  struct Candidate
+  {
+    Index vertex;
+    Index parent;
+  };
+  /// What the rings of consecutive vertices of the order have of vertices without a number, and possibly more.
+  struct Chunk
+  {
+    std::vector<Candidate> candidates; // longer than is used
+    std::size_t size = 0;
+  };
+  /// Vertices in the order so far. There is room for one more than there are: what may be the next one is written
+  /// before it is known whether it is, as a branch would be taken at random.
+  struct Numbering
+  {
+    Numbering(std::size_t number_of_vertices, unsigned number_of_threads)
+        : vertices(number_of_vertices + 1), parent(number_of_vertices + 1), is_numbered(number_of_vertices, 0),
+          for_each_chunk([] { return std::vector<Index>(); }, number_of_threads), chunks(max_chunks)
+    {
+    }
+
+    void append(Index vertex, Index its_parent)
+    {
+      vertices[size] = vertex;
+      parent[size] = its_parent;
+      size += is_numbered[vertex] ? 0 : 1;
+      is_numbered[vertex] = 1;
+    }
+
+    std::vector<Index> vertices;
+    std::vector<Index> parent; // of each of them, the neighbor at which its ring begins
+    Index size = 0;
+    std::vector<char> is_numbered;
+    For_each_index<std::vector<Index>> for_each_chunk; // with working memory for a ring
+    std::vector<Chunk> chunks;                         // which are read at the same time
+  };
 
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
   Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
@@ -127,42 +170,77 @@ private:
 
   /// Asks for what the vertices that come soon need: where their numbers are scattered, most of the time goes to
   /// waiting.
-  void prefetch_rows([[maybe_unused]] const std::vector<Index>& vertices, [[maybe_unused]] std::size_t i) const
+  void prefetch_rows([[maybe_unused]] const Numbering& numbering, [[maybe_unused]] std::size_t i) const
   {
 #ifdef __GNUC__
-    if (i + 2 * prefetch_distance < vertices.size()) {
-      __builtin_prefetch(m_pairing.outgoing()[vertices[i + 2 * prefetch_distance]].begin());
-      for (const Index h : m_pairing.outgoing()[vertices[i + prefetch_distance]]) {
-        __builtin_prefetch(&m_triangles.faces[h / 3]);
+    if (i + 2 * prefetch_distance < numbering.size) {
+      __builtin_prefetch(m_pairing.outgoing()[numbering.vertices[i + 2 * prefetch_distance]].begin());
+      const auto row = m_pairing.outgoing()[numbering.vertices[i + prefetch_distance]];
+      for (std::size_t j = 0; j < row.size(); j += 2) {
+        __builtin_prefetch(&m_triangles.faces[row.begin()[j] / 3]);
       }
     }
 #endif
   }
 
-  /// \param parent working memory: for each vertex of the component, the neighbor at which its row begins
-  void append_component(Index first, std::vector<char>& is_numbered, std::vector<Index>& parent,
-                        std::vector<Index>& vertices) const
+  /// Writes the neighbors of `vertex` to `ring`, counterclockwise. Every other face is read, as each has two of them.
+  /// \return their number
+  std::size_t read_ring(Index vertex, std::vector<Index>& ring) const
   {
-    const std::size_t begin_of_component = vertices.size();
-    vertices.push_back(origin(first));
-    is_numbered[origin(first)] = 1;
-    parent.assign(1, target(first));
-    for (std::size_t i = 0; i < parent.size(); ++i) {
-      prefetch_rows(vertices, begin_of_component + i);
-      const Index vertex = vertices[begin_of_component + i];
-      const auto row = m_pairing.outgoing()[vertex];
-      const auto begin =
-          std::find_if(row.begin(), row.end(), [this, to = parent[i]](Index h) { return target(h) == to; });
-      for (const auto& [from, to] : {std::pair(begin, row.end()), std::pair(row.begin(), begin)}) {
-        for (auto halfedge = from; halfedge != to; ++halfedge) {
-          const Index neighbor = target(*halfedge);
-          if (!is_numbered[neighbor]) {
-            is_numbered[neighbor] = 1;
-            vertices.push_back(neighbor);
-            parent.push_back(vertex);
-          }
+    const auto row = m_pairing.outgoing()[vertex];
+    if (ring.size() < row.size() + 1) {
+      ring.resize(row.size() + 1);
+    }
+    for (std::size_t i = 0; i < row.size(); i += 2) {
+      const Index halfedge = row.begin()[i];
+      ring[i] = target(halfedge);
+      ring[i + 1] = target(Halfedge_pairing::next(halfedge));
+    }
+    return row.size();
+  }
+
+  /// Reads the rings of the vertices from `begin` to `end` - 1 of the order, each from the parent of the vertex on.
+  void read_chunk(const Numbering& numbering, std::size_t begin, std::size_t end, std::vector<Index>& ring,
+                  Chunk& chunk) const
+  {
+    chunk.size = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      prefetch_rows(numbering, i);
+      const Index vertex = numbering.vertices[i];
+      const std::size_t degree = read_ring(vertex, ring);
+      if (chunk.candidates.size() < chunk.size + degree + 1) {
+        chunk.candidates.resize(2 * (chunk.size + degree + 1));
+      }
+      const auto append = [&](std::size_t from, std::size_t to) {
+        for (std::size_t j = from; j < to; ++j) {
+          chunk.candidates[chunk.size] = {ring[j], vertex};
+          chunk.size += numbering.is_numbered[ring[j]] ? 0 : 1;
+        }
+      };
+      const auto start = std::size_t(std::find(ring.begin(), ring.end(), numbering.parent[i]) - ring.begin());
+      append(start, degree);
+      append(0, start);
+    }
+  }
+
+  void append_component(Index first, Numbering& numbering) const
+  {
+    std::size_t begin = numbering.size;
+    numbering.append(origin(first), target(first));
+    while (begin < numbering.size) {
+      const std::size_t end = std::min(begin + chunk_size * max_chunks, std::size_t(numbering.size));
+      const std::size_t number_of_chunks = (end - begin + chunk_size - 1) / chunk_size;
+      numbering.for_each_chunk(Index(number_of_chunks), [&](Index chunk, std::vector<Index>& ring) {
+        const std::size_t from = begin + chunk * chunk_size;
+        read_chunk(numbering, from, std::min(from + chunk_size, end), ring, numbering.chunks[chunk]);
+      });
+      for (std::size_t i = 0; i < number_of_chunks; ++i) {
+        const Chunk& chunk = numbering.chunks[i];
+        for (std::size_t j = 0; j < chunk.size; ++j) {
+          numbering.append(chunk.candidates[j].vertex, chunk.candidates[j].parent);
         }
       }
+      begin = end;
     }
   }
 
@@ -175,11 +253,12 @@ private:
 
 /// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose
 /// of the surface. O(n + c log c) for c components.
+/// \param number_of_threads 0 for as many as TBB allows; the order is the same for any number
 /// \pre `triangles` is closed, without isolated vertices; `pairing` and `components` are those of its faces
 inline Canonical_order canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                       const Surface_components& components)
+                                       const Surface_components& components, unsigned number_of_threads = 1)
 {
-  return Canonical_ordering(triangles, pairing, components).order();
+  return Canonical_ordering(triangles, pairing, components).order(number_of_threads);
 }
 
 } // namespace CSCD::internal

@@ -106,7 +106,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
     extend_sides(triangles, sheets.side);
   }
 
-  Canonical_order order = canonical_order(triangles, pairing, components);
+  Canonical_order order = canonical_order(triangles, pairing, components, number_of_threads);
   pairing = {}; // before memory is taken for those of the new numbers
   renumber(triangles, order.vertices, number_of_threads);
   result.side_of_sheet.resize(sheets.side.size());
