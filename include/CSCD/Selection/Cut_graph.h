@@ -87,8 +87,7 @@ public:
 
 private:
   explicit Cut_graph(const Triangulated_surface& surface)
-      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0),
-        m_first_interval(surface.number_of_halfedges(), no_index)
+      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0)
   {
   }
 
@@ -156,9 +155,8 @@ private:
   /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
   void split_edges(const Separator_arrangement& arrangement)
   {
-    for (Index edge : m_crossable_edges) {
-      m_first_interval[edge] = no_index;
-    }
+    m_is_cut.assign(m_crossable_edges.size(), 0);
+    auto crossable = m_crossable_edges.begin();
     const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
     m_sorted_points.resize(points.size());
     std::iota(m_sorted_points.begin(), m_sorted_points.end(), Index(0));
@@ -172,8 +170,10 @@ private:
     for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
       m_order[m_sorted_points[i]] = Index(i);
       const Index edge = points[m_sorted_points[i]].edge;
-      if (m_first_interval[edge] == no_index) {
-        m_first_interval[edge] = Index(m_intervals.size());
+      const bool is_first = i == 0 || points[m_sorted_points[i - 1]].edge != edge;
+      if (is_first) {
+        crossable = std::lower_bound(crossable, m_crossable_edges.end(), edge); // both are in ascending order
+        m_is_cut[std::size_t(crossable - m_crossable_edges.begin())] = 1;
         m_intervals.push_back(m_cluster[m_surface.origin(edge)]);
       }
       m_interval_before[m_sorted_points[i]] = Index(m_intervals.size() - 1);
@@ -188,8 +188,9 @@ private:
 
   void join_remaining_edges()
   {
-    for (Index edge : m_crossable_edges) {
-      if (m_first_interval[edge] == no_index) {
+    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
+      if (m_is_cut[i] == 0) {
+        const Index edge = m_crossable_edges[i];
         m_sets.join(m_cluster[m_surface.origin(edge)], m_cluster[m_surface.target(edge)]);
       }
     }
@@ -318,9 +319,9 @@ private:
       piece.euler += m_clusters[cluster].euler;
       piece.area += m_clusters[cluster].area;
     }
-    for (Index edge : m_crossable_edges) {
-      if (m_first_interval[edge] == no_index) {
-        --m_pieces[piece_of_vertex(m_surface.origin(edge))].euler;
+    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
+      if (m_is_cut[i] == 0) {
+        --m_pieces[piece_of_vertex(m_surface.origin(m_crossable_edges[i]))].euler;
       }
     }
     for (Index interval : m_intervals) {
@@ -378,13 +379,13 @@ private:
 
   const Triangulated_surface& m_surface;
   std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
-  std::vector<Index> m_crossable_edges;
+  std::vector<Index> m_crossable_edges;     ///< in ascending order, as the next
   std::vector<Index> m_crossable_faces;
   std::vector<Cluster> m_clusters;
-  std::vector<Index> m_first_interval;
-  std::vector<Index> m_cluster; ///< of every vertex
-  Disjoint_sets m_sets;         ///< of clusters and of inner parts of edges
-  std::vector<Index> m_label;   ///< the piece of each of them
+  std::vector<std::uint8_t> m_is_cut; ///< of every crossable edge, whether a separator of the arrangement cuts it
+  std::vector<Index> m_cluster;       ///< of every vertex
+  Disjoint_sets m_sets;               ///< of clusters and of inner parts of edges
+  std::vector<Index> m_label;         ///< the piece of each of them
   std::vector<Index> m_sorted_points;
   std::vector<Index> m_order; ///< of every point among the sorted ones
   std::vector<Index> m_intervals;
