@@ -199,15 +199,18 @@ run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const P
 #endif
 }
 
-/// Skeletonizes the mesh of `input`.
-Skeletonization_result compute_mesh_skeleton(const Input& input, const Skeletonize_options& options,
+/// Skeletonizes the mesh of `input`, or its triangles, which are used up.
+Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
 {
   using Traits = CSCD::Triangle_mesh_traits<Mesh>;
   const auto treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
                          : options.borders == open_borders  ? CSCD::Border_treatment::open
                                                             : CSCD::Border_treatment::automatic;
-  const Traits traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment, options.number_of_threads);
+  const Traits traits =
+      input.triangles ? Traits(std::move(input.triangles->triangles), std::move(input.triangles->pairing), treatment,
+                               options.number_of_threads)
+                      : Traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment, options.number_of_threads);
   Skeleton skeleton;
   Skeletonization_result result =
       options.method == published_method

@@ -53,7 +53,7 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file)
+Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file, bool makes_mesh)
 {
   Input input;
   CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, format, name);
@@ -64,20 +64,23 @@ Input read(std::istream& in, const std::string& format, const std::string& name,
   if (input.is_point_set) {
     CSCD::internal::convert_to_points(soup, input.points, input.normals);
     input.has_other_columns = soup.has_other_columns;
-  } else {
+  } else if (makes_mesh) {
     input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh);
+  } else {
+    input.triangles = CSCD::internal::make_manifold(std::move(soup), name);
+    input.repairs = input.triangles->report;
   }
   return input;
 }
 
-Input read_from(const std::string& name, const std::string& format, bool keeps_file)
+Input read_from(const std::string& name, const std::string& format, bool keeps_file, bool makes_mesh)
 {
   if (name == standard_stream) {
     if (format.empty()) {
       throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
                         "vtp, xyz or pcd");
     }
-    return read(std::cin, "." + format, name_of(name), keeps_file);
+    return read(std::cin, "." + format, name_of(name), keeps_file, makes_mesh);
   }
   std::error_code error;
   if (std::filesystem::is_directory(name, error)) {
@@ -87,7 +90,7 @@ Input read_from(const std::string& name, const std::string& format, bool keeps_f
   if (!in) {
     throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
   }
-  return read(in, format.empty() ? name : "." + format, name, keeps_file);
+  return read(in, format.empty() ? name : "." + format, name, keeps_file, makes_mesh);
 }
 
 /// The options that name files besides those of the skeleton, and the files.
@@ -306,9 +309,9 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh)
 {
-  Input input = read_from(name, format, keeps_file);
+  Input input = read_from(name, format, keeps_file, makes_mesh);
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
@@ -472,11 +475,19 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 
 namespace {
 
+/// Whether one of the results is made with the mesh, not with the skeleton alone.
+bool needs_mesh(const Skeletonize_options& options)
+{
+  return !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
+           options.labelled.empty() && options.report.empty() && options.html.empty()) ||
+         std::any_of(options.outputs.begin(), options.outputs.end(), is_rig);
+}
+
 /// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
-    return read_input(options.input, options.format, options.is_quiet, keeps_file);
+    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }

@@ -42,6 +42,8 @@ struct Input
 {
   bool is_point_set = false;
   Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
+  /// The triangles of the mesh, if it is not made of them; they are used up when it is skeletonized.
+  std::optional<CSCD::internal::Manifold_triangles> triangles;
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
   std::vector<Vector> normals;                           ///< of the points, or empty
@@ -62,8 +64,10 @@ struct Skeletonization_result : Run_report
 /// was repaired to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
 /// \param keeps_file whether the input is also kept as it was read
+/// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
+                 bool makes_mesh = true);
 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`

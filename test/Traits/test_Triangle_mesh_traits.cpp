@@ -3,11 +3,14 @@
 //
 // The surface traits of a mesh: counts, coordinates, correspondence, and independence from numbers and pose.
 
+#include "Surface/to_indexed_triangles.h"
 #include "Traits/message_of.h"
 #include "support/Similarity.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -23,10 +26,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <string>
 #include <thread>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -109,6 +114,40 @@ TEST(Triangle_mesh_traits, maps_vertices_to_those_of_the_mesh)
   EXPECT_EQ(seen.size(), shape.points.size());
   EXPECT_EQ(number_of_inserted_vertices, traits.surface().number_of_inserted_vertices());
   EXPECT_NEAR(area, 1, 1e-4);
+}
+
+TEST(Triangle_mesh_traits, of_triangles_are_those_of_their_mesh)
+{
+  Shape shape = CSCD::test::noisy(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::open), 0.01, 1);
+  shape.points.insert(shape.points.begin() + 5, 2, {0, 0, 9}); // without faces
+  for (auto& triangle : shape.triangles) {
+    for (auto& corner : triangle) {
+      corner += corner < 5 ? 0 : 2;
+    }
+  }
+  const Mesh mesh = to_mesh(shape);
+  const Traits expected(mesh);
+  CSCD::Indexed_triangles triangles = CSCD::test::to_indexed_triangles(shape);
+  CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  const Traits traits(std::move(triangles), std::move(pairing));
+  EXPECT_EQ(description(traits).number_of_isolated_vertices, 2u);
+  EXPECT_EQ(description(traits).number_of_input_vertices, description(expected).number_of_input_vertices);
+  EXPECT_EQ(description(traits).warnings, description(expected).warnings);
+  ASSERT_EQ(traits.surface().triangulation().points(), expected.surface().triangulation().points());
+  for (Index vertex = 0; vertex < traits.surface().triangulation().number_of_vertices(); ++vertex) {
+    ASSERT_EQ(traits.descriptors(vertex).size(), expected.descriptors(vertex).size());
+    if (!traits.descriptors(vertex).empty()) {
+      EXPECT_EQ(*traits.descriptors(vertex).begin(), *expected.descriptors(vertex).begin());
+    }
+  }
+}
+
+TEST(Triangle_mesh_traits, of_triangles_refuse_coordinates_that_are_not_finite)
+{
+  CSCD::Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::cube());
+  triangles.points[3].y() = std::numeric_limits<double>::infinity();
+  CSCD::Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  EXPECT_TRUE(names(message_of([&] { Traits(std::move(triangles), std::move(pairing)); }), "vertex 3"));
 }
 
 TEST(Triangle_mesh_traits, keeps_lengths_in_proportion)

@@ -943,6 +943,19 @@ TEST_F(Cscd, answer_does_not_depend_on_the_number_of_threads)
   EXPECT_EQ(one, run("skeletonize torus.off -o -").out);
 }
 
+TEST_F(Cscd, answer_does_not_depend_on_what_else_is_written)
+{
+  // A report is made with the mesh; without one no mesh is made of the triangles.
+  auto mesh = file_content(CSCD::test::with_small_holes(CSCD::test::y_tube(0.2), 3, 7));
+  mesh.points.push_back({9, 9, 9}); // without a face
+  m_folder.write("y.off", off(mesh));
+  const Outcome alone = run("skeletonize y.off -o t.json");
+  const Outcome with_report = run("skeletonize y.off -o u.json --report r.json");
+  EXPECT_EQ(0, alone.status) << alone.err;
+  EXPECT_EQ(alone.err, with_report.err);
+  EXPECT_EQ(content("t.json"), content("u.json"));
+}
+
 TEST_F(Cscd, number_of_sources_can_be_bounded)
 {
   m_folder.write("torus.off", off(torus()));

@@ -23,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -79,6 +80,15 @@ std::array<Index, 3> collect_corners(const TriangleMesh& mesh, const VertexNumbe
   return corners;
 }
 
+/// \throw Input_error if `point`, that of vertex `number`, has a coordinate that is not finite
+inline void check_finite(const Vector_3& point, Index number)
+{
+  if (!point.allFinite()) {
+    throw Input_error("vertex " + std::to_string(number) +
+                      " has a coordinate that is not finite: correct it or remove the vertex");
+  }
+}
+
 /// Reads `mesh` into points and index triples.
 /// Vertices and faces keep the order in which the mesh iterates them; vertices without a face are left out.
 /// Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
@@ -122,14 +132,37 @@ collect_triangles(const TriangleMesh& mesh, const VertexPointMap& point_map, uns
     result.descriptors[i] = result.descriptors[input_number[i]];
     const auto& point = get(point_map, result.descriptors[i]);
     triangles.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
-    if (!triangles.points.back().allFinite()) {
-      throw Input_error("vertex " + std::to_string(input_number[i]) +
-                        " has a coordinate that is not finite: correct it or remove the vertex");
-    }
+    check_finite(triangles.points.back(), input_number[i]);
   }
   result.descriptors.resize(input_number.size());
   result.pairing = check_manifold(
       triangles, [&input_number](Index vertex) { return input_number[vertex]; }, number_of_threads);
+  return result;
+}
+
+/// Takes over the triangles of a mesh whose vertices are their points, with the same numbers, as if that mesh were
+/// read. \tparam VertexDescriptor constructible from a number
+/// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
+/// \throw Input_error if a coordinate is not finite
+template <class VertexDescriptor>
+Collected_triangles<VertexDescriptor> take_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                                     unsigned number_of_threads = 1)
+{
+  Collected_triangles<VertexDescriptor> result;
+  result.triangles = std::move(triangles);
+  result.pairing = std::move(pairing);
+  auto& [points, faces, first_hole_filling_face] = result.triangles;
+  const std::vector<Index> input_number = compact_numbers(faces, points.size());
+  result.number_of_isolated_vertices = points.size() - input_number.size();
+  for (std::size_t i = 0; i < input_number.size(); ++i) {
+    points[i] = Vector_3(points[input_number[i]]);
+    check_finite(points[i], input_number[i]);
+  }
+  if (result.number_of_isolated_vertices > 0) {
+    points.resize(input_number.size());
+    result.pairing = Halfedge_pairing(faces, points.size(), number_of_threads);
+  }
+  result.descriptors = std::vector<VertexDescriptor>(input_number.begin(), input_number.end());
   return result;
 }
 
