@@ -110,7 +110,8 @@ TEST(Published_policies, find_the_tips_of_limbs)
 TEST(Published_policies, follow_the_middle_of_sheets)
 {
   for (const CSCD::test::Sheet_shape& sheet :
-       {CSCD::test::strip_sheet(8, 2), CSCD::test::torus_sheet(CSCD::test::pi), CSCD::test::y_sheet(6)}) {
+       {CSCD::test::strip_sheet(8, 2), CSCD::test::torus_sheet(CSCD::test::pi), CSCD::test::y_sheet(6),
+        CSCD::test::leaf_sheet(), CSCD::test::curved_sheet()}) {
     SCOPED_TRACE(sheet.shape.name);
     const Mesh mesh = CSCD::test::to_mesh<Mesh>(sheet.shape);
     const Traits traits(mesh, get(CGAL::vertex_point, mesh), CSCD::Border_treatment::automatic);
@@ -121,12 +122,8 @@ TEST(Published_policies, follow_the_middle_of_sheets)
     EXPECT_EQ(report.number_of_sheets, 1u);
     EXPECT_GT(report.number_of_open_separators, 0u);
     EXPECT_EQ(report.betti_number, sheet.betti_number);
-    double sum = 0;
     const Plain_skeleton plain = CSCD::test::plain(mesh, skeleton);
-    for (const CSCD::test::Triple& point : plain.points) {
-      sum += sheet.distance_from_middle(point) / sheet.half_width;
-    }
-    EXPECT_LT(sum / double(plain.points.size()), 0.05);
+    EXPECT_LT(CSCD::test::max_distance_from_middle(sheet, plain.points, plain.edges), 0.05);
     EXPECT_EQ(report.number_of_tips, sheet.ends.size());
     EXPECT_LT(CSCD::test::max_distance_from_ends(sheet, plain.points), 0.05);
   }

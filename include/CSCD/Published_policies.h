@@ -107,7 +107,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
     internal::place_on_sheets(surface, separators, packing.packed(), builder);
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
       internal::Junction_centering(surface, builder).center_on_sheets();
-      internal::Sheet_ends(surface, builder)();
+      internal::finish_on_sheets(surface, builder);
     }
   };
   return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);

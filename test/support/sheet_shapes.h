@@ -233,6 +233,23 @@ inline Shape open_vest()
   return shape;
 }
 
+/// The largest distance of points on `edges` between `points` from the middle line of `sheet`, relative to half of its
+/// width.
+inline double max_distance_from_middle(const Sheet_shape& sheet, const std::vector<Triple>& points,
+                                       const std::vector<std::pair<std::size_t, std::size_t>>& edges)
+{
+  constexpr int parts = 10; // of an edge
+  double result = 0;
+  for (const auto& [a, b] : edges) {
+    for (int i = 0; i <= parts; ++i) {
+      const double along = double(i) / parts;
+      const Triple point = (1 - along) * points[a] + along * points[b];
+      result = std::max(result, sheet.distance_from_middle(point) / sheet.half_width);
+    }
+  }
+  return result;
+}
+
 /// The largest distance of an end of the middle line of `sheet` from the nearest of `points`, relative to half of its
 /// width; 0 where it has no ends.
 inline double max_distance_from_ends(const Sheet_shape& sheet, const std::vector<Triple>& points)

@@ -176,26 +176,23 @@ inline void smooth_branches(Skeleton_builder& builder)
   }
 }
 
-/// Moves the nodes of branches towards the middle of the section of the body that is perpendicular to the branch, all
-/// at once. Its direction is taken over a part of the branch, not between the neighbors: these are often nearer than
-/// the errors of their positions are small.
+/// Moves the nodes of branches towards the middle of the section of the body, or of a sheet, that is perpendicular to
+/// the branch, all at once. Its direction is taken over a part of the branch, not between the neighbors: these are
+/// often nearer than the errors of their positions are small.
 class Branch_centering
 {
 public:
-  Branch_centering(const Triangulated_solid& solid, Skeleton_builder& builder) : m_builder(builder), m_section(solid) {}
+  Branch_centering(const Triangulated_solid& solid, Skeleton_builder& builder)
+      : m_solid(solid), m_builder(builder), m_section(solid), m_sheet_section(solid)
+  {
+  }
 
+  /// Centers the branches of bodies, and smooths them.
   void operator()()
   {
     std::vector<Index> centered;
     std::vector<Vector_3> positions;
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      const bool has_section = m_builder.is_regular(node) && !m_builder[node].is_on_sheet;
-      const std::optional<Vector_3> center = has_section ? section_center(node) : std::nullopt;
-      if (center) {
-        centered.push_back(node);
-        positions.push_back(m_builder[node].position + centering_share * (*center - m_builder[node].position));
-      }
-    }
+    collect_sections(false, m_builder.size(), centering_share, centered, positions);
     move(centered, positions);
     for (std::size_t i = 0; i < centered.size(); ++i) {
       const Skeleton_builder::Node& node = m_builder[centered[i]];
@@ -207,6 +204,17 @@ public:
       }
     }
     move(centered, positions);
+  }
+  /// Moves the nodes on sheets among the first `number_of_nodes` to the middle of sections. Separators that are oblique
+  /// to the borders have theirs aside.
+  void center_on_sheets(Index number_of_nodes)
+  {
+    std::vector<Index> centered;
+    std::vector<Vector_3> positions;
+    for (int round = 0; round < number_of_sheet_rounds && m_solid.number_of_sheets() > 0; ++round) {
+      collect_sections(true, number_of_nodes, 1, centered, positions);
+      move(centered, positions);
+    }
   }
 
 private:
@@ -223,6 +231,25 @@ private:
   /// The squared length of a section, relative to that of the circle of the same area: the centroid of a less compact
   /// one is no middle of the body.
   static constexpr double max_squared_length = 2;
+  /// The first round turns branches of sheets, too: the second one has better directions.
+  static constexpr int number_of_sheet_rounds = 2;
+
+  /// Writes the nodes of branches, on sheets or not, that have a section to be trusted, and where they are with `share`
+  /// of the way to its center.
+  void collect_sections(bool is_on_sheet, Index number_of_nodes, double share, std::vector<Index>& nodes,
+                        std::vector<Vector_3>& positions)
+  {
+    nodes.clear();
+    positions.clear();
+    for (Index node = 0; node < number_of_nodes; ++node) {
+      const bool is_chosen = m_builder.is_regular(node) && m_builder[node].is_on_sheet == is_on_sheet;
+      const std::optional<Vector_3> center = is_chosen ? section_center(node) : std::nullopt;
+      if (center) {
+        nodes.push_back(node);
+        positions.push_back(m_builder[node].position + share * (*center - m_builder[node].position));
+      }
+    }
+  }
 
   void move(const std::vector<Index>& nodes, const std::vector<Vector_3>& positions)
   {
@@ -254,18 +281,28 @@ private:
     if (!(direction.norm() > 0)) {
       return std::nullopt;
     }
-    const std::optional<Section_disc> disc = m_section(node.position, direction.normalized(), node.radius);
-    const double circle = 4 * boost::math::double_constants::pi * (disc ? disc->area : 0);
-    if (!disc || m_section.length() * m_section.length() > max_squared_length * circle ||
-        (disc->center - node.position).norm() > max_shift * node.radius ||
-        !is_direct(m_builder[node.neighbors[0]].position, disc->center, m_builder[node.neighbors[1]].position)) {
+    const std::optional<Vector_3> center = node.is_on_sheet
+                                               ? m_sheet_section(node.position, direction.normalized(), node.radius)
+                                               : center_of_body(node, direction.normalized());
+    if (!center || (*center - node.position).norm() > max_shift * node.radius ||
+        !is_direct(m_builder[node.neighbors[0]].position, *center, m_builder[node.neighbors[1]].position)) {
       return std::nullopt;
     }
-    return disc->center;
+    return center;
   }
 
+  std::optional<Vector_3> center_of_body(const Skeleton_builder::Node& node, const Vector_3& direction)
+  {
+    const std::optional<Section_disc> disc = m_section(node.position, direction, node.radius);
+    const double circle = 4 * boost::math::double_constants::pi * (disc ? disc->area : 0);
+    const bool is_compact = disc && m_section.length() * m_section.length() <= max_squared_length * circle;
+    return is_compact ? std::optional<Vector_3>(disc->center) : std::nullopt;
+  }
+
+  const Triangulated_solid& m_solid;
   Skeleton_builder& m_builder;
   Branch_section m_section;
+  Sheet_section m_sheet_section;
 };
 
 /// Removes and moves nodes of branches where the straight way stays inside the body. Neither topology nor the

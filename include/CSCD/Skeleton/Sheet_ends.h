@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_SHEET_ENDS_H
 #define CSCD_SKELETON_SHEET_ENDS_H
 
+#include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -168,6 +169,16 @@ private:
   double m_half_width = 0; ///< there
   double m_taper = 0;      ///< the most by which it has fallen, relative to the way
 };
+
+/// Centers the nodes of `builder` that are on sheets, and leads branches to the borders.
+inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& builder)
+{
+  Branch_centering centering(solid, builder);
+  const Index number_of_nodes = builder.size();
+  centering.center_on_sheets(number_of_nodes);
+  Sheet_ends(solid, builder)();
+  centering.center_on_sheets(number_of_nodes); // those that were the last ones have a direction now
+}
 
 } // namespace CSCD::internal
 

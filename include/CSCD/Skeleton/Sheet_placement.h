@@ -14,6 +14,8 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -201,8 +203,10 @@ public:
   {
     const double expected_length = 4 * expected_half_width; // on both sides
     const Index face = m_solid.closest_point(point).face;
-    if (!m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
-        m_section.length() < min_length * expected_length) {
+    // Where edges are in the plane, as on grids, it may miss the face beside them.
+    const bool is_cut = m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
+                        m_section.cut_at_vertex(nearest_corner(face, point, axis), axis, max_length * expected_length);
+    if (!is_cut || m_section.length() < min_length * expected_length) {
       return std::nullopt;
     }
     const Surface_level& level = query_level(m_solid);
@@ -217,6 +221,16 @@ private:
   /// Bounds for the length of an accepted section, relative to the expected one: as for radii in `Branch_section`.
   static constexpr double min_length = 0.6;
   static constexpr double max_length = 1.5;
+
+  /// The corner of `face` that is nearest to the plane through `point` perpendicular to `axis`.
+  Index nearest_corner(Index face, const Vector_3& point, const Vector_3& axis) const
+  {
+    const Triangulated_surface& surface = m_solid.query_surface();
+    const auto distance = [&](Index h) { return std::fabs(axis.dot(surface.point(surface.origin(h)) - point)); };
+    const auto sides = Triangulated_surface::face_halfedges(face);
+    return surface.origin(
+        *std::min_element(sides.begin(), sides.end(), [&](Index a, Index b) { return distance(a) < distance(b); }));
+  }
 
   const Triangulated_solid& m_solid;
   Plane_section m_section;

@@ -48,7 +48,7 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
   Branch_centering(solid, result.graph)();
-  Sheet_ends(solid, result.graph)();
+  finish_on_sheets(solid, result.graph);
   Branch_straightening straightening(solid, result.graph);
   straightening.drop_folds();
   Inside_repair(solid, result.graph)();
