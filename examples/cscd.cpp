@@ -241,7 +241,8 @@ void add_published_method(CLI::App& command, cscd::Skeletonize_options& options)
       ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
   command
       .add_option("--placement", options.placement,
-                  "published method: nodes are centroids of regions or, of a mesh, in the middle of sections")
+                  "published method: nodes are centroids of regions or in the middle of sections, with tips at the "
+                  "ends of limbs")
       ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
   command.add_flag("--literal", options.is_literal,
                    "published method: as printed, with the tree, sources one by one, overlap by crossings");

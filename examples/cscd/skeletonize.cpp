@@ -426,8 +426,7 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
   for (const auto& [is_given, option] : {std::pair(options.is_multiscale, "--multiscale"),
-                                         std::pair(options.is_intrinsic.value_or(false), "--intrinsic"),
-                                         std::pair(options.placement == section_placement, "--placement sections")}) {
+                                         std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
     if (input.is_point_set && is_given) {
       throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
     }

@@ -11,6 +11,7 @@
 #include <CSCD/Selection/Search_settings.h>
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Region_sections.h>
 #include <CSCD/Skeleton/Sheet_ends.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -21,8 +22,6 @@
 #include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
-
-#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -45,8 +44,7 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
-  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search and placement by sections for
-  /// `Triangulated_solid` only
+  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources, or `default_number_of_sources` where that has no bound.
@@ -60,7 +58,8 @@ public:
                           Skeletonization_report& report) const;
 
   /// Builds the skeleton of the quotient graph: a node for each region, an edge where two regions touch. With
-  /// `Placement_rule::sections` it is that of the surface cut along the packed separators, as by `Local_policies`.
+  /// `Placement_rule::sections` it is, for a `Triangulated_solid`, that of the surface cut along the packed separators,
+  /// as by `Local_policies`; else nodes are moved towards the middle of separators, and limbs get tips.
   template <class Surface>
   Embedded_skeleton build_skeleton(const Surface& surface, const std::vector<Separator>& separators,
                                    const Packing& packing, Skeletonization_report& report) const;
@@ -102,12 +101,13 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
       return internal::build_cut_graph_skeleton(surface, separators, packing.packed(), report);
     }
   }
-  CGAL_precondition(m_settings.placement_rule == Placement_rule::centroids);
   const auto place_nodes = [&](Skeleton_builder& builder) {
     internal::place_on_sheets(surface, separators, packing.packed(), builder);
     if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
       internal::Junction_centering(surface, builder).center_on_sheets();
       internal::finish_on_sheets(surface, builder);
+    } else if (m_settings.placement_rule == Placement_rule::sections) {
+      internal::Region_sections(surface.triangulation(), separators, packing, builder)();
     }
   };
   return internal::Quotient_skeleton_builder<Surface>(surface, packing.regions(), place_nodes)(report);

@@ -386,7 +386,7 @@ def skeletonize(
     cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
     weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
         "shortness" or "none"
-    placement: published method: where nodes are, at "centroids" of regions or, of a mesh, in the middle of "sections"
+    placement: published method: where nodes are, at "centroids" of regions or in the middle of "sections", with tips
     literal: published method: as printed where the default differs
     intrinsic: published method: whether targets and loops are on the intrinsic triangulation, as distances are; by
         default wherever that can be

@@ -16,6 +16,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Published_policies.h>
+#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Traits/Point_set_traits.h>
@@ -71,11 +72,11 @@ struct Outcome
 /// Skeletonizes and checks what must hold for every point set.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources = number_of_sources,
-                    unsigned number_of_threads = 1)
+                    unsigned number_of_threads = 1, const CSCD::Field_search_settings& settings = {})
 {
   const Points points = CSCD::test::to_points<Point>(triples);
   const Traits traits(points);
-  Skeletonization skeletonization(traits);
+  Skeletonization skeletonization(traits, Policies(settings));
   skeletonization.set_maximum_number_of_sources(max_sources).set_number_of_threads(number_of_threads);
   Outcome outcome;
   outcome.report = skeletonization.run<ConcurrencyTag>(outcome.skeleton);
@@ -211,6 +212,16 @@ TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
   const double tolerance = 0.03 * diagonal(m_shape);
   EXPECT_LT(CSCD::test::mean_distance(of_points, of_mesh), tolerance);
   EXPECT_LT(CSCD::test::mean_distance(of_mesh, of_points), tolerance);
+}
+
+TEST_P(Sampled_cloud, has_its_topology_and_tips_by_sections)
+{
+  CSCD::Field_search_settings settings;
+  settings.placement_rule = CSCD::Placement_rule::sections;
+  const std::vector<Triple> points = sampled(m_shape, number_of_points, 1);
+  const Outcome outcome = skeletonize(points, number_of_sources, 1, settings);
+  expect_topology(outcome);
+  EXPECT_GE(outcome.report.number_of_tips, skeletonize(points).report.number_of_tips);
 }
 
 std::vector<Triple> some_points()

@@ -259,7 +259,7 @@ private:
   }
 
   /// The first node beyond the window on the way from `node` over its neighbor `next`, or the end of the branch.
-  const Vector_3& end_of_window(Index node, Index next) const
+  Index end_of_window(Index node, Index next) const
   {
     const Vector_3& center = m_builder[node].position;
     const double distance = window * m_builder[node].radius;
@@ -270,15 +270,24 @@ private:
       before = next;
       next = after;
     }
-    return m_builder[next].position;
+    return next;
+  }
+
+  /// Whether `node` is in the disc of the junction `end`, where a section leads into other branches.
+  bool is_in_junction(Index node, Index end) const
+  {
+    return m_builder.is_junction(end) && m_builder.edge_length(node, end) < m_builder[end].radius;
   }
 
   /// The center of the section through `node`, if it is to be trusted.
   std::optional<Vector_3> section_center(Index index)
   {
     const Skeleton_builder::Node& node = m_builder[index];
-    const Vector_3 direction = end_of_window(index, node.neighbors[1]) - end_of_window(index, node.neighbors[0]);
-    if (!(direction.norm() > 0)) {
+    const Index before = end_of_window(index, node.neighbors[0]);
+    const Index after = end_of_window(index, node.neighbors[1]);
+    const Vector_3 direction = m_builder[after].position - m_builder[before].position;
+    if (!(direction.norm() > 0) ||
+        (node.is_on_sheet && (is_in_junction(index, before) || is_in_junction(index, after)))) {
       return std::nullopt;
     }
     const std::optional<Vector_3> center = node.is_on_sheet

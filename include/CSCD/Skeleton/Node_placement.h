@@ -11,6 +11,7 @@
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Bridged_borders.h>
+#include <CSCD/Skeleton/Limb_end.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -57,25 +59,24 @@ public:
     }
   };
 
-  /// The area-weighted sum of those vertices of `piece` that are at least `min_distance` from its separators.
-  Weighted_sum area_sum(Index piece, float min_distance = 0) const
+  /// The area-weighted sum of the vertices of `piece`.
+  Weighted_sum area_sum(Index piece) const
   {
     const Triangulated_surface& surface = m_regions.level().surface;
     Weighted_sum result;
     for (Index vertex : vertices(piece)) {
-      if (m_regions.distance(vertex) >= min_distance) {
-        result.add(surface.point(vertex), double(surface.vertex_area(vertex)));
-      }
+      result.add(surface.point(vertex), double(surface.vertex_area(vertex)));
     }
     return result;
   }
 
-  /// The largest distance of a vertex of `piece` from its separators; 0 in an empty piece.
-  float height(Index piece) const
+  /// `piece` as the end of a limb.
+  Limb_end limb_end(Index piece) const
   {
-    float result = 0;
+    const Triangulated_surface& surface = m_regions.level().surface;
+    Limb_end result;
     for (Index vertex : vertices(piece)) {
-      result = std::max(result, m_regions.distance(vertex));
+      result.add(surface.point(vertex), double(surface.vertex_area(vertex)), m_regions.distance(vertex));
     }
     return result;
   }
@@ -135,16 +136,9 @@ private:
   /// Share of the centroid of the region in a node's position; the rest is the centroid of the section. On a bend, the
   /// first lies outwards of the middle of the body, the second on it; half and half reconstructs best.
   static constexpr double region_share = 0.5;
-  /// A piece at the end of a limb gets a tip if it is higher than this, relative to the radius of the limb ...
-  static constexpr double min_tip_height = 0.7;
-  /// ... or, on a sheet, whose ends are mostly straight, than this, ...
+  /// A piece at the end of a sheet, which is mostly straight, gets a tip if it is higher than this, relative to the
+  /// radius.
   static constexpr double min_tip_height_on_sheet = 1.5;
-  /// ... and the tip stays this far below the surface ...
-  static constexpr double tip_depth = 0.75;
-  /// ... and this far from the node that it is joined to, likewise.
-  static constexpr double min_tip_length = 0.3;
-  /// The direction of a tip is that to the vertices beyond this part of the height of the piece.
-  static constexpr double far_part = 0.6;
   /// A border at the end of a limb is an opening if it is this long, relative to the last separator of the limb. Across
   /// a shorter one, the limb is closed ...
   static constexpr double min_opening_length = 0.6;
@@ -230,22 +224,23 @@ private:
     if (m_number_of_openings[piece] > 0) {
       return;
     }
+    const double min_height = builder[base].is_on_sheet ? min_tip_height_on_sheet : Limb_end::min_tip_height;
     const double radius = builder[base].radius;
-    const float height = m_pieces.height(piece);
-    const Surface_pieces::Weighted_sum far = m_pieces.area_sum(piece, float(far_part * height));
-    const double min_height = builder[base].is_on_sheet ? min_tip_height_on_sheet : min_tip_height;
-    if (!(height > min_height * radius) || !(far.weight > 0)) {
-      return;
-    }
-    extend(builder, base, piece, (far.sum / far.weight - builder[base].position).normalized(), radius);
+    join_tip(builder, base, m_pieces.limb_end(piece).tip(builder[base].position, radius, min_height), piece, radius);
   }
 
   /// Joins a tip to `node`, in `direction`, if `piece` extends far enough.
   void extend(Skeleton_builder& builder, Index node, Index piece, const Vector_3& direction, double radius)
   {
-    const double length = m_pieces.extent(piece, builder[node].position, direction) - tip_depth * radius;
-    if (length > min_tip_length * radius) {
-      const Index tip = builder.add_node(builder[node].position + length * direction, radius);
+    const Limb_end end = m_pieces.limb_end(piece);
+    join_tip(builder, node, end.tip_towards(builder[node].position, direction, radius), piece, radius);
+  }
+
+  static void join_tip(Skeleton_builder& builder, Index node, const std::optional<Vector_3>& position, Index piece,
+                       double radius)
+  {
+    if (position) {
+      const Index tip = builder.add_node(*position, radius);
       builder[tip].pieces = {piece};
       builder.add_edge(node, tip);
     }

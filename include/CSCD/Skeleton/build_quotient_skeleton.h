@@ -514,7 +514,7 @@ private:
       builder[builder.add_node(center, 0)].separators = {region};
     }
     m_area = std::move(area);
-    const std::vector<double> radius = radii([](Index region) { return region; }, builder);
+    const std::vector<double> radius = radii([this](Index vertex) { return m_regions[vertex]; }, builder);
     for (Index region = 0; region < m_regions.size(); ++region) {
       builder[region].radius = radius[region];
     }
@@ -541,30 +541,38 @@ private:
     }
   }
 
+  /// Each vertex belongs to the node of its region, or to the tip of that, if it is nearer.
   void assign_vertices(Embedded_skeleton& skeleton) const
   {
     const Skeleton_builder& builder = skeleton.graph;
-    std::vector<Index> node_of_region(m_regions.size());
+    std::vector<std::vector<Index>> nodes_of_region(m_regions.size());
     for (Index node = 0; node < builder.size(); ++node) {
-      for (Index region : builder[node].separators) {
-        node_of_region[region] = node;
+      for (const std::vector<Index>* regions : {&builder[node].separators, &builder[node].pieces}) {
+        for (Index region : *regions) {
+          nodes_of_region[region].push_back(node);
+        }
       }
     }
     skeleton.node_of_vertex.resize(m_triangulation.number_of_vertices());
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
-      skeleton.node_of_vertex[vertex] = node_of_region[m_regions[vertex]];
+      const std::vector<Index>& nodes = nodes_of_region[m_regions[vertex]];
+      const auto distance = [&](Index node) {
+        return (m_triangulation.points()[vertex] - builder[node].position).squaredNorm();
+      };
+      skeleton.node_of_vertex[vertex] =
+          *std::min_element(nodes.begin(), nodes.end(), [&](Index a, Index b) { return distance(a) < distance(b); });
     }
-    skeleton.radius = radii([&](Index region) { return node_of_region[region]; }, builder);
+    skeleton.radius = radii([&](Index vertex) { return skeleton.node_of_vertex[vertex]; }, builder);
   }
 
   /// For each node, the median by area of the distances of its vertices; what the builder has where a node has no
   /// vertices.
-  template <class NodeOfRegion>
-  std::vector<double> radii(const NodeOfRegion& node_of_region, const Skeleton_builder& builder) const
+  template <class NodeOfVertex>
+  std::vector<double> radii(const NodeOfVertex& node_of_vertex, const Skeleton_builder& builder) const
   {
     std::vector<std::vector<std::pair<double, double>>> distances(builder.size());
     for (Index vertex = 0; vertex < m_triangulation.number_of_vertices(); ++vertex) {
-      const Index node = node_of_region(m_regions[vertex]);
+      const Index node = node_of_vertex(vertex);
       distances[node].emplace_back((m_triangulation.points()[vertex] - builder[node].position).norm() +
                                        vertex_radius(m_triangulation, vertex),
                                    double(m_triangulation.vertex_area(vertex)));
