@@ -224,6 +224,21 @@ TEST_P(Sampled_cloud, has_its_topology_and_tips_by_sections)
   EXPECT_GE(outcome.report.number_of_tips, skeletonize(points).report.number_of_tips);
 }
 
+TEST(Point_cloud_skeleton, leads_farther_to_the_ends_of_limbs_by_sections)
+{
+  // From -1 to 9 along the x axis.
+  const std::vector<Triple> points = sampled(CSCD::test::capsule(8, 1, 24), number_of_points, 1);
+  const auto extent = [&](CSCD::Placement_rule rule) {
+    CSCD::Field_search_settings settings;
+    settings.placement_rule = rule;
+    const Plain_skeleton skeleton = CSCD::test::plain(skeletonize(points, number_of_sources, 1, settings).skeleton);
+    const auto [least, greatest] = std::minmax_element(skeleton.points.begin(), skeleton.points.end());
+    return (*greatest)[0] - (*least)[0];
+  };
+  EXPECT_GT(extent(CSCD::Placement_rule::sections), extent(CSCD::Placement_rule::centroids));
+  EXPECT_LT(extent(CSCD::Placement_rule::sections), 10);
+}
+
 std::vector<Triple> some_points()
 {
   return sampled(CSCD::test::double_torus(0.2), number_of_points, 1);
