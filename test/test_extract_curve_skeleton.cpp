@@ -391,6 +391,32 @@ Mesh body_with_limbs()
       "body with limbs", {{{-5, 0, 0}, {5, 0, 0}, 1, 1}, limb(-3, 0.2), limb(0, 0.6), limb(3, 2)}, 0.15));
 }
 
+TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)
+{
+  const auto mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::cup(0.07));
+  Skeleton skeleton;
+  const auto report = CSCD::extract_curve_skeleton(mesh, skeleton);
+  EXPECT_GT(report.number_of_tunnels, 0u);
+  EXPECT_LE(report.number_of_tips, 1u);
+  EXPECT_EQ(report.number_of_edges_outside, 0u);
+  // What is left without branches to tips is the cycle.
+  ASSERT_EQ(report.betti_number, 1u);
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const auto node : CGAL::make_range(vertices(skeleton))) {
+      if (out_degree(node, skeleton) == 1) {
+        clear_vertex(node, skeleton);
+        is_changed = true;
+      }
+    }
+  }
+  for (const auto node : CGAL::make_range(vertices(skeleton))) {
+    if (out_degree(node, skeleton) > 0) {
+      EXPECT_GT(skeleton[node].point.x(), 0.6) << "in the handle, or in the wall beside it";
+    }
+  }
+}
+
 TEST(Detail, decides_how_small_a_limb_may_be)
 {
   const Mesh mesh = body_with_limbs();

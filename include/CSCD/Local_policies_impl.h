@@ -7,6 +7,7 @@
 #define CSCD_LOCAL_POLICIES_IMPL_H
 
 #include <CSCD/Local_policies.h>
+#include <CSCD/Selection/Balance_and_roundness.h>
 #include <CSCD/Selection/Covering_search.h>
 #include <CSCD/Selection/Separator_packing.h>
 #include <CSCD/Selection/cut_handles.h>
@@ -62,6 +63,12 @@ CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triang
                                                                     std::vector<Separator>& separators,
                                                                     Skeletonization_report& report) const
 {
+  const std::size_t number_found = separators.size();
+  separators.erase(
+      std::remove_if(separators.begin(), separators.end(),
+                     [&](const Separator& separator) { return internal::is_around_hollow(solid, separator); }),
+      separators.end());
+  report.number_of_tunnels = number_found - separators.size();
   auto packing = std::make_unique<internal::Separator_packing>(solid.triangulation(), separators,
                                                                internal::separator_costs(separators, m_cost),
                                                                m_detail.min_branch_area_ratio());

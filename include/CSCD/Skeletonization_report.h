@@ -93,7 +93,7 @@ struct Skeletonization_report
   std::size_t number_of_held_loops = 0;         ///< separators that only the locality constraint holds; published only
   std::size_t number_of_unfinished_loops = 0;   ///< separators that could still be shortened; published only
   std::size_t number_of_bumps = 0;              ///< separators rejected since they only encircle a bump
-  std::size_t number_of_tunnels = 0;            ///< separators rejected since they do not span the body; published only
+  std::size_t number_of_tunnels = 0;            ///< separators rejected since they do not span the body
   std::size_t number_of_separators = 0;         ///< separators found
   std::size_t number_of_plane_sections = 0;     ///< of these, shortened by the section plane
   std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening

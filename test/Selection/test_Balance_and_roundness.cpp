@@ -123,6 +123,20 @@ TEST_F(Balance_and_roundness_of_torus_test, tells_handles_from_tunnels)
   EXPECT_EQ(verdict(around_all), Verdict::tunnel);
 }
 
+TEST(is_around_hollow, tells_the_wall_of_a_cup_from_its_handle)
+{
+  const Body cup(CSCD::test::cup(0.1));
+  const auto& surface = cup.triangulation();
+  const auto is_around_hollow = [&](const Vector_3& point, const Vector_3& axis, const Vector_3& near) {
+    return CSCD::internal::is_around_hollow(cup, section_separator(surface, point, axis, near));
+  };
+  EXPECT_TRUE(is_around_hollow({0, 0, 0.35}, {0, 0, 1}, {-1, 0, 0.35})) << "outside, below the handle";
+  EXPECT_TRUE(is_around_hollow({0, 0, 1.8}, {0, 0, 1}, {-0.8, 0, 1.8})) << "inside";
+  EXPECT_FALSE(is_around_hollow({1.5, 0, 1}, {0, 0, 1}, {1.6, 0, 1})) << "the handle";
+  EXPECT_FALSE(is_around_hollow({0, 0, 0.12}, {0, 0, 1}, {-1, 0, 0.12})) << "the bottom";
+  EXPECT_FALSE(is_around_hollow({-0.1, 0, 1}, {1, 0, 0}, {-0.1, 1, 1})) << "across the wall: like a bent sheet";
+}
+
 constexpr double unlimited = std::numeric_limits<double>::max();
 
 Surface_level tube_level()

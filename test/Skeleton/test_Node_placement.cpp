@@ -12,6 +12,7 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Rim_trimming.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/Vertex_assignment.h>
 #include <CSCD/Skeleton/place_junctions.h>
@@ -176,6 +177,44 @@ TEST_F(Node_placement, centers_a_junction_in_the_body)
   EXPECT_LT(m_unit * std::hypot(builder[junction].position.y(), builder[junction].position.z()), 0.1);
   EXPECT_NEAR(m_unit * builder[junction].radius, 1, 0.1);
   EXPECT_EQ(builder[1].position, tip) << "only junctions move";
+}
+
+/// A branch along the x axis to x = `end`, and from there to a tip at (`x`, `y`, 0); its radius is 0.5.
+Skeleton_builder branch_with_end(const Shape_solid& solid, double end, double x, double y)
+{
+  Skeleton_builder builder;
+  for (double place : {end - 1, end - 0.5, end}) {
+    const Index node = builder.add_node(solid.at(place, 0, 0), 0.5 / solid.unit());
+    if (node > 0) {
+      builder.add_edge(node - 1, node);
+    }
+  }
+  builder.add_edge(2, builder.add_node(solid.at(x, y, 0), 0.5 / solid.unit()));
+  return builder;
+}
+
+TEST(Rim_trimming, cuts_off_what_leads_into_a_rim)
+{
+  const std::vector<CSCD::test::Triple> places = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {4.3, 0, 0}};
+  const Shape_solid trumpet(
+      CSCD::test::swept_shape("trumpet", places, {0.5, 0.5, 0.5, 0.5, 0.5, 1.5}, 32, CSCD::test::Tube_end::flat));
+  Skeleton_builder into_rim = branch_with_end(trumpet, 4, 4.2, 0.6);
+  CSCD::internal::Rim_trimming(*trumpet, into_rim)();
+  into_rim.compact();
+  EXPECT_EQ(into_rim.size(), 3u);
+  EXPECT_EQ(into_rim.degree(2), 1u);
+  Skeleton_builder ahead = branch_with_end(trumpet, 3.5, 4.2, 0.2);
+  CSCD::internal::Rim_trimming(*trumpet, ahead)();
+  EXPECT_EQ(ahead.degree(3), 1u) << "goes on";
+}
+
+TEST(Rim_trimming, keeps_feet)
+{
+  const Shape_solid leg(
+      CSCD::test::limb_shape("leg", {{{0, 0, 0}, {4, 0, 0}, 0.5, 0.5}, {{4, 0, 0}, {4, 0.8, 0}, 0.5, 0.5}}, 0.15));
+  Skeleton_builder builder = branch_with_end(leg, 3.9, 4, 0.65);
+  CSCD::internal::Rim_trimming(*leg, builder)();
+  EXPECT_EQ(builder.degree(3), 1u);
 }
 
 TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)

@@ -182,6 +182,24 @@ inline Shape double_torus(double cell_size)
   return shape;
 }
 
+/// A cup with a handle beside x = 1: a wall of thickness 0.2 around the z axis, of radius 1 and height 2.
+inline Shape cup(double cell_size)
+{
+  const auto function = [](const Triple& p) {
+    const double radius = std::hypot(p[0], p[1]);
+    const double body = std::fmax(radius - 1, std::fabs(p[2] - 1) - 1);
+    const double hollow = std::fmax(radius - 0.8, 0.25 - p[2]);
+    const double ring = std::hypot(std::hypot(p[0] - 1, p[2] - 1) - 0.5, p[1]) - 0.15;
+    return std::fmin(std::fmax(body, -hollow), std::fmax(ring, 0.9 - p[0]));
+  };
+  const double margin = 2 * cell_size;
+  Shape shape = implicit_surface(function, {-1 - margin, -1 - margin, -margin}, {1.65 + margin, 1 + margin, 2 + margin},
+                                 cell_size);
+  shape.name = "cup";
+  shape.genus = 1;
+  return shape;
+}
+
 /// A ball with a thin tail: sizes that differ by an order of magnitude.
 inline Shape ball_with_tail(double cell_size)
 {

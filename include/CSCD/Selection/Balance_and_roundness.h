@@ -138,6 +138,24 @@ double span_inside_share(const Surface& surface, const std::vector<Vector_3>& po
   return double(inside) / double(samples);
 }
 
+/// Whether `separator` leads around something hollow, such as the wall of a cup: it is as round as the section of a
+/// limb, but its center, and most of the cone from there, lie outside of the body.
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
+bool is_around_hollow(const Surface& surface, const Separator& separator)
+{
+  constexpr double min_roundness = 0.85;    // isoperimetric quotient; sections of hollow ears have less
+  constexpr double max_inside_share = 0.35; // in walls of cups up to 0.32, in hollow ears 0.4
+  const double roundness =
+      4 * boost::math::double_constants::pi * separator.area / (separator.length * separator.length);
+  if (separator.is_open || roundness < min_roundness || surface.is_inside(separator.center)) {
+    return false;
+  }
+  std::vector<Vector_3> points;
+  curve_points(surface.triangulation(), separator, points);
+  return span_inside_share(surface, points, separator.center) < max_inside_share;
+}
+
 /// Weighs separators by the balance of the surface on their two sides and by their roundness (section 3.2.1), and
 /// prunes those that cut no limb (section 3.2.2). One object serves one thread.
 ///

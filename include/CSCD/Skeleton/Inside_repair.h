@@ -278,11 +278,26 @@ private:
       if (m_is_outside[node] == 0) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_surface.middle_behind(m_builder[node].position)) {
-        m_builder[node].position = *middle;
+      if (const std::optional<Vector_3> place = place_inside(node)) {
+        m_builder[node].position = *place;
         m_is_outside[node] = 0;
       }
     }
+  }
+
+  /// The middle of the body nearby; for a junction, such as where a handle joins the wall of a cup, behind the surface
+  /// that is nearest to the middle of its neighbors.
+  std::optional<Vector_3> place_inside(Index node)
+  {
+    if (m_builder.is_junction(node)) {
+      Vector_3 sum = Vector_3::Zero();
+      for (Index neighbor : m_builder[node].neighbors) {
+        sum += m_builder[neighbor].position;
+      }
+      const Vector_3 middle = sum / double(m_builder.degree(node));
+      return m_surface.is_inside(middle) ? middle : m_surface.middle_behind(middle);
+    }
+    return m_surface.middle_behind(m_builder[node].position);
   }
 
   /// The middle of the first stretch of the edge that is outside. At an opening there is no surface that says.

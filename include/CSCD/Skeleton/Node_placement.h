@@ -263,7 +263,8 @@ private:
       }
     }
     const Vector_3 direction = (farthest - center).normalized();
-    if (m_number_of_openings[piece] == 0) {
+    // From outside, tips would lead somewhere into the wall of what is hollow.
+    if (m_number_of_openings[piece] == 0 && m_solid.is_inside(center)) {
       extend(builder, node, piece, direction, radius);
       extend(builder, node, piece, -direction, radius);
     }

@@ -12,6 +12,7 @@
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Node_placement.h>
+#include <CSCD/Skeleton/Rim_trimming.h>
 #include <CSCD/Skeleton/Sheet_ends.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -28,9 +29,9 @@
 namespace CSCD::internal {
 
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`: nodes are
-/// placed, junctions centered, branches refined, smoothed and centered, and what left the body is brought back; what
-/// could not be is counted in `report`. Nodes that own little of the surface go. As many threads as found the
-/// separators share what can be shared.
+/// placed, junctions centered, ends in rims cut off, branches refined, smoothed and centered, and what left the body is
+/// brought back; what could not be is counted in `report`. Nodes that own little of the surface go. As many threads as
+/// found the separators share what can be shared.
 inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& solid,
                                                   const std::vector<Separator>& separators,
                                                   const std::vector<Index>& packed, const Cut_graph& cut_graph,
@@ -45,6 +46,7 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   merge_junctions(result.graph);
   Junction_centering(solid, result.graph)();
   drop_overshoots(result.graph);
+  Rim_trimming(solid, result.graph)();
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
   Branch_centering(solid, result.graph)();
