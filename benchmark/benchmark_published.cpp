@@ -38,6 +38,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -259,7 +260,7 @@ void add_methods(const std::vector<Input>& inputs)
 void add_numbers_of_sources(const std::vector<Input>& inputs)
 {
   for (const Input& input : inputs) {
-    for (std::size_t number = 8; number <= 8192; number *= 4) {
+    for (std::size_t number = 8; number <= 8192; number *= 2) {
       add("sources/" + input.name + '/' + std::to_string(number), input, {Method::published, number});
     }
   }
@@ -331,7 +332,12 @@ int main(int argc, char** argv)
     const std::vector<Input> two = {input_of(CSCD::benchmark::cgal_mesh("camel")),
                                     input_of(CSCD::benchmark::cgal_mesh("elephant"))};
     add_numbers_of_sources(two);
-    add_noise_and_resolution_and_holes(two);
+    std::vector<Input> altered = {input_of(CSCD::benchmark::cgal_mesh("armadillo")), two[0], two[1]};
+    const std::map<std::string, std::string> models = CSCD::benchmark::models();
+    if (const auto fertility = models.find("fertility_4494"); fertility != models.end()) {
+      altered.push_back(input_of(fertility->second));
+    }
+    add_noise_and_resolution_and_holes(altered);
     add_ring(inputs.front());
     add_threads(input_of(CSCD::benchmark::cgal_mesh("armadillo")));
   });
