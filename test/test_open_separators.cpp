@@ -88,6 +88,17 @@ TEST_F(Open_separators, tell_the_garment_that_is_cut_open)
   EXPECT_EQ(m_report.number_of_skeleton_components, 1u);
 }
 
+TEST_F(Open_separators, lead_along_each_finger_of_a_hand_that_is_cut_open)
+{
+  const Shape hand = CSCD::test::hand_cut_open();
+  skeletonize(hand);
+  EXPECT_EQ(m_report.number_of_sheets, 1u);
+  EXPECT_EQ(m_report.betti_number, 0u);
+  EXPECT_EQ(m_report.number_of_skeleton_components, 1u);
+  EXPECT_EQ(m_report.number_of_tips, hand.number_of_tips);
+  EXPECT_EQ(m_report.number_of_junctions, 1u);
+}
+
 /// A plate 6 by 3 with square windows around the given corners of its grid.
 Shape plate(const std::vector<Triple>& centers, double half_size)
 {

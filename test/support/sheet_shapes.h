@@ -233,6 +233,21 @@ inline Shape open_vest()
   return shape;
 }
 
+/// The back of a hand: a sheet with five fingers and a wrist.
+inline Shape hand_cut_open()
+{
+  Shape shape = hand(0.12);
+  std::vector<bool> is_removed;
+  for (const Triangle& triangle : shape.triangles) {
+    is_removed.push_back(shape.points[triangle[0]][2] + shape.points[triangle[1]][2] + shape.points[triangle[2]][2] <
+                         0);
+  }
+  remove_triangles(shape, is_removed);
+  shape.name = "hand, cut open";
+  shape.number_of_border_cycles = 1;
+  return shape;
+}
+
 /// The largest distance of points on `edges` between `points` from the middle line of `sheet`, relative to half of its
 /// width.
 inline double max_distance_from_middle(const Sheet_shape& sheet, const std::vector<Triple>& points,
