@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <limits>
@@ -690,7 +691,10 @@ int main(int argc, char** argv)
     complain(not_enough_memory);
     return internal_failure;
   } catch (const std::exception& error) {
-    complain(std::string("internal failure: ") + error.what() + "; please report it together with the input");
+    // oneTBB throws its own exception where there is no memory for the stack of a thread.
+    complain(std::strstr(error.what(), "pthread_create") != nullptr
+                 ? not_enough_memory
+                 : std::string("internal failure: ") + error.what() + "; please report it together with the input");
     return internal_failure;
   }
 }
