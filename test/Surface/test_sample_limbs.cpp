@@ -63,6 +63,12 @@ TEST(sample_limbs, leaves_what_is_sampled_alone)
   }
 }
 
+TEST(sample_limbs, takes_noise_for_no_limbs)
+{
+  const Shape tube = CSCD::test::noisy(CSCD::test::anisotropic_tube(40, 1, 48, 160), 1, 1);
+  EXPECT_EQ(Sampled(tube).number_of_inserted_vertices, 0u);
+}
+
 TEST(sample_limbs, refines_the_same_whatever_the_numbers_are)
 {
   const Shape comb = CSCD::test::comb(40, true);

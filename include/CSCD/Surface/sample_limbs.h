@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -55,6 +56,38 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
   std::vector<double> result(components.number());
   for (Index i = 0; i < components.number(); ++i) {
     result[i] = std::max(curvature_of_corners[i] / boost::math::double_constants::two_pi - 2 * double(genus[i]), 0.);
+  }
+  return result;
+}
+
+/// The normal of the plane in which the faces `a` `b` `c` and `b` `a` `d` lie, up to what files round to.
+inline std::optional<Vector_3> common_normal(const Vector_3& a, const Vector_3& b, const Vector_3& c, const Vector_3& d)
+{
+  constexpr double flatness = 1e-5; // relative to the longest side
+  const Vector_3 of_c = (b - a).cross(c - a);
+  const Vector_3 of_d = (a - b).cross(d - b);
+  const bool is_c_larger = of_c.squaredNorm() > of_d.squaredNorm();
+  const Vector_3 normal = (is_c_larger ? of_c : of_d).normalized();
+  const Vector_3& other = is_c_larger ? d : c;
+  const double longest = std::max({(b - a).norm(), (other - a).norm(), (other - b).norm()});
+  return std::abs(normal.dot(other - a)) <= flatness * longest ? std::optional<Vector_3>(normal) : std::nullopt;
+}
+
+/// How many faces of each component lie in one plane with one beside them. Linear.
+inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& triangles,
+                                                      const Halfedge_pairing& pairing,
+                                                      const Surface_components& components)
+{
+  const auto point = [&](Index h) -> const Vector_3& { return triangles.points[triangles.faces[h / 3][h % 3]]; };
+  const auto is_flat = [&](Index h) {
+    const Index twin = pairing.twin(h);
+    return common_normal(point(h), point(twin), point(Halfedge_pairing::previous(h)),
+                         point(Halfedge_pairing::previous(twin)))
+        .has_value();
+  };
+  std::vector<std::size_t> result(components.number(), 0);
+  for (Index f = 0; f < triangles.faces.size(); ++f) {
+    result[components.component[f]] += is_flat(3 * f) || is_flat(3 * f + 1) || is_flat(3 * f + 2) ? 1 : 0;
   }
   return result;
 }
@@ -106,8 +139,6 @@ private:
   using Key = std::tuple<double, double, double, double>;
   using Long_edge = std::pair<Key, Index>;
 
-  /// Faces lie in one plane if their corners do up to this, relative to their longest side: what files round to.
-  static constexpr double flatness = 1e-5;
   /// Angles that differ from those of a rectangle by less are not worth a flip: rounding would decide.
   static constexpr double min_sine = 1e-6;
   /// Bounds the work where faces that are nearly flat flip for ever.
@@ -196,12 +227,9 @@ private:
     if (!(sine < -min_sine * (a - c).norm() * (b - c).norm() * (a - d).norm() * (b - d).norm())) {
       return false;
     }
-    const bool is_h_larger = of_h.squaredNorm() > of_t.squaredNorm();
-    const Vector_3 normal = (is_h_larger ? of_h : of_t).normalized();
-    const Vector_3& other = is_h_larger ? d : c;
-    const double longest = std::max({(b - a).norm(), (other - a).norm(), (other - b).norm()});
-    return std::abs(normal.dot(other - a)) <= flatness * longest && (c - d).cross(a - d).dot(normal) > 0 &&
-           (d - c).cross(b - c).dot(normal) > 0 && !has_edge(previous(h), previous(t));
+    const std::optional<Vector_3> normal = common_normal(a, b, c, d);
+    return normal && (c - d).cross(a - d).dot(*normal) > 0 && (d - c).cross(b - c).dot(*normal) > 0 &&
+           !has_edge(previous(h), previous(t));
   }
 
   /// Whether an edge joins the origins of `first` and `second`; goes around both at once, so that the smaller degree
@@ -310,7 +338,14 @@ inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& 
   }
   const std::vector<double> limbs =
       numbers_of_limbs(triangles, components, genus_of_components(triangles, pairing, components));
-  const std::vector<double> squared_bound = bounds_for_limbs(triangles, components, limbs);
+  std::vector<double> squared_bound = bounds_for_limbs(triangles, components, limbs);
+  // Of a noisy body corners tell nothing.
+  const std::vector<std::size_t> flat_faces = numbers_of_flat_faces(triangles, pairing, components);
+  for (Index i = 0; i < components.number(); ++i) {
+    if (2 * flat_faces[i] < components.measures[i].number_of_faces) {
+      squared_bound[i] = Flat_refinement::no_bound;
+    }
+  }
   double max_number = 0;
   for (Index i = 0; i < components.number(); ++i) {
     max_number += squared_bound[i] < Flat_refinement::no_bound ? max_growth * limbs[i] : 0;
