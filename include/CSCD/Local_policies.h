@@ -76,7 +76,8 @@ public:
   std::vector<Separator> find_separators(const Triangulated_solid& solid, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
-  /// Appends separators to `separators` around handles that no source has found.
+  /// Removes separators that lead around something hollow from `separators`, and appends some around handles that no
+  /// source has found. Positions in the list are those after both.
   Packing pack_separators(const Triangulated_solid& solid, std::vector<Separator>& separators,
                           Skeletonization_report& report) const;
 
