@@ -14,8 +14,6 @@
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -146,9 +144,7 @@ bool is_around_hollow(const Surface& surface, const Separator& separator)
 {
   constexpr double min_roundness = 0.85;    // isoperimetric quotient; sections of hollow ears have less
   constexpr double max_inside_share = 0.35; // in walls of cups up to 0.32, in hollow ears 0.4
-  const double roundness =
-      4 * boost::math::double_constants::pi * separator.area / (separator.length * separator.length);
-  if (separator.is_open || roundness < min_roundness || surface.is_inside(separator.center)) {
+  if (separator.is_open || separator.roundness() < min_roundness || surface.is_inside(separator.center)) {
     return false;
   }
   std::vector<Vector_3> points;
@@ -225,10 +221,7 @@ private:
     case Weight_rule::balance:
       return balance;
     default:
-      return separator.is_open
-                 ? balance
-                 : balance * std::sqrt(std::min(1., 4 * boost::math::double_constants::pi * separator.area /
-                                                        (separator.length * separator.length)));
+      return separator.is_open ? balance : balance * std::sqrt(std::min(1., separator.roundness()));
     }
   }
 

@@ -50,6 +50,8 @@ struct Separator
 
   /// Radius of the circle of the same length.
   double radius() const { return length / (2 * boost::math::double_constants::pi); }
+  /// The isoperimetric quotient: 1 for a circle, less for all other curves.
+  double roundness() const { return 4 * boost::math::double_constants::pi * area / (length * length); }
 };
 
 /// How the search for the separator of one source ended.

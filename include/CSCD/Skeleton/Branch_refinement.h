@@ -265,10 +265,7 @@ private:
     const double distance = window * m_builder[node].radius;
     Index before = node;
     while (m_builder.is_regular(next) && next != node && (m_builder[next].position - center).norm() < distance) {
-      const std::vector<Index>& neighbors = m_builder[next].neighbors;
-      const Index after = neighbors[0] == before ? neighbors[1] : neighbors[0];
-      before = next;
-      next = after;
+      before = std::exchange(next, m_builder.other_neighbor(next, before));
     }
     return next;
   }

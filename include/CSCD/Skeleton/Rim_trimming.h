@@ -44,11 +44,11 @@ private:
     Index outer_neighbor = tip;
     Index base = m_builder[tip].neighbors[0];
     while (m_builder.is_regular(base) && m_builder.edge_length(tip, base) < max_length * m_builder[base].radius) {
-      if (leads_into_rim(tip, base, other_neighbor(base, outer_neighbor))) {
+      if (leads_into_rim(tip, base, m_builder.other_neighbor(base, outer_neighbor))) {
         contract_until(tip, base);
         return;
       }
-      outer_neighbor = std::exchange(base, other_neighbor(base, outer_neighbor));
+      outer_neighbor = std::exchange(base, m_builder.other_neighbor(base, outer_neighbor));
     }
   }
 
@@ -69,7 +69,7 @@ private:
     Index last = base;
     Index node = inner_neighbor;
     while (m_builder.is_regular(node) && m_builder.edge_length(node, base) < m_builder[base].radius) {
-      last = std::exchange(node, other_neighbor(node, last));
+      last = std::exchange(node, m_builder.other_neighbor(node, last));
     }
     const Vector_3 axis = (position - m_builder[node].position).normalized();
     const Vector_3 way = m_builder[tip].position - position;
@@ -82,12 +82,6 @@ private:
     const Vector_3 center = position + along * axis;
     return m_solid.is_inside(center - aside) && m_solid.is_inside(center + across) &&
            m_solid.is_inside(center - across);
-  }
-
-  Index other_neighbor(Index node, Index neighbor) const
-  {
-    const std::vector<Index>& ends = m_builder[node].neighbors;
-    return ends[0] == neighbor ? ends[1] : ends[0];
   }
 
   const Triangulated_solid& m_solid;

@@ -119,10 +119,7 @@ private:
     Index before = tip;
     Index node = m_builder[tip].neighbors.front();
     while (m_builder.is_regular(node) && m_builder.edge_length(tip, node) < m_half_width) {
-      const std::vector<Index>& neighbors = m_builder[node].neighbors;
-      const Index next = neighbors[0] == before ? neighbors[1] : neighbors[0];
-      before = node;
-      node = next;
+      before = std::exchange(node, m_builder.other_neighbor(node, before));
     }
     const Vector_3 way = m_position - m_builder[node].position;
     if (!(m_half_width > 0 && way.norm() > 0)) {

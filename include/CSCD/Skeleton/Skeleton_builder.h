@@ -98,6 +98,13 @@ public:
   /// Whether `node` has three edges or more.
   bool is_junction(Index node) const { return degree(node) >= 3; }
 
+  /// The neighbor across the regular `node` from its `neighbor`, by which branches are followed.
+  Index other_neighbor(Index node, Index neighbor) const
+  {
+    const std::vector<Index>& neighbors = m_nodes[node].neighbors;
+    return neighbors[0] == neighbor ? neighbors[1] : neighbors[0];
+  }
+
   /// The length of the edge from `a` to `b`.
   double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
 

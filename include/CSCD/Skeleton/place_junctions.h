@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -58,11 +59,8 @@ private:
     while (m_builder.is_regular(node) && path.inner.size() < max_path_nodes) {
       path.inner.push_back(node);
       path.min_radius = std::min(path.min_radius, m_builder[node].radius);
-      const std::vector<Index>& neighbors = m_builder[node].neighbors;
-      const Index next = neighbors[0] == before ? neighbors[1] : neighbors[0];
-      path.length += m_builder.edge_length(node, next);
-      before = node;
-      node = next;
+      before = std::exchange(node, m_builder.other_neighbor(node, before));
+      path.length += m_builder.edge_length(before, node);
     }
     path.end = node;
     return path;
