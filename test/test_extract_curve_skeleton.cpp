@@ -417,6 +417,33 @@ TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)
   }
 }
 
+TEST(Flat_component, keeps_its_nodes_beside_a_body)
+{
+  for (const int number_of_faces : {1, 2}) {
+    for (const double height : {-0.003, 0.003}) {
+      Mesh mesh = body_with_limbs();
+      const double z = 1 + height;
+      const auto a = mesh.add_vertex({1.2, 0, z});
+      const auto b = mesh.add_vertex({1.4, 0, z});
+      const auto c = mesh.add_vertex({1.3, 0.2, z});
+      mesh.add_face(a, b, c);
+      if (number_of_faces == 2) {
+        mesh.add_face(a, c, mesh.add_vertex({1.1, 0.2, z}));
+      }
+      Skeleton skeleton;
+      const auto report = CSCD::extract_curve_skeleton(mesh, skeleton);
+      EXPECT_EQ(report.number_of_skeleton_components, 2u);
+      const auto is_beside = [&](auto node) {
+        return CGAL::squared_distance(skeleton[node].point, Point(1.3, 0.1, z)) < 0.3 * 0.3;
+      };
+      EXPECT_TRUE(std::any_of(vertices(skeleton).first, vertices(skeleton).second, is_beside));
+      for (const auto edge : CGAL::make_range(edges(skeleton))) {
+        EXPECT_EQ(is_beside(source(edge, skeleton)), is_beside(target(edge, skeleton))) << number_of_faces << height;
+      }
+    }
+  }
+}
+
 TEST(Detail, decides_how_small_a_limb_may_be)
 {
   const Mesh mesh = body_with_limbs();

@@ -373,6 +373,28 @@ TEST(Read_triangle_mesh, removes_degenerate_and_duplicate_faces)
   EXPECT_EQ(Sentences{"3 degenerate or duplicate faces removed"}, result.report.sentences());
 }
 
+TEST(Read_triangle_mesh, removes_small_flaps)
+{
+  // flaps of one face and of two, and what lies twice; a larger plate stays
+  const auto add_fin = [](Mesh_file_content& mesh, double height) {
+    mesh.points.push_back({0.5, -height, -height});
+    mesh.polygons.push_back({0, 1, mesh.points.size() - 1});
+  };
+  Mesh_file_content mesh = cube();
+  ASSERT_EQ(1, std::abs(mesh.points[1][0] - mesh.points[0][0]));
+  add_fin(mesh, 0.03);
+  mesh.points.push_back({1.01, -0.01, -0.01});
+  mesh.polygons.push_back({1, mesh.points.size() - 2, mesh.points.size() - 1});
+  const Result result = read_off(mesh);
+  expect_cube(result.mesh);
+  EXPECT_EQ((Sentences{"2 faces that hung on the surface removed", "2 points without faces removed"}),
+            result.report.sentences());
+
+  mesh = cube();
+  add_fin(mesh, 1);
+  EXPECT_EQ(13u, num_faces(read_off(mesh).mesh));
+}
+
 TEST(Read_triangle_mesh, splits_an_edge_of_four_faces)
 {
   // two cubes that touch along the edge from (1, 1, 0) to (1, 1, 1)

@@ -33,10 +33,12 @@ struct Mesh_repair_report
   std::size_t number_of_triangulated_polygons = 0; ///< faces of more than three vertices, cut into triangles
   std::size_t number_of_merged_points = 0;         ///< points that repeated the position of another one
   std::size_t number_of_removed_faces = 0;         ///< triangles that named a vertex twice or repeated another triangle
-  std::size_t number_of_removed_points = 0;        ///< points left without any face by the repair
-  std::size_t number_of_turned_faces = 0;          ///< triangles turned to agree with their neighbors
-  std::size_t number_of_duplicated_points = 0;     ///< points doubled where the surface was not a manifold
-  std::size_t number_of_turned_components = 0;     ///< closed components turned inside out, as they faced inwards
+  /// Triangles of small parts that hung on the surface where three faces or more met at an edge.
+  std::size_t number_of_removed_flap_faces = 0;
+  std::size_t number_of_removed_points = 0;    ///< points left without any face by the repair
+  std::size_t number_of_turned_faces = 0;      ///< triangles turned to agree with their neighbors
+  std::size_t number_of_duplicated_points = 0; ///< points doubled where the surface was not a manifold
+  std::size_t number_of_turned_components = 0; ///< closed components turned inside out, as they faced inwards
 
   /// Whether the mesh is the file's, face by face.
   bool is_empty() const { return sentences().empty(); }
@@ -53,6 +55,8 @@ struct Mesh_repair_report
     add(number_of_triangulated_polygons, "polygon triangulated", "polygons triangulated");
     add(number_of_merged_points, "duplicate point merged", "duplicate points merged");
     add(number_of_removed_faces, "degenerate or duplicate face removed", "degenerate or duplicate faces removed");
+    add(number_of_removed_flap_faces, "face that hung on the surface removed",
+        "faces that hung on the surface removed");
     add(number_of_removed_points, "point without faces removed", "points without faces removed");
     add(number_of_turned_faces, "face turned to agree with its neighbors",
         "faces turned to agree with their neighbors");
@@ -223,8 +227,8 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 /// reads the triangle mesh that the file `filename` holds, in the `Mesh_format` that its ending names, and repairs it.
 /// With a further ending ".gz" it is decompressed by zlib first.
 /// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
-/// coordinates are merged; if they still form no manifold, degenerate and duplicate faces are removed, faces turned to
-/// agree with their neighbors, and points duplicated where the surface is no manifold. If the surface is closed,
+/// coordinates are merged; if they still form no manifold, degenerate and duplicate faces and small flaps are removed,
+/// faces turned to agree with their neighbors, and points duplicated where the surface is no manifold. If it is closed,
 /// components that face inwards are turned. Vertices and faces are numbered as in the file, as far as nothing had to be
 /// repaired; vertices without a face are kept then. Near linear.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map

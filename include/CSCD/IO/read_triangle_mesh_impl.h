@@ -9,6 +9,7 @@
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/internal/find_flaps.h>
 #include <CSCD/IO/internal/parse_3mf.h>
 #include <CSCD/IO/internal/parse_gltf.h>
 #include <CSCD/IO/internal/parse_mesh.h>
@@ -240,7 +241,23 @@ inline std::size_t merge_equal_points(Indexed_triangles& soup)
   return number_of_merged_points;
 }
 
-/// Removes triangles that name a vertex twice, all but one of those of the same vertices, and points without triangle.
+/// Removes the triangles of flaps, of which the points stay. \return their number
+inline std::size_t remove_flaps(Cgal_soup& soup)
+{
+  const std::vector<char> is_flap = find_flaps(soup.triangles());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i) {
+    if (is_flap[i] == 0) {
+      std::swap(soup.polygons[kept++], soup.polygons[i]);
+    }
+  }
+  const std::size_t number_of_flap_faces = soup.polygons.size() - kept;
+  soup.polygons.resize(kept);
+  return number_of_flap_faces;
+}
+
+/// Removes triangles that name a vertex twice, all but one of those of the same vertices, flaps, and points without
+/// triangle.
 inline void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
@@ -249,6 +266,7 @@ inline void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
   soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate), soup.polygons.end());
   PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
   report.number_of_removed_faces += number_of_polygons - soup.polygons.size();
+  report.number_of_removed_flap_faces += remove_flaps(soup);
   report.number_of_removed_points += PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
 }
 
@@ -268,7 +286,7 @@ inline void orient(Cgal_soup& soup, Mesh_repair_report& report)
 }
 
 /// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if that is
-/// not enough, removes useless faces and points, turns faces, and duplicates points where the surface is no manifold.
+/// not enough, removes useless faces and points and flaps, turns faces, and duplicates points where the surface is no manifold.
 /// \return the pairing of the halfedges, or nothing if it failed
 inline std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
 {

@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_INSIDE_REPAIR_H
 #define CSCD_SKELETON_INSIDE_REPAIR_H
 
+#include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -295,9 +296,20 @@ private:
         sum += m_builder[neighbor].position;
       }
       const Vector_3 middle = sum / double(m_builder.degree(node));
-      return m_surface.is_inside(middle) ? middle : m_surface.middle_behind(middle);
+      return m_surface.is_inside(middle) ? middle : middle_behind(middle, node);
     }
-    return m_surface.middle_behind(m_builder[node].position);
+    return middle_behind(m_builder[node].position, node);
+  }
+
+  /// The middle of the body behind `point`, which is at `node` or on an edge there. For a component without thickness,
+  /// such as a single triangle, there is none: behind it lies another component.
+  std::optional<Vector_3> middle_behind(const Vector_3& point, Index node) const
+  {
+    const double radius = m_builder[node].radius;
+    if (m_builder[node].is_on_sheet) {
+      return middle_of_sheet(m_surface, point, radius);
+    }
+    return radius > m_offset ? m_surface.middle_behind(point) : std::nullopt;
   }
 
   /// The middle of the first stretch of the edge that is outside. At an opening there is no surface that says.
@@ -340,7 +352,7 @@ private:
       if (!outside) {
         continue;
       }
-      if (const std::optional<Vector_3> middle = m_surface.middle_behind(*outside)) {
+      if (const std::optional<Vector_3> middle = middle_behind(*outside, a)) {
         const Index node = split_edge(a, b, *middle);
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);

@@ -255,6 +255,8 @@ private:
     const double radius = (m_solid.closest_point(center).point - center).norm();
     const Index node = builder.add_node(center, radius);
     builder[node].pieces = {piece};
+    const Index vertex_of_piece = m_regions.level().to_finest(*m_pieces.vertices(piece).begin());
+    builder[node].is_on_sheet = m_solid.side_of_sheet(vertex_of_piece) != 0;
     Vector_3 farthest = center;
     for (Index vertex : m_pieces.vertices(piece)) {
       const Vector_3& point = m_regions.level().surface.point(vertex);

@@ -110,6 +110,16 @@ inline const Surface_level& query_level(const Triangulated_solid& solid)
   return solid.levels()[level];
 }
 
+/// The middle between the sides of a sheet behind the surface that is nearest to `point`.
+/// \param radius half of the width of the sheet there: what is farther away is another body
+template <class Surface>
+std::optional<Vector_3> middle_of_sheet(const Surface& surface, const Vector_3& point, double radius)
+{
+  constexpr double max_shift = 2; // relative to the radius
+  const std::optional<Vector_3> middle = surface.middle_behind(point);
+  return middle && (*middle - point).norm() <= max_shift * radius ? middle : std::nullopt;
+}
+
 /// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
 /// where that is not found.
 inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
@@ -154,7 +164,7 @@ public:
     }
   }
 
-  /// Marks all nodes of sheets and moves them to the middle between the sides.
+  /// Marks all nodes beside nodes of sheets, too, and moves them to the middle between the sides.
   void finish()
   {
     if (m_solid.number_of_sheets() == 0) {
@@ -165,7 +175,7 @@ public:
         continue;
       }
       m_builder[node].is_on_sheet = true;
-      if (const auto middle = m_solid.middle_behind(m_builder[node].position)) {
+      if (const auto middle = middle_of_sheet(m_solid, m_builder[node].position, m_builder[node].radius)) {
         m_builder[node].position = *middle;
       }
     }
@@ -177,14 +187,9 @@ private:
     if (m_builder[node].is_on_sheet || m_builder[node].is_opening) {
       return m_builder[node].is_on_sheet;
     }
-    for (const Index neighbor : m_builder[node].neighbors) {
-      if (m_builder[neighbor].is_on_sheet) {
-        return true;
-      }
-    }
-    const Surface_level& level = query_level(m_solid);
-    const Index face = m_solid.closest_point(m_builder[node].position).face;
-    return m_solid.side_of_sheet(level.to_finest(level.surface.origin(3 * face))) != 0;
+    const std::vector<Index>& neighbors = m_builder[node].neighbors;
+    return std::any_of(neighbors.begin(), neighbors.end(),
+                       [this](Index neighbor) { return m_builder[neighbor].is_on_sheet; });
   }
 
   const Triangulated_solid& m_solid;
