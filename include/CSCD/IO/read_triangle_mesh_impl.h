@@ -286,8 +286,8 @@ inline void orient(Cgal_soup& soup, Mesh_repair_report& report)
 }
 
 /// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if that is
-/// not enough, removes useless faces and points and flaps, turns faces, and duplicates points where the surface is no manifold.
-/// \return the pairing of the halfedges, or nothing if it failed
+/// not enough, removes useless faces and points and flaps, turns faces, and duplicates points where the surface is no
+/// manifold. \return the pairing of the halfedges, or nothing if it failed
 inline std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
 {
   report.number_of_merged_points += merge_equal_points(soup);
