@@ -34,6 +34,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <stdexcept>
 #include <string>
 
 namespace {
@@ -347,6 +348,23 @@ TEST(Published_policies, draw_as_many_sources_as_published_unless_told_otherwise
   Skeletonization skeletonization(traits);
   skeletonization.find_separators();
   EXPECT_EQ(skeletonization.report().number_of_sources, Policies::default_number_of_sources);
+}
+
+TEST(Published_policies, draw_fewer_sources_where_thousands_of_vertices_are_inserted_for_few)
+{
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::box("needle", {1e6, 1, 1}));
+  const Traits traits(mesh);
+  EXPECT_GT(traits.surface().number_of_inserted_vertices(), 5000u);
+  Skeletonization_report report;
+  double share = 0; // of the first round
+  const CSCD::Progress stop = [&share](double fraction) {
+    share = fraction;
+    throw std::runtime_error("enough is known");
+  };
+  EXPECT_THROW(Policies().find_separators(traits.surface(), CSCD::Search_settings(), report, stop), std::runtime_error);
+  const double number = double(report.number_of_sources) / share;
+  EXPECT_LT(number, double(Policies::default_number_of_sources) / 3);
+  EXPECT_GT(number, 100);
 }
 
 /// Whatever the sources find, and if it is nothing.

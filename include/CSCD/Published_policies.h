@@ -23,6 +23,7 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -47,7 +48,8 @@ public:
   /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
-  /// Draws `settings.maximum_number_of_sources` sources, or `default_number_of_sources` where that has no bound.
+  /// Draws `settings.maximum_number_of_sources` sources. Where that has no bound, `default_number_of_sources`; fewer,
+  /// but as many as the mesh has vertices, where most vertices were inserted into large faces and there are thousands.
   template <class Surface>
   std::vector<Separator> find_separators(const Surface& surface, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
@@ -65,6 +67,23 @@ public:
                                    const Packing& packing, Skeletonization_report& report) const;
 
 private:
+  /// The number of sources where the user sets no bound.
+  template <class Surface>
+  static std::size_t number_of_sources(const Surface& surface)
+  {
+    if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
+      // Sources times vertices: as on a cube, and a few seconds. Needles are given ten times as many vertices.
+      constexpr std::size_t max_work = 7'500'000;
+      constexpr std::size_t usual_growth = 3; // inserted for each vertex of the input, see `refine_large_faces()`
+      const std::size_t number_of_vertices = surface.triangulation().number_of_vertices();
+      const std::size_t number_of_given_vertices = number_of_vertices - surface.number_of_inserted_vertices();
+      if (surface.number_of_inserted_vertices() > usual_growth * number_of_given_vertices) {
+        return std::min(default_number_of_sources, std::max(number_of_given_vertices, max_work / number_of_vertices));
+      }
+    }
+    return default_number_of_sources;
+  }
+
   Field_search_settings m_settings;
 };
 
@@ -77,7 +96,7 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
   const bool is_bounded = settings.maximum_number_of_sources != Search_settings().maximum_number_of_sources;
   std::vector<Separator> separators =
-      search(is_bounded ? settings.maximum_number_of_sources : default_number_of_sources, report, progress);
+      search(is_bounded ? settings.maximum_number_of_sources : number_of_sources(surface), report, progress);
   for (Separator& separator : separators) {
     internal::mark_open(surface, separator);
   }

@@ -166,6 +166,26 @@ std::string bytes_of(const Range& numbers, bool is_little_endian = true)
   return result;
 }
 
+/// Binary OFF.
+/// \param size_of_extra how many numbers each point has besides, all 2
+/// \param size_of_color components of each polygon's color
+inline std::string binary_off(const Mesh_file_content& mesh, const std::string& keyword, std::size_t size_of_extra,
+                              std::size_t size_of_color)
+{
+  std::string result = keyword + " BINARY\n";
+  result += bytes_of<std::uint32_t>(std::vector<std::size_t>{mesh.points.size(), mesh.polygons.size(), 0}, false);
+  for (const auto& point : mesh.points) {
+    result += bytes_of<float>(point, false) + bytes_of<float>(std::vector<double>(size_of_extra, 2), false);
+  }
+  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
+    result += bytes_of<std::uint32_t>(std::vector<std::size_t>{polygon.size()}, false) +
+              bytes_of<std::uint32_t>(polygon, false) +
+              bytes_of<std::uint32_t>(std::vector<std::size_t>{size_of_color}, false) +
+              bytes_of<float>(std::vector<double>(size_of_color, 1), false);
+  }
+  return result;
+}
+
 /// The coordinates of all points.
 inline std::vector<double> coordinates(const Mesh_file_content& mesh)
 {

@@ -204,6 +204,39 @@ TEST(Read_triangle_mesh, accepts_the_variants_of_off)
   EXPECT_DOUBLE_EQ(1. / 48, PMP::volume(read(with("4OFF", "2"), CSCD::Mesh_format::off).mesh));
 }
 
+TEST(Read_triangle_mesh, accepts_binary_off)
+{
+  for (const auto& [keyword, size_of_extra] :
+       {std::pair<const char*, std::size_t>{"OFF", 0}, {"COFF", 4}, {"NOFF", 3}, {"STOFF", 2}, {"STCNOFF", 9}}) {
+    SCOPED_TRACE(keyword);
+    for (const std::size_t size_of_color : {0U, 1U, 4U}) {
+      expect_cube(read(binary_off(cube(), keyword, size_of_extra, size_of_color), CSCD::Mesh_format::off).mesh);
+    }
+  }
+  EXPECT_DOUBLE_EQ(1. / 8, PMP::volume(read(binary_off(cube(), "4OFF", 1, 0), CSCD::Mesh_format::off).mesh));
+}
+
+TEST(Read_triangle_mesh, refuses_malformed_binary_off)
+{
+  const std::string good = binary_off(cube(), "OFF", 0, 0);
+  const auto refused = [&good](std::size_t number, std::uint32_t value) { // behind the keyword
+    return refusal(std::string(good).replace(11 + 4 * number, 4, bytes_of<std::uint32_t>(std::vector{value}, false)),
+                   CSCD::Mesh_format::off);
+  };
+  for (std::size_t size = 0; size < good.size(); ++size) {
+    refusal(good.substr(0, size), CSCD::Mesh_format::off);
+  }
+  const std::size_t polygon = 3 + 3 * 8;
+  for (const std::size_t number : {std::size_t(0), std::size_t(1), polygon}) {
+    refused(number, 0xfffffffe);
+    refused(number, 0xffffffff);
+  }
+  EXPECT_EQ("input: vertex 1 is not finite; write the file again", refused(6, 0x7f800000));
+  EXPECT_EQ("input: face 0 names vertex 8, but there are only 8 (counted from 0); write the file again",
+            refused(polygon + 1, 8));
+  EXPECT_EQ("input: face 0 has a color of 5 components; write the file again", refused(polygon + 4, 5));
+}
+
 TEST(Read_triangle_mesh, accepts_the_variants_of_obj)
 {
   const std::string content = "# cube\nmtllib a.mtl\no cube\n"
@@ -491,7 +524,6 @@ TEST(Read_triangle_mesh, refuses_malformed_off)
            std::string("OFF"),
            std::string("OFF\n"),
            std::string("OFF\n8"),
-           std::string("OFF BINARY\n\0\0\0\0", 15),
            std::string("nOFF 3\n1 0 0\n"),
            std::string("SKEL\n"),
            std::string("OFF\n0 0 0\n"),

@@ -485,6 +485,17 @@ TEST(Simplify_skeleton, joins_by_the_shortest_edges)
   }
 }
 
+TEST(Simplify_skeleton, joins_what_is_farther_apart_than_the_root_of_the_largest_number)
+{
+  Skeleton skeleton;
+  for (const double x : {0., 1e300, -1e300}) {
+    add_node(skeleton, Point(x, 0, 0), 1);
+  }
+  CSCD::simplify_skeleton(skeleton, parameters::join_components(true));
+  EXPECT_EQ(number_of_components(skeleton), 1u);
+  EXPECT_EQ(num_edges(skeleton), 2u);
+}
+
 TEST(Simplify_skeleton, joined_edges_stay_marked)
 {
   Skeleton skeleton;

@@ -510,7 +510,7 @@ private:
   /// A straight edge that could join two components; the first is the better one.
   struct Joint
   {
-    double squared_distance = std::numeric_limits<double>::max();
+    double squared_distance = std::numeric_limits<double>::infinity();
     Index from = no_index;
     Index to = no_index;
   };

@@ -70,7 +70,7 @@ inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector
   return number_of_merged_points;
 }
 
-/// Reads ASCII OFF line by line; colors and texture coordinates are passed over.
+/// Reads OFF, ASCII line by line or binary; colors and texture coordinates are passed over.
 class Off_parser
 {
 public:
@@ -79,9 +79,14 @@ public:
   Polygon_soup parse()
   {
     read_keyword();
-    read_counts();
-    read_points();
-    read_polygons();
+    if (Text_scanner ahead = m_scanner; ahead.skip_blanks(comment) && ahead.word() == "BINARY") {
+      ahead.skip_line();
+      read_binary(ahead.rest());
+    } else {
+      read_counts();
+      read_points();
+      read_polygons();
+    }
     return std::move(m_soup);
   }
 
@@ -90,6 +95,9 @@ private:
   /// The fewest bytes that a line of a point takes (`0 0 0` and a line end), and of a polygon (`1 0`).
   static constexpr std::size_t min_point_size = 6;
   static constexpr std::size_t min_polygon_size = 4;
+  /// In binary files, of numbers of all kinds in bytes, and of colors in numbers.
+  static constexpr std::size_t number_size = sizeof(std::uint32_t);
+  static constexpr std::uint32_t max_size_of_color = 4;
 
   void read_keyword()
   {
@@ -100,8 +108,8 @@ private:
       keyword.remove_prefix(found ? prefix.size() : 0);
       return found;
     };
-    drop("ST");
-    drop("C");
+    m_size_of_look = drop("ST") ? 2 : 0;
+    m_size_of_look += drop("C") ? max_size_of_color : 0;
     m_has_normals = drop("N");
     m_is_homogeneous = drop("4");
     // Some writers leave no blank between the keyword and the number of vertices.
@@ -116,10 +124,6 @@ private:
   {
     if (!m_scanner.skip_blanks(comment)) {
       m_scanner.fail_at_end("the number of vertices");
-    }
-    Text_scanner ahead = m_scanner;
-    if (ahead.word() == "BINARY") {
-      m_scanner.fail("binary OFF is not supported", "convert the file to ASCII OFF or to PLY");
     }
     m_number_of_points = m_scanner.count("the number of vertices");
     check_number_of_points(m_number_of_points, m_filename);
@@ -217,9 +221,73 @@ private:
     return static_cast<Index>(corner);
   }
 
+  /// Reads what is behind the line of the keyword in a binary file: the same numbers as in ASCII, big endian, and with
+  /// each polygon the number of its color's components.
+  void read_binary(std::string_view content)
+  {
+    Byte_scanner bytes(content, boost::endian::order::big, m_filename);
+    m_number_of_points = bytes.number<std::uint32_t>();
+    check_number_of_points(m_number_of_points, m_filename);
+    m_number_of_polygons = bytes.number<std::uint32_t>();
+    bytes.skip(number_size); // the number of edges
+    m_soup.points.reserve(std::min(m_number_of_points, bytes.remaining() / (3 * number_size)));
+    for (std::size_t i = 0; i < m_number_of_points; ++i) {
+      Vector_3 point = next_vector(bytes);
+      point /= m_is_homogeneous ? double(bytes.number<float>()) : 1.;
+      if (!point.allFinite()) {
+        throw File_error(m_filename + ": vertex " + std::to_string(i) + " is not finite; write the file again");
+      }
+      m_soup.points.push_back(point);
+      if (m_has_normals) {
+        m_soup.normals.push_back(next_vector(bytes));
+      }
+      bytes.skip(number_size * m_size_of_look);
+    }
+    // A polygon has a number of corners and one of components at least.
+    m_soup.first_corner.reserve(std::min(m_number_of_polygons, bytes.remaining() / (2 * number_size)) + 1);
+    for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
+      read_binary_polygon(bytes);
+    }
+  }
+
+  static Vector_3 next_vector(Byte_scanner& bytes)
+  {
+    Vector_3 vector = Vector_3::Zero();
+    for (double& coordinate : vector) {
+      coordinate = double(bytes.number<float>());
+    }
+    return vector;
+  }
+
+  void read_binary_polygon(Byte_scanner& bytes)
+  {
+    const auto size = bytes.number<std::uint32_t>();
+    for (std::uint32_t k = 0; k < size; ++k) {
+      const auto corner = bytes.number<std::uint32_t>();
+      if (corner >= m_number_of_points) {
+        fail_at_polygon("names vertex " + std::to_string(corner) + ", but there are only " +
+                        std::to_string(m_number_of_points) + " (counted from 0)");
+      }
+      m_soup.corners.push_back(corner);
+    }
+    const auto size_of_color = bytes.number<std::uint32_t>();
+    if (size_of_color > max_size_of_color) {
+      fail_at_polygon("has a color of " + std::to_string(size_of_color) + " components");
+    }
+    bytes.skip(number_size * size_of_color);
+    m_soup.end_polygon();
+  }
+
+  [[noreturn]] void fail_at_polygon(const std::string& fault) const
+  {
+    throw File_error(m_filename + ": face " + std::to_string(m_soup.number_of_polygons()) + " " + fault +
+                     "; write the file again");
+  }
+
   Text_scanner m_scanner;
   std::string m_filename;
   Polygon_soup m_soup;
+  std::size_t m_size_of_look = 0; ///< the numbers that a vertex has for color and texture, in binary files
   std::size_t m_number_of_points = 0;
   std::size_t m_number_of_polygons = 0;
   bool m_has_normals = false;
