@@ -213,6 +213,7 @@ TEST(Read_triangle_mesh, accepts_binary_off)
       expect_cube(read(binary_off(cube(), keyword, size_of_extra, size_of_color), CSCD::Mesh_format::off).mesh);
     }
   }
+  expect_cube(read(binary_off(cube(), "OFF", 0, 0, true), CSCD::Mesh_format::off).mesh);
   EXPECT_DOUBLE_EQ(1. / 8, PMP::volume(read(binary_off(cube(), "4OFF", 1, 0), CSCD::Mesh_format::off).mesh));
 }
 
@@ -223,8 +224,10 @@ TEST(Read_triangle_mesh, refuses_malformed_binary_off)
     return refusal(std::string(good).replace(11 + 4 * number, 4, bytes_of<std::uint32_t>(std::vector{value}, false)),
                    CSCD::Mesh_format::off);
   };
-  for (std::size_t size = 0; size < good.size(); ++size) {
-    refusal(good.substr(0, size), CSCD::Mesh_format::off);
+  for (const std::string& content : {good, binary_off(cube(), "OFF", 0, 0, true)}) {
+    for (std::size_t size = 0; size < content.size(); ++size) {
+      refusal(content.substr(0, size), CSCD::Mesh_format::off);
+    }
   }
   const std::size_t polygon = 3 + 3 * 8;
   for (const std::size_t number : {std::size_t(0), std::size_t(1), polygon}) {

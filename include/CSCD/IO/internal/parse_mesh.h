@@ -222,10 +222,14 @@ private:
   }
 
   /// Reads what is behind the line of the keyword in a binary file: the same numbers as in ASCII, big endian, and with
-  /// each polygon the number of its color's components.
+  /// each polygon the number of its color's components. Or else, as pmp-library writes, little endian without that; a
+  /// number of points that the file cannot hold tells so.
   void read_binary(std::string_view content)
   {
-    Byte_scanner bytes(content, boost::endian::order::big, m_filename);
+    using boost::endian::order;
+    const bool is_little =
+        Byte_scanner(content, order::big, m_filename).number<std::uint32_t>() > content.size() / (3 * number_size);
+    Byte_scanner bytes(content, is_little ? order::little : order::big, m_filename);
     m_number_of_points = bytes.number<std::uint32_t>();
     check_number_of_points(m_number_of_points, m_filename);
     m_number_of_polygons = bytes.number<std::uint32_t>();
@@ -247,6 +251,10 @@ private:
     m_soup.first_corner.reserve(std::min(m_number_of_polygons, bytes.remaining() / (2 * number_size)) + 1);
     for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
       read_binary_polygon(bytes);
+      if (!is_little) {
+        skip_color_of_polygon(bytes);
+      }
+      m_soup.end_polygon();
     }
   }
 
@@ -270,12 +278,15 @@ private:
       }
       m_soup.corners.push_back(corner);
     }
+  }
+
+  void skip_color_of_polygon(Byte_scanner& bytes) const
+  {
     const auto size_of_color = bytes.number<std::uint32_t>();
     if (size_of_color > max_size_of_color) {
       fail_at_polygon("has a color of " + std::to_string(size_of_color) + " components");
     }
     bytes.skip(number_size * size_of_color);
-    m_soup.end_polygon();
   }
 
   [[noreturn]] void fail_at_polygon(const std::string& fault) const
