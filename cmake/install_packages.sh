@@ -41,7 +41,7 @@ number_of_jobs()
 # What the library, its examples and the program cscd are built with; libcgal-demo has the meshes they are shown on.
 library_packages=(
   g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
-  libcli11-dev nlohmann-json3-dev libjs-three zlib1g-dev libtiff-dev
+  libcli11-dev nlohmann-json3-dev libjs-three zlib1g-dev libzstd-dev libtiff-dev
 )
 
 # What the Python module is built with, and its tests.

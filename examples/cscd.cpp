@@ -97,7 +97,7 @@ constexpr const char* batch_examples =
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh .3mf; points: .xyz .pwn .pts .txt
 .csv .asc .pcd .las, or .ply .off .vtp .vtk without faces; volumes, by cscd skeletonize alone: .nrrd .nhdr .nii .nii.gz
-.mha .mhd .tif .tiff. What has to be repaired is named on standard error.
+.mha .mhd .tif .tiff; meshes and points also with .gz or .zst behind. What has to be repaired is named on standard error.
 Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
 Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
 Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc .vtp.
@@ -147,6 +147,16 @@ std::vector<std::string> formats_of_inputs(const std::vector<std::string>& other
     }
   }
   return result;
+}
+
+/// Lets `option` take `formats`, each also with the ending of a compressed file.
+void check_format(CLI::Option* option, const std::vector<std::string>& formats)
+{
+  const CLI::IsMember is_known(formats);
+  const auto check = [is_known](const std::string& format) {
+    return is_known(CSCD::internal::without_compression_ending(format));
+  };
+  option->check(check, is_known.get_description());
 }
 
 /// Refuses what is no integer that is at least 1. CLI11's own check names bounds of 300 digits.
@@ -288,8 +298,9 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "skeleton file, its ending names the format; - writes .graph to standard output; may be repeated")
       ->type_name("OUT")
       ->allow_extra_args(false);
-  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember(formats_of_inputs({"graph", "edges", "json", "swc"})));
+  check_format(
+      command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -"),
+      formats_of_inputs({"graph", "edges", "json", "swc"}));
   command
       ->add_option("--as", options.domain,
                    "take INPUT for a graph: a .graph, .json, .swc, .polylines.txt, lines of .obj, edges of .ply, the "
@@ -346,8 +357,9 @@ void add_evaluate(CLI::App& app, cscd::Evaluate_options& options)
       ->add_option("SKELETON", options.skeleton,
                    "skeleton file, its ending names the format; - reads .graph from standard input")
       ->required();
-  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember(formats_of_inputs()));
+  check_format(
+      command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -"),
+      formats_of_inputs());
   command
       ->add_option("--radii", options.radii,
                    "radii of the reconstructed surfaces: estimated from the input, or the skeleton's own")
@@ -405,8 +417,9 @@ void add_simplify(CLI::App& app, cscd::Simplify_options& options)
   command->add_option(
       "--mesh", options.mesh,
       "the mesh of the skeleton: what is inside stays inside, and radii are estimated if there are none");
-  command->add_option("--format", options.format, "format of the mesh instead of that of its ending, needed for -")
-      ->check(CLI::IsMember(formats_of(CSCD::internal::mesh_endings)));
+  check_format(
+      command->add_option("--format", options.format, "format of the mesh instead of that of its ending, needed for -"),
+      formats_of(CSCD::internal::mesh_endings));
   const auto add_length = [&](const std::string& name, double& value, const std::string& description) {
     command->add_option(name, value, description)
         ->check([](const std::string& text) { return check_length(text, false); })
@@ -445,8 +458,9 @@ CLI::App* add_application(CLI::App& app, const std::string& name, const std::str
   CLI::App* command = app.add_subcommand(name, description);
   command->add_option("INPUT", options.input, "file of a mesh, or - for standard input")->required();
   command->add_option("-o,--output", options.output, output)->type_name("OUT")->check(check_name)->required();
-  command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -")
-      ->check(CLI::IsMember(formats_of(CSCD::internal::mesh_endings)));
+  check_format(
+      command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -"),
+      formats_of(CSCD::internal::mesh_endings));
   command->add_option("--report", options.report, "file for counts and measures as JSON, or -")
       ->check(check_name)
       ->type_name("FILE");

@@ -128,7 +128,7 @@ Input read_graph(const Skeletonize_options& options)
   const std::string content = options.input == standard_stream
                                   ? CSCD::internal::read_content(std::cin, name, "." + options.format)
                                   : CSCD::internal::read_content(options.input);
-  const std::string lower = CSCD::internal::without_gzip_ending(boost::algorithm::to_lower_copy(
+  const std::string lower = CSCD::internal::without_compression_ending(boost::algorithm::to_lower_copy(
       options.format.empty() ? options.input : "." + options.format, std::locale::classic()));
   const auto ends_with = [&lower](const char* ending) { return boost::algorithm::ends_with(lower, ending); };
   const std::string ending = lower.substr(std::min(lower.find_last_of('.'), lower.size()));

@@ -732,6 +732,36 @@ TEST(Read_triangle_mesh, reads_what_gzip_has_compressed)
   }
 }
 
+TEST(Read_triangle_mesh, reads_what_zstd_has_compressed)
+{
+  // The same tetrahedron, as two frames of a file.
+  const std::string compressed =
+      CSCD::internal::Encoded_bytes(
+          "KLUv/SQyHQEAQgIGCtDnEbxExJpHHgMTIVwZgG8Xtvt2nBFVAgAr2VTZHAMXp1eGKLUv/SQQgQAAMyAxIDIgMw"
+          "ozIDAgMyAyCiUr4ac=",
+          true, "input")
+          .take_all();
+  const test_support::Temporary_folder folder;
+  const auto read_bytes = [&](const std::string& bytes) {
+    Mesh mesh;
+    CSCD::read_triangle_mesh(folder.write("tetrahedron.off.ZST", bytes), mesh);
+    return mesh;
+  };
+  try {
+    EXPECT_DOUBLE_EQ(1. / 6, PMP::volume(read_bytes(compressed)));
+  } catch (const CSCD::File_error& error) { // of a build without zstd
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("install libzstd-dev")) << error.what();
+  }
+  for (const std::size_t size : {std::size_t(0), std::size_t(5), compressed.size() / 2, compressed.size() - 1}) {
+    EXPECT_THROW(read_bytes(compressed.substr(0, size)), CSCD::File_error) << size;
+  }
+  for (const std::size_t changed : {std::size_t(0), std::size_t(20), compressed.size() - 1}) {
+    std::string damaged = compressed;
+    damaged[changed] = char(damaged[changed] ^ 0x55);
+    EXPECT_THROW(read_bytes(damaged), CSCD::File_error) << changed;
+  }
+}
+
 TEST(Read_triangle_mesh, nodes_of_gltf_and_items_of_3mf_move_meshes)
 {
   const Mesh of_gltf = read(glb(cube()), CSCD::Mesh_format::gltf).mesh;

@@ -363,6 +363,8 @@ TEST_F(Cscd, refuses_bad_input)
   expect_refusal("skeletonize flat.off -o a.graph", 2, {"flat.off"});
   expect_refusal("skeletonize . -o a.graph", 2, {"."});
   expect_refusal("skeletonize - --format off -o a.graph < empty.off", 2, {"standard input", "; "});
+  expect_refusal("skeletonize - --format off.gz -o a.graph < empty.off", 2, {"standard input", "compressed"});
+  expect_refusal("skeletonize - --format off.zst -o a.graph < empty.off", 2, {"standard input", "compressed"});
   expect_refusal("skeletonize torus.off --format stl -o a.graph", 2, {"torus.off", "STL"});
   EXPECT_EQ(7, number_of_files());
 }
@@ -855,6 +857,17 @@ TEST_F(Cscd, reads_standard_input_in_all_formats)
     EXPECT_TRUE(is_graph_of_a_cycle(outcome.out)) << format;
   }
 }
+
+#ifdef CSCD_WITH_ZLIB
+TEST_F(Cscd, reads_what_gzip_has_compressed)
+{
+  m_folder.write("torus.off", off(torus()));
+  const Outcome piped = run("skeletonize - --format off.gz -o -", "gzip -c torus.off |");
+  EXPECT_EQ(0, piped.status) << piped.err;
+  EXPECT_TRUE(is_graph_of_a_cycle(piped.out));
+  EXPECT_EQ(piped.out, run("skeletonize torus.off.gz -o -", "gzip torus.off;").out);
+}
+#endif
 
 TEST_F(Cscd, says_what_it_repaired)
 {

@@ -121,22 +121,11 @@ private:
     const bool is_new = !is_reached(node);
     node = {distance, angle, parent, m_epoch};
     if (is_new) {
-      prefetch(vertex);
+      m_corners->prefetch(vertex);
       m_heap.push(vertex, distance);
     } else {
       m_heap.decrease(vertex, distance);
     }
-  }
-
-  /// A third of a front's time was waiting for the first corner of the popped vertex: ask for it at the first push.
-  void prefetch(Index vertex) const
-  {
-#if defined(__GNUC__)
-    constexpr std::size_t cache_line = 64;
-    const char* corner = reinterpret_cast<const char*>(&*m_corners->fan(vertex).begin());
-    __builtin_prefetch(corner);
-    __builtin_prefetch(corner + cache_line);
-#endif
   }
 
   void start(Index source)

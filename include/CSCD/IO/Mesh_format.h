@@ -62,18 +62,26 @@ std::optional<Format> find_format(const std::array<std::pair<const char*, Format
   return std::nullopt;
 }
 
-/// Whether `filename` has the ending of what gzip has compressed, in lower or upper case.
-inline bool has_gzip_ending(const std::string& filename)
+/// How a whole file is compressed.
+enum class Compression
 {
-  const std::string::size_type dot = filename.rfind('.');
-  return dot != std::string::npos &&
-         boost::algorithm::to_lower_copy(filename.substr(dot), std::locale::classic()) == ".gz";
+  gzip,
+  zstd
+};
+
+inline constexpr std::array<std::pair<const char*, Compression>, 2> compression_endings{
+    {{".gz", Compression::gzip}, {".zst", Compression::zstd}}};
+
+/// What the last ending of `filename` tells, in lower or upper case; nothing if that is not of a compressed file.
+inline std::optional<Compression> find_compression(const std::string& filename)
+{
+  return find_format(compression_endings, filename);
 }
 
-/// `filename` without the ending of what gzip has compressed; the same if it does not have that.
-inline std::string without_gzip_ending(const std::string& filename)
+/// `filename` without the ending of a compressed file; the same if it does not have one.
+inline std::string without_compression_ending(const std::string& filename)
 {
-  return has_gzip_ending(filename) ? filename.substr(0, filename.rfind('.')) : filename;
+  return find_compression(filename) ? filename.substr(0, filename.rfind('.')) : filename;
 }
 
 /// The endings of meshes; those that are written, too, come first.
@@ -117,12 +125,12 @@ std::string list_of_endings(const std::array<std::pair<const char*, Format>, siz
 
 } // namespace internal
 
-/// The format that the ending of `filename` names, in lower or upper case, before that of gzip.
+/// The format that the ending of `filename` names, in lower or upper case, before that of gzip or zstd.
 /// \throw File_error if it names none
 inline Mesh_format mesh_format(const std::string& filename)
 {
   const std::optional<Mesh_format> format =
-      internal::find_format(internal::mesh_endings, internal::without_gzip_ending(filename));
+      internal::find_format(internal::mesh_endings, internal::without_compression_ending(filename));
   if (!format) {
     throw File_error(filename + ": the ending names no known mesh format; use one of " +
                      internal::list_of_endings(internal::mesh_endings));
@@ -142,14 +150,14 @@ inline Mesh_format written_mesh_format(const std::string& filename)
   return *format;
 }
 
-/// The format that the ending of `filename` names, in lower or upper case, before that of gzip; nothing if there is
-/// none.
+/// The format that the ending of `filename` names, in lower or upper case, before that of gzip or zstd; nothing if
+/// there is none.
 inline std::optional<Point_format> find_point_format(const std::string& filename)
 {
-  return internal::find_format(internal::point_endings, internal::without_gzip_ending(filename));
+  return internal::find_format(internal::point_endings, internal::without_compression_ending(filename));
 }
 
-/// The format that the ending of `filename` names, in lower or upper case, before that of gzip.
+/// The format that the ending of `filename` names, in lower or upper case, before that of gzip or zstd.
 /// \throw File_error if it names none
 inline Point_format point_format(const std::string& filename)
 {

@@ -225,7 +225,7 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 } // namespace internal
 
 /// reads the triangle mesh that the file `filename` holds, in the `Mesh_format` that its ending names, and repairs it.
-/// With a further ending ".gz" it is decompressed by zlib first.
+/// With a further ending ".gz" or ".zst" it is decompressed by zlib or zstd first.
 /// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
 /// coordinates are merged; if they still form no manifold, degenerate and duplicate faces and small flaps are removed,
 /// faces turned to agree with their neighbors, and points duplicated where the surface is no manifold. If it is closed,

@@ -145,8 +145,8 @@ private:
       increase(m_count[level][vertex]);
       for (const Corner& corner : corners.neighbors(vertex)) {
         const float distance = vertex_distance + corner.length;
-        if (distance <= width) {
-          m_front.reach(corner.neighbor, distance);
+        if (distance <= width && m_front.reach(corner.neighbor, distance)) {
+          corners.prefetch(corner.neighbor);
         }
       }
     });

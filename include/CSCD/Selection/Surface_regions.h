@@ -44,7 +44,9 @@ public:
     const Vertex_fan_table& corners = m_level.corners();
     m_front.spread([&corners](Index vertex, const auto& visit) {
       for (const Corner& corner : corners.neighbors(vertex)) {
-        visit(corner.neighbor, corner.length);
+        if (visit(corner.neighbor, corner.length)) {
+          corners.prefetch(corner.neighbor);
+        }
       }
     });
   }
@@ -62,7 +64,9 @@ private:
   void reach_from(const Vector_3& point, Index finest_vertex, Index separator)
   {
     const Index vertex = m_level.from_finest(finest_vertex);
-    m_front.reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator);
+    if (m_front.reach(vertex, float((m_level.surface.point(vertex) - point).norm()), separator)) {
+      m_level.corners().prefetch(vertex);
+    }
   }
 
   const Surface_level& m_finest;

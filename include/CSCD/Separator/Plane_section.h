@@ -87,8 +87,19 @@ private:
     m_offset = offset;
   }
 
-  double height(Index vertex) const { return m_axis.dot(m_surface.point(vertex)) - m_offset; }
-  bool is_above(Index vertex) const { return height(vertex) >= 0; }
+  /// An end of a crossed edge.
+  struct Edge_end
+  {
+    Vector_3 point;
+    double height; ///< above the plane
+  };
+
+  Edge_end end_at(Index vertex) const
+  {
+    const Vector_3& point = m_surface.point(vertex);
+    return {point, m_axis.dot(point) - m_offset};
+  }
+  bool is_above(Index vertex) const { return end_at(vertex).height >= 0; }
 
   /// Follows the section from halfedge `first`, whose origin is above the plane and whose target is below.
   bool walk(Index first, double max_length)
@@ -97,26 +108,33 @@ private:
     m_points.clear();
     m_length = 0;
     Index h = first;
+    Edge_end above = end_at(m_surface.origin(h));
+    Edge_end below = end_at(m_surface.target(h));
     do {
-      append(h);
+      append(h, above, below);
       if (m_length > max_length) {
         return false;
       }
       const Index entry = m_surface.twin(h);
-      const Index apex = m_surface.opposite_vertex(entry);
+      const Edge_end apex = end_at(m_surface.opposite_vertex(entry));
       // Leave the face by the other side that runs from above to below.
-      h = is_above(apex) ? Triangulated_surface::previous(entry) : Triangulated_surface::next(entry);
+      if (apex.height >= 0) {
+        h = Triangulated_surface::previous(entry);
+        above = apex;
+      } else {
+        h = Triangulated_surface::next(entry);
+        below = apex;
+      }
     } while (h != first);
     m_length += (m_points.front() - m_points.back()).norm();
     return m_crossings.size() >= 3;
   }
 
-  void append(Index h)
+  void append(Index h, const Edge_end& above, const Edge_end& below)
   {
-    const double above = height(m_surface.origin(h));
-    const double below = height(m_surface.target(h));
-    m_crossings.push_back({h, std::clamp(above / (above - below), end_margin, 1 - end_margin)});
-    m_points.push_back(crossing_point(m_surface, m_crossings.back()));
+    const double position = std::clamp(above.height / (above.height - below.height), end_margin, 1 - end_margin);
+    m_crossings.push_back({h, position});
+    m_points.push_back((1 - position) * above.point + position * below.point);
     if (m_points.size() > 1) {
       m_length += (m_points.back() - m_points[m_points.size() - 2]).norm();
     }

@@ -216,15 +216,20 @@ inline Polygon_measures measure_polygon(const std::vector<Vector_3>& points)
   return result;
 }
 
-/// Sets the measures of `separator` to those of its polygon `points`.
-inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
+/// Sets the measures of `separator`.
+inline void set_measures(Separator& separator, const Polygon_measures& measures)
 {
-  const Polygon_measures measures = measure_polygon(points);
   separator.length = measures.length;
   separator.center = measures.center;
   separator.area = measures.vector_area.norm();
   separator.normal = separator.area > 0 ? Vector_3(measures.vector_area / separator.area) : Vector_3(Vector_3::UnitZ());
   separator.planarity = measures.planarity;
+}
+
+/// Sets the measures of `separator` to those of the closed polygon `points`.
+inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
+{
+  set_measures(separator, measure_polygon(points));
 }
 
 } // namespace CSCD::internal

@@ -58,8 +58,23 @@ public:
     return {m_corners.data() + m_begin[vertex], m_corners.data() + m_begin[vertex + 1] - 1};
   }
 
+  /// Asks the processor for the corners of `vertex`, which are read soon: up to a half of the time of what goes from
+  /// vertex to neighbor is waiting for the first corner.
+  void prefetch([[maybe_unused]] Index vertex) const
+  {
+#if defined(__GNUC__)
+    constexpr std::size_t cache_line = 64;
+    const char* corner = reinterpret_cast<const char*>(m_corners.data() + m_begin[vertex]);
+    __builtin_prefetch(corner);
+    __builtin_prefetch(corner + cache_line);
+#endif
+  }
+
   /// The mean length of the edges.
-  double mean_length() const { return m_mean_length; }
+  double mean_length() const
+  {
+    return m_mean_length;
+  }
 
 private:
   void append_fan(const Triangulated_surface& surface, Index vertex, double& length_sum)

@@ -88,21 +88,24 @@ public:
   }
 
   /// Lets the front start, or go on, from `vertex` with `label` at `distance`, not less than where it is by now.
-  void reach(Index vertex, float distance, Index label)
+  /// \return whether no path as short was known
+  bool reach(Index vertex, float distance, Index label)
   {
-    if (m_front.reach(vertex, distance)) {
+    const bool is_nearer = m_front.reach(vertex, distance);
+    if (is_nearer) {
       m_label[vertex] = label;
     }
+    return is_nearer;
   }
 
   /// Goes on until no vertex is left that can be reached; `for_each_neighbor(vertex, visit)` calls
-  /// `visit(neighbor, length)` for the edges of a vertex. O(n log n).
+  /// `visit(neighbor, length)`, which returns what `reach()` does, for the edges of a vertex. O(n log n).
   template <class ForEachNeighbor>
   void spread(const ForEachNeighbor& for_each_neighbor)
   {
     m_front.spread([&](Index vertex, float distance) {
-      for_each_neighbor(vertex,
-                        [&](Index neighbor, float length) { reach(neighbor, distance + length, m_label[vertex]); });
+      for_each_neighbor(
+          vertex, [&](Index neighbor, float length) { return reach(neighbor, distance + length, m_label[vertex]); });
     });
   }
 

@@ -1,22 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Files that gzip has compressed.
+// Files that gzip or zstd has compressed.
 
 #ifndef CSCD_IO_INTERNAL_INFLATING_STREAM_H
 #define CSCD_IO_INTERNAL_INFLATING_STREAM_H
 
+#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/decode_bytes.h>
-#include <CSCD/exceptions.h>
 
 #ifdef CSCD_WITH_ZLIB
 #include <zlib.h>
+#endif
+#ifdef CSCD_WITH_ZSTD
+#include <zstd.h>
 #endif
 
 #include <algorithm>
 #include <cstddef>
 #include <istream>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,7 +49,7 @@ public:
     while (size > 0) {
       const std::size_t part = std::min(size, std::size_t(std::numeric_limits<uInt>::max()));
       if (read_some(bytes, part) < part) {
-        fail_at_end();
+        fail_at_end_of_compressed(m_filename);
       }
       bytes += part;
       size -= part;
@@ -88,7 +92,7 @@ private:
       m_stream.avail_in = uInt(m_in.gcount());
       if (m_stream.avail_in == 0) {
         if (!m_is_between_streams) {
-          fail_at_end();
+          fail_at_end_of_compressed(m_filename);
         }
         return false;
       }
@@ -101,11 +105,6 @@ private:
       fail_to_decompress(m_filename);
     }
     return true;
-  }
-
-  [[noreturn]] void fail_at_end() const
-  {
-    throw File_error(m_filename + ": compressed data end too early; fetch or write the file again");
   }
 
   static constexpr std::size_t buffer_size = std::size_t(1) << 16U; // bytes
@@ -127,6 +126,43 @@ inline std::string read_gzipped([[maybe_unused]] std::istream& in, const std::st
 #else
   fail_without_zlib(filename);
 #endif
+}
+
+/// The same of what zstd has compressed.
+/// \throw File_error if it is damaged, or if this is built without zstd
+inline std::string read_zstd([[maybe_unused]] std::istream& in, const std::string& filename)
+{
+#ifdef CSCD_WITH_ZSTD
+  const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(), &ZSTD_freeDStream);
+  std::vector<char> read(ZSTD_DStreamInSize());
+  std::vector<char> decompressed(ZSTD_DStreamOutSize());
+  std::string result;
+  std::size_t missing = 1; // of a frame; 0 between frames, of which a file may have several
+  while (in.read(read.data(), std::streamsize(read.size())), in.gcount() > 0) {
+    // The last byte of a frame is not taken before all of it is written.
+    for (ZSTD_inBuffer input{read.data(), std::size_t(in.gcount()), 0}; input.pos < input.size;) {
+      ZSTD_outBuffer output{decompressed.data(), decompressed.size(), 0};
+      missing = ZSTD_decompressStream(stream.get(), &output, &input);
+      if (ZSTD_isError(missing) != 0) {
+        fail_to_decompress(filename);
+      }
+      result.append(decompressed.data(), output.pos);
+    }
+  }
+  if (missing != 0) {
+    fail_at_end_of_compressed(filename);
+  }
+  return result;
+#else
+  fail_without_library(filename, "zstd", "libzstd-dev");
+#endif
+}
+
+/// All that is left in `in`, decompressed.
+/// \throw File_error if it is damaged, or if this is built without what decompresses it
+inline std::string read_compressed(std::istream& in, Compression compression, const std::string& filename)
+{
+  return compression == Compression::gzip ? read_gzipped(in, filename) : read_zstd(in, filename);
 }
 
 } // namespace CSCD::internal

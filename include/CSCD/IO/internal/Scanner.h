@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -31,13 +32,13 @@
 
 namespace CSCD::internal {
 
-/// All that is left in `in`, decompressed if the ending of `format` is that of gzip.
+/// All that is left in `in`, decompressed if the ending of `format` tells how.
 /// \param name for messages
 /// \throw File_error if reading fails, or if it cannot be decompressed
 inline std::string read_content(std::istream& in, const std::string& name, const std::string& format = "")
 {
-  if (has_gzip_ending(format)) {
-    return read_gzipped(in, name);
+  if (const std::optional<Compression> compression = find_compression(format)) {
+    return read_compressed(in, *compression, name);
   }
   constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
   std::string content;
@@ -53,7 +54,7 @@ inline std::string read_content(std::istream& in, const std::string& name, const
   return content;
 }
 
-/// The content of the file `filename`, decompressed if its ending is that of gzip.
+/// The content of the file `filename`, decompressed if its ending tells how.
 /// \throw File_error if it cannot be read
 inline std::string read_content(const std::string& filename)
 {
@@ -68,7 +69,7 @@ inline std::string read_content(const std::string& filename)
                      "); check the name and the permissions");
   }
   const auto size = std::filesystem::file_size(filename, error);
-  if (error || has_gzip_ending(filename)) {
+  if (error || find_compression(filename)) {
     return read_content(in, filename, filename); // a pipe, or of another size
   }
   std::string content(static_cast<std::size_t>(size), '\0');

@@ -134,12 +134,23 @@ private:
   throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
 }
 
+/// \throw File_error telling that this was built without `library`, that of Debian's `package`
+[[noreturn]] inline void fail_without_library(const std::string& filename, const char* library, const char* package)
+{
+  throw File_error(filename + ": is compressed, and this was built without " + library + "; install " + package +
+                   " and build again, or write the file without compression");
+}
+
 /// \throw File_error telling that this was built without zlib
 [[noreturn]] inline void fail_without_zlib(const std::string& filename)
 {
-  throw File_error(filename +
-                   ": is compressed, and this was built without zlib; install zlib1g-dev and build again, or "
-                   "write the file without compression");
+  fail_without_library(filename, "zlib", "zlib1g-dev");
+}
+
+/// \throw File_error telling that compressed data end too early
+[[noreturn]] inline void fail_at_end_of_compressed(const std::string& filename)
+{
+  throw File_error(filename + ": compressed data end too early; fetch or write the file again");
 }
 
 /// Decompresses what zlib has compressed.
