@@ -69,7 +69,8 @@ struct Skeletonization_report
   /// @{
   std::size_t number_of_input_vertices = 0;     ///< input vertices or points that the skeleton partitions
   std::size_t number_of_isolated_vertices = 0;  ///< input vertices without any face: no part of the surface
-  std::size_t number_of_surface_components = 0; ///< connected components of the surface
+  std::size_t number_of_surface_components = 0; ///< connected components of the surface, cavities not counted
+  std::size_t number_of_cavities = 0;           ///< components within bodies that face inwards: they are filled
   std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
   std::size_t number_of_sheets = 0;             ///< components that are sheets, on which separators may be open
   std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets, at which open separators end

@@ -38,7 +38,7 @@ struct Mesh_repair_report
   std::size_t number_of_removed_points = 0;    ///< points left without any face by the repair
   std::size_t number_of_turned_faces = 0;      ///< triangles turned to agree with their neighbors
   std::size_t number_of_duplicated_points = 0; ///< points doubled where the surface was not a manifold
-  std::size_t number_of_turned_components = 0; ///< closed components turned inside out, as they faced inwards
+  std::size_t number_of_turned_components = 0; ///< closed components turned outwards, but for cavities
 
   /// Whether the mesh is the file's, face by face.
   bool is_empty() const { return sentences().empty(); }
@@ -229,8 +229,8 @@ Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::
 /// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
 /// coordinates are merged; if they still form no manifold, degenerate and duplicate faces and small flaps are removed,
 /// faces turned to agree with their neighbors, and points duplicated where the surface is no manifold. If it is closed,
-/// components that face inwards are turned. Vertices and faces are numbered as in the file, as far as nothing had to be
-/// repaired; vertices without a face are kept then. Near linear.
+/// components that face inwards are turned, but for cavities. Vertices and faces are numbered as in the file, as far as
+/// nothing had to be repaired; vertices without a face are kept then. Near linear.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
 /// \return what was repaired

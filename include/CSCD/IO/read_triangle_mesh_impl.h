@@ -20,6 +20,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/fill_cavities.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -370,7 +371,8 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   }
   if (!pairing->has_border()) {
     Surface_components components(result.triangles);
-    result.report.number_of_turned_components = orient_outwards(result.triangles, *pairing, components);
+    result.report.number_of_turned_components =
+        orient_outwards(result.triangles, *pairing, components, Cavity_search(result.triangles, components)());
   }
   result.pairing = std::move(*pairing);
   return result;

@@ -23,6 +23,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/fill_cavities.h>
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -54,12 +55,13 @@ public:
   Measured_body(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
   {
     m_normalization = normalize_diagonal(triangles.points);
-    const std::size_t number_of_points = triangles.points.size();
+    std::size_t number_of_points = triangles.points.size();
     m_number_of_borders = bridge_borders(triangles, pairing);
     if (pairing.has_border()) {
       pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
     }
     Surface_components components(triangles);
+    number_of_points -= fill_cavities(triangles, pairing, components, number_of_points).vertices.size();
     orient_outwards(triangles, pairing, components);
     split_two_face_components(triangles, pairing, components);
     m_number_of_components = components.number();

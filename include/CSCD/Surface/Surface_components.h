@@ -39,6 +39,9 @@ struct Surface_components
     double max_squared_length = 0;        ///< of the edges
     std::size_t number_of_faces = 0;      ///< with hole-filling faces
     std::size_t number_of_long_faces = 0; ///< faces much longer than high
+
+    /// Whether the faces look inwards: a volume near 0 has no reliable sign.
+    bool faces_inwards() const { return volume < -min_signed_volume * area * std::sqrt(area); }
   };
 
   Index number() const { return Index(measures.size()); }
@@ -54,6 +57,8 @@ struct Surface_components
   std::vector<Index> degenerate_faces;
 
 private:
+  /// Volumes below this, relative to the area to the power 3/2, have no reliable sign: a ball has about 0.1.
+  static constexpr double min_signed_volume = 1e-9;
   /// A face is degenerate if its height is less than this, relative to its longest side: rounding may have made it up.
   static constexpr double degenerate_height = 1e-8;
   /// A face is long if it is at least this much longer than high: halves of squares are twice as long.
@@ -134,21 +139,44 @@ inline std::vector<std::size_t> genus_of_components(const Indexed_triangles& tri
   return genus;
 }
 
-/// Volumes below this, relative to the area to the power 3/2, have no reliable sign: a ball has about 0.1.
-inline constexpr double min_signed_volume = 1e-9;
+/// Removes the components for which `is_removed(component)` holds, and the points that only they use. Linear.
+/// \return the old numbers of the points that remain, in order
+/// \pre `components` are those of `triangles`, which they no longer are afterwards
+template <class Predicate>
+std::vector<Index> remove_components(Indexed_triangles& triangles, const Surface_components& components,
+                                     const Predicate& is_removed)
+{
+  std::size_t kept = 0;
+  std::size_t first_hole_filling_face = 0;
+  for (std::size_t face = 0; face < triangles.faces.size(); ++face) {
+    if (!is_removed(components.component[face])) {
+      triangles.faces[kept++] = triangles.faces[face];
+      first_hole_filling_face += face < triangles.first_hole_filling_face ? 1 : 0;
+    }
+  }
+  triangles.faces.resize(kept);
+  triangles.first_hole_filling_face = first_hole_filling_face;
+  std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
+  for (std::size_t i = 0; i < old_number.size(); ++i) {
+    triangles.points[i] = triangles.points[old_number[i]];
+  }
+  triangles.points.resize(old_number.size());
+  return old_number;
+}
 
 /// Reverses the faces of all components that enclose a negative volume: each component is then a body of its own.
 /// Linear.
+/// \param is_cavity of each component, whether it is to stay as it is; may be empty
 /// \return the number of components that were reversed
 /// \pre `pairing` and `components` are those of `triangles`, and are kept so
 inline std::size_t orient_outwards(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                   Surface_components& components)
+                                   Surface_components& components, const std::vector<char>& is_cavity = {})
 {
   std::size_t number_of_reversed = 0;
   std::vector<char> is_reversed(components.number(), 0);
   for (Index c = 0; c < components.number(); ++c) {
     Surface_components::Measure& measure = components.measures[c];
-    if (measure.volume < -min_signed_volume * measure.area * std::sqrt(measure.area)) {
+    if (measure.faces_inwards() && (is_cavity.empty() || is_cavity[c] == 0)) {
       measure.volume = -measure.volume;
       is_reversed[c] = 1;
       ++number_of_reversed;

@@ -18,10 +18,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
 
+struct Surface_level;
 class Surface_levels;
 
 namespace internal {
@@ -36,7 +38,7 @@ class Solid_queries;
 class Triangulated_solid
 {
 public:
-  /// Closes, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
+  /// Closes, fills, orients, refines, renumbers and normalizes `triangles`, and builds levels of detail; near linear.
   /// \param triangles finite points, each with a face; the faces before `first_hole_filling_face` have an area
   /// \param pairing that of the faces, without conflicts and pinched vertices
   /// \param treatment which components are doubled first: a sheet becomes a thin body, of two sides and a rim along its
@@ -57,6 +59,9 @@ public:
   const Surface_levels& levels() const { return *m_levels; }
   /// The vertex of the triangles as they were given that `vertex` is; `no_index` for an inserted one.
   Index input_vertex(Index vertex) const { return m_input_vertex[vertex]; }
+  /// For each vertex of the triangles as they were given that is on the surface of a cavity: the vertex of the body
+  /// that is nearest to it, and its number.
+  const std::vector<std::pair<Index, Index>>& cavity_vertices() const { return m_cavity_vertices; }
   /// The connected component of `vertex`; O(log c) for c components.
   Index component(Index vertex) const;
   /// The number of connected components.
@@ -106,7 +111,9 @@ public:
   std::size_t number_of_inserted_vertices() const { return m_number_of_inserted_vertices; }
   /// The number of input faces with (nearly) no area; they are kept.
   std::size_t number_of_degenerate_faces() const { return m_number_of_degenerate_faces; }
-  /// The number of components that were oriented inwards in the input.
+  /// The number of components that bound cavities: they were taken out, so that bodies are solid.
+  std::size_t number_of_cavities() const { return m_number_of_cavities; }
+  /// The number of other components that were oriented inwards in the input.
   std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
   /// Writes these numbers and those of the surface to `report`.
   void describe(Skeletonization_report& report) const;
@@ -116,9 +123,13 @@ public:
 
 private:
   const internal::Solid_queries& queries() const;
+  const Surface_level& query_level() const;
+  /// Of the face nearest to `place`, the vertex that is nearest.
+  Index nearest_vertex(const Vector_3& place) const;
 
   std::unique_ptr<const Surface_levels> m_levels;
   std::vector<Index> m_input_vertex;
+  std::vector<std::pair<Index, Index>> m_cavity_vertices;
   std::vector<Index> m_component_begin;     ///< the first vertex of every component, and the number of vertices
   std::vector<signed char> m_side_of_sheet; ///< of every vertex; empty without sheets
   Normalization m_normalization;
@@ -127,6 +138,7 @@ private:
   std::size_t m_number_of_bridged_borders = 0;
   std::size_t m_number_of_inserted_vertices = 0;
   std::size_t m_number_of_degenerate_faces = 0;
+  std::size_t m_number_of_cavities = 0;
   std::size_t m_number_of_reversed_components = 0;
   mutable std::once_flag m_queries_built;
   mutable std::unique_ptr<const internal::Solid_queries> m_queries;

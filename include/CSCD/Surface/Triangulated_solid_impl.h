@@ -33,6 +33,11 @@ CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles
   m_number_of_reversed_components = compiled.number_of_reversed_components;
   m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads,
                                                     compiled.has_sampled_limbs);
+  m_number_of_cavities = compiled.cavities.number;
+  m_cavity_vertices.reserve(compiled.cavities.vertices.size());
+  for (std::size_t i = 0; i < compiled.cavities.vertices.size(); ++i) {
+    m_cavity_vertices.emplace_back(nearest_vertex(compiled.cavities.places[i]), compiled.cavities.vertices[i]);
+  }
 }
 
 CSCD_INLINE Triangulated_solid::~Triangulated_solid() = default;
@@ -55,10 +60,15 @@ CSCD_INLINE std::size_t Triangulated_solid::genus() const
                                  triangulation().number_of_faces());
 }
 
-CSCD_INLINE const Triangulated_surface& Triangulated_solid::query_surface() const
+CSCD_INLINE const Surface_level& Triangulated_solid::query_level() const
 {
   constexpr Index max_vertices = 60000;
-  return (*m_levels)[m_levels->finest_with_at_most(max_vertices)].surface;
+  return (*m_levels)[m_levels->finest_with_at_most(max_vertices)];
+}
+
+CSCD_INLINE const Triangulated_surface& Triangulated_solid::query_surface() const
+{
+  return query_level().surface;
 }
 
 CSCD_INLINE bool Triangulated_solid::is_inside(const Vector_3& point) const
@@ -94,6 +104,7 @@ CSCD_INLINE void Triangulated_solid::describe(Skeletonization_report& report) co
   report.number_of_bridged_borders = number_of_bridged_borders();
   report.number_of_sheets = number_of_sheets();
   report.number_of_wide_borders = number_of_wide_borders();
+  report.number_of_cavities = number_of_cavities();
   report.number_of_inserted_vertices = number_of_inserted_vertices();
   report.number_of_degenerate_faces = number_of_degenerate_faces();
   report.number_of_levels = levels().size();
@@ -109,8 +120,24 @@ CSCD_INLINE void Triangulated_solid::warn(Skeletonization_report& report) const
   report.add_warning(number_of_sheets(), "sheet: its separators lead from border to border",
                      "sheets: their separators lead from border to border");
   report.add_warning(number_of_degenerate_faces(), "face with (nearly) no area", "faces with (nearly) no area");
+  report.add_warning(number_of_cavities(), "cavity: filled; its vertices belong to the nodes of the body around",
+                     "cavities: filled; their vertices belong to the nodes of the bodies around");
   report.add_warning(number_of_reversed_components(), "component that faced inwards: turned",
                      "components that faced inwards: turned");
+}
+
+CSCD_INLINE Index Triangulated_solid::nearest_vertex(const Vector_3& place) const
+{
+  const Surface_level& level = query_level();
+  const Index first = 3 * closest_point(place).face;
+  Index nearest = level.surface.origin(first);
+  for (const Index halfedge : {first + 1, first + 2}) {
+    const Index vertex = level.surface.origin(halfedge);
+    if ((level.surface.point(vertex) - place).squaredNorm() < (level.surface.point(nearest) - place).squaredNorm()) {
+      nearest = vertex;
+    }
+  }
+  return level.to_finest(nearest);
 }
 
 CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const

@@ -215,24 +215,11 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
 inline std::size_t find_cavities(Indexed_triangles& triangles, Halfedge_pairing& pairing, bool are_left_out)
 {
   const Surface_components components(triangles);
-  const auto is_cavity = [&components](Index face) {
-    return components.measures[components.component[face]].volume < 0;
-  };
+  const auto is_cavity = [&components](Index component) { return components.measures[component].volume < 0; };
   const auto number = std::size_t(std::count_if(components.measures.begin(), components.measures.end(),
                                                 [](const auto& measure) { return measure.volume < 0; }));
   if (number > 0 && are_left_out) {
-    std::size_t kept = 0;
-    for (Index face = 0; face < triangles.faces.size(); ++face) {
-      if (!is_cavity(face)) {
-        triangles.faces[kept++] = triangles.faces[face];
-      }
-    }
-    triangles.faces.resize(kept);
-    const std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
-    for (std::size_t i = 0; i < old_number.size(); ++i) {
-      triangles.points[i] = triangles.points[old_number[i]];
-    }
-    triangles.points.resize(old_number.size());
+    remove_components(triangles, components, is_cavity);
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
   return number;

@@ -14,6 +14,7 @@
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
 #include <CSCD/Surface/double_sheets.h>
+#include <CSCD/Surface/fill_cavities.h>
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Surface/sample_limbs.h>
 #include <CSCD/Vector_3.h>
@@ -36,6 +37,7 @@ struct Compiled_surface
   std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
   std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
   std::vector<signed char> side_of_sheet; ///< of every vertex, 1 or 2, or 0; empty without sheets
+  Filled_cavities cavities;               ///< places in normalized coordinates
   bool has_sampled_limbs = false;         ///< so many that coarser levels would lose them
   std::size_t number_of_sheets = 0;
   std::size_t number_of_wide_borders = 0;
@@ -74,7 +76,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
                                         Border_treatment treatment, unsigned number_of_threads)
 {
   Compiled_surface result;
-  const std::size_t number_of_input_points = triangles.points.size();
+  std::size_t number_of_input_points = triangles.points.size();
   const std::size_t number_of_input_faces = triangles.faces.size();
   const Normalization to_unit_box = normalize_extent(triangles.points);
   Doubled_sheets sheets;
@@ -95,6 +97,10 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   result.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
+  if (sheets.number_of_sheets == 0) {
+    result.cavities = fill_cavities(triangles, pairing, components, number_of_input_points);
+    number_of_input_points -= result.cavities.vertices.size();
+  }
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
   if (sheets.number_of_sheets == 0 && triangles.first_hole_filling_face == triangles.faces.size()) {
@@ -115,11 +121,16 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   }
   result.input_point = std::move(order.vertices);
   for (Index& point : result.input_point) {
-    point = point < number_of_input_points ? point : no_index;
+    const bool is_renumbered = point < number_of_input_points && result.cavities.number > 0;
+    point = is_renumbered ? result.cavities.old_number[point] : point < number_of_input_points ? point : no_index;
   }
   result.component_begin = std::move(order.component_begin);
   // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
-  result.normalization = to_unit_box.then(normalize_area(triangles));
+  const Normalization to_unit_area = normalize_area(triangles);
+  result.normalization = to_unit_box.then(to_unit_area);
+  for (Vector_3& place : result.cavities.places) {
+    place = to_unit_area.from_input(place);
+  }
   result.surface = Triangulated_surface(std::move(triangles), number_of_threads);
   CGAL_postcondition(!result.surface.defect());
   return result;

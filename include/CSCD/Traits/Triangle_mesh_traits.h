@@ -14,6 +14,7 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
@@ -32,9 +33,9 @@ namespace CSCD {
 /// The adapter of a triangle mesh to a `Triangulated_solid`; a model of `SkeletonizationTraits`.
 ///
 /// The mesh is checked, its borders are bridged by faces without weight or are rims of sheets, components that are
-/// oriented inwards are reversed, faces that are too large are refined; the result is renumbered and normalized, so
-/// that it depends on the shape alone. Its vertices are those of the input that have a face, and inserted ones.
-/// \tparam TriangleMesh a model of `FaceListGraph`
+/// oriented inwards are cavities, which are filled, if they lie in a body, and reversed otherwise, faces that are too
+/// large are refined; the result is renumbered and normalized, so that it depends on the shape alone. Its vertices are
+/// those of the input that have a face, and inserted ones. \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
 template <class TriangleMesh,
@@ -89,9 +90,13 @@ public:
   /// \name Back to the input
   /// @{
 
-  /// The vertices of the input that `vertex` is: one, or none for an inserted vertex.
+  /// The vertices of the input that belong to `vertex`: the one that it is, unless it was inserted, and those of
+  /// cavities that are nearest to it.
   CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const
   {
+    if (m_surface->number_of_cavities() > 0) {
+      return m_rows[vertex];
+    }
     const Index input = m_surface->input_vertex(vertex);
     const Input_descriptor* first = m_descriptors.data() + (input == no_index ? 0 : input);
     return {first, input == no_index ? first : first + 1};
@@ -123,10 +128,30 @@ private:
     m_descriptors = std::move(collected.descriptors);
     m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
     m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing), treatment, number_of_threads);
+    if (m_surface->number_of_cavities() > 0) {
+      sort_descriptors();
+    }
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
-  std::vector<Input_descriptor> m_descriptors; // of the points of the input
+  /// Sorts the vertices of the input by the vertices of the surface to which they belong.
+  void sort_descriptors()
+  {
+    const Index n = m_surface->triangulation().number_of_vertices();
+    m_rows = internal::Compressed_rows<Input_descriptor>(n, [&](const auto& add) {
+      for (Index vertex = 0; vertex < n; ++vertex) {
+        if (m_surface->input_vertex(vertex) != no_index) {
+          add(vertex, m_descriptors[m_surface->input_vertex(vertex)]);
+        }
+      }
+      for (const auto& [vertex, input] : m_surface->cavity_vertices()) {
+        add(vertex, m_descriptors[input]);
+      }
+    });
+  }
+
+  std::vector<Input_descriptor> m_descriptors;        // of the points of the input
+  internal::Compressed_rows<Input_descriptor> m_rows; // by vertices of the surface, where there are cavities
   std::optional<Triangulated_solid> m_surface;
   std::size_t m_number_of_isolated_vertices = 0;
   double m_seconds = 0;

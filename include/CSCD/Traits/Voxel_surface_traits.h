@@ -11,6 +11,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Vector_3.h>
@@ -21,6 +22,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -48,7 +50,11 @@ public:
   {
     const auto start = std::chrono::steady_clock::now();
     std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
-    m_surface.emplace(Indexed_triangles(surface.triangles), Halfedge_pairing(surface.pairing));
+    Indexed_triangles triangles = surface.triangles;
+    Halfedge_pairing pairing = surface.pairing;
+    internal::Surface_components components(triangles);
+    internal::orient_outwards(triangles, pairing, components); // cavities that are kept are to have skeletons
+    m_surface.emplace(std::move(triangles), std::move(pairing));
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
