@@ -177,6 +177,19 @@ TEST_P(Scanned_tree, is_found_from_one_side)
   expect_match(match(m_tree, outcome), 0.75);
 }
 
+TEST_P(Scanned_tree, has_few_superfluous_branches_from_two_sides)
+{
+  const std::vector<Triple> all = m_tree.scanned(2 * number, 0.5, 1);
+  std::vector<Triple> both = CSCD::test::seen_from(all, {12, 0, 1.5}, 0.0015, 0.1);
+  const std::vector<Triple> other = CSCD::test::seen_from(all, {-6, 10, 1.5}, 0.0015, 0.1);
+  both.insert(both.end(), other.begin(), other.end());
+  const Tree_outcome outcome = tree_of(CSCD::test::shaken(both, 0.004, 2));
+  EXPECT_GT(outcome.report.number_of_thinned_points, 0u);
+  const Tree_match result = match(m_tree, outcome);
+  expect_match(result, 0.8);
+  EXPECT_LE(double(result.superfluous), 0.12 * double(result.number_of_limbs)) << "a quarter on the whole scan";
+}
+
 TEST_P(Scanned_tree, is_found_across_gaps)
 {
   std::vector<Triple> points = m_tree.scanned(number, 1, 1);

@@ -120,7 +120,8 @@ Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,
   check_curve_skeleton_graph<Skeleton>();
   const auto start = std::chrono::steady_clock::now();
   const auto point_map = internal::point_map(points, np);
-  const Point_cloud cloud = internal::collect_any_points(points, point_map, internal::No_normals());
+  const Point_cloud cloud =
+      internal::thin_to_noise(internal::collect_any_points(points, point_map, internal::No_normals()));
   std::optional<Vector_3> root;
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::root_t>::value) {
     root = cloud.normalization.from_input(internal::to_vector_3(parameters::get_parameter(np, internal_np::root)));

@@ -61,8 +61,9 @@ struct Tree_gap
 /// Counts, branches, gaps and warnings of the skeletonization of a scan of trees. Lengths are in the unit of the input.
 struct Tree_report
 {
-  std::size_t number_of_points = 0;     ///< of the input
-  std::size_t number_of_duplicates = 0; ///< points that are at the place of another one
+  std::size_t number_of_points = 0;         ///< of the input
+  std::size_t number_of_duplicates = 0;     ///< points that are at the place of another one
+  std::size_t number_of_thinned_points = 0; ///< points nearer to others than noise allows, which stand for them
   std::size_t number_of_debris = 0;  ///< points of no object: they belong to the node of the nearest point that has one
   std::size_t number_of_objects = 0; ///< each is a tree of the skeleton
   double spacing = 0;                ///< median over the points of the mean distance to the nearest six

@@ -31,6 +31,10 @@ struct Tree_skeleton
   Tree_report report;               ///< in the unit of the input; without time
 };
 
+/// Thins a scan of trees that is denser than its noise allows: between points that are nearer to each other than they
+/// are to the bark, there are branches everywhere. Points that are left out are those nearest to them. O(n log n).
+Point_cloud thin_to_noise(Point_cloud&& cloud);
+
 /// Skeletonizes a scan of trees; O(n log n).
 /// \param root where one of the objects begins; all others begin at their lowest points
 Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root);
