@@ -134,6 +134,21 @@ TEST_F(Curve_skeletonization, packs_some_of_what_it_found)
   }
 }
 
+TEST_F(Curve_skeletonization, packs_the_same_again)
+{
+  // Of a cup, separators around the hollow are dropped, and one around the handle may be added.
+  const auto cup = CSCD::test::to_mesh<Mesh>(CSCD::test::cup(0.1));
+  const Traits traits(cup);
+  Skeletonization skeletonization(traits);
+  Skeleton first;
+  skeletonization.run(first);
+  ASSERT_GT(skeletonization.report().number_of_tunnels, 0u);
+  skeletonization.pack_separators();
+  Skeleton second;
+  skeletonization.convert_to_skeleton(second);
+  expect_equal(first, second);
+}
+
 TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)
 {
   Skeletonization skeletonization(m_traits);

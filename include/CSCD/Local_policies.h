@@ -73,11 +73,11 @@ public:
   }
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
+  /// Those that lead around something hollow are not returned.
   std::vector<Separator> find_separators(const Triangulated_solid& solid, const Search_settings& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
-  /// Removes separators that lead around something hollow from `separators`, and appends some around handles that no
-  /// source has found. Positions in the list are those after both.
+  /// Appends separators to `separators` around handles that no source has found.
   Packing pack_separators(const Triangulated_solid& solid, std::vector<Separator>& separators,
                           Skeletonization_report& report) const;
 

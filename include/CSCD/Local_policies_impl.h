@@ -55,20 +55,20 @@ CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangu
       internal::mark_open(solid, result.separator);
     };
   };
-  return internal::Covering_search(solid.levels(), settings, make_finder,
-                                   m_detail.min_branch_area_ratio())(m_cost, report, progress);
+  std::vector<Separator> separators = internal::Covering_search(
+      solid.levels(), settings, make_finder, m_detail.min_branch_area_ratio())(m_cost, report, progress);
+  const auto first_tunnel =
+      std::remove_if(separators.begin(), separators.end(),
+                     [&solid](const Separator& separator) { return internal::is_around_hollow(solid, separator); });
+  report.number_of_tunnels = std::size_t(separators.end() - first_tunnel);
+  separators.erase(first_tunnel, separators.end());
+  return separators;
 }
 
 CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triangulated_solid& solid,
                                                                     std::vector<Separator>& separators,
                                                                     Skeletonization_report& report) const
 {
-  const std::size_t number_found = separators.size();
-  separators.erase(
-      std::remove_if(separators.begin(), separators.end(),
-                     [&](const Separator& separator) { return internal::is_around_hollow(solid, separator); }),
-      separators.end());
-  report.number_of_tunnels = number_found - separators.size();
   auto packing = std::make_unique<internal::Separator_packing>(solid.triangulation(), separators,
                                                                internal::separator_costs(separators, m_cost),
                                                                m_detail.min_branch_area_ratio());

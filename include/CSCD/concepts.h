@@ -224,7 +224,7 @@ constexpr void check_separator_cost()
 /// | `P::Packing` | which separators are packed, and what else follows from them; can be moved |
 /// | `packing.packed()` | the packed ones, as positions in the list: a `const std::vector<Index>&` |
 /// | `p.find_separators(s, settings, report, progress)` | a `std::vector<Separator>` |
-/// | `p.pack_separators(s, separators, report)` | a `P::Packing` of `separators`, a list that it may change before |
+/// | `p.pack_separators(s, separators, report)` | a `P::Packing` of `separators`, to which more may be appended |
 /// | `p.build_skeleton(s, separators, packing, report)` | an `Embedded_skeleton` |
 ///
 /// Separators are sought by the `Search_settings`, with frequent calls of `progress(fraction)`, a `Progress`, which may
