@@ -57,9 +57,9 @@ CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangu
   };
   std::vector<Separator> separators = internal::Covering_search(
       solid.levels(), settings, make_finder, m_detail.min_branch_area_ratio())(m_cost, report, progress);
-  const auto first_tunnel =
-      std::remove_if(separators.begin(), separators.end(),
-                     [&solid](const Separator& separator) { return internal::is_around_hollow(solid, separator); });
+  const auto first_tunnel = std::remove_if(separators.begin(), separators.end(), [&solid](const Separator& separator) {
+    return internal::is_around_hollow(solid, separator);
+  });
   report.number_of_tunnels = std::size_t(separators.end() - first_tunnel);
   separators.erase(first_tunnel, separators.end());
   return separators;
