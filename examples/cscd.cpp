@@ -327,6 +327,12 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "to border, or decide by the shape, which is the default")
       ->check(CLI::IsMember({cscd::automatic_borders, cscd::bridged_borders, cscd::open_borders}));
   command
+      ->add_option("--wrap", options.wrap,
+                   "of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and "
+                   "closes holes, gaps and hollows narrower than SIZE, relative to the diagonal, such as 0.01")
+      ->check(CLI::Range(0.001, 0.5))
+      ->type_name("SIZE");
+  command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
       ->check(CLI::Range(0., 1.))

@@ -99,6 +99,7 @@ struct Skeletonize_options
   std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::string borders;                 ///< what becomes of those of a mesh; `automatic_borders` if empty
+  std::optional<double> wrap;          ///< size of the gaps of a mesh that a wrap around it closes, to its diagonal
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has

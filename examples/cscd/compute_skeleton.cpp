@@ -16,6 +16,7 @@
 #include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Neighbor_table.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/Traits/Spatial_graph_traits.h>
@@ -350,7 +351,17 @@ std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeleto
     labels.resize(input.points.size());
     return labels;
   }
-  return CSCD::internal::labels_of_file(input.as_read.points, CSCD::internal::to_vectors(input.mesh.points()), labels);
+  const std::vector<CSCD::Vector_3> points = CSCD::internal::to_vectors(input.mesh.points());
+  if (!input.is_wrapped) {
+    return CSCD::internal::labels_of_file(input.as_read.points, points, labels);
+  }
+  const CSCD::internal::Point_tree tree(points);
+  std::vector<CSCD::Vertex_label> labels_of_nearest;
+  labels_of_nearest.reserve(input.as_read.points.size());
+  for (const CSCD::Vector_3& point : input.as_read.points) {
+    labels_of_nearest.push_back(labels[tree.nearest(point)]);
+  }
+  return labels_of_nearest;
 }
 
 } // namespace cscd

@@ -10,6 +10,7 @@
 #include "three_js_source.h"
 #include "types.h"
 #include "volumes.h"
+#include "wrap.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_points.h>
@@ -375,7 +376,7 @@ void check_domain(const Skeletonize_options& options)
        {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
         std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
-        std::pair(!options.cylinders.empty(), "--cylinders")}) {
+        std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
       throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
     }
@@ -425,8 +426,9 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && options.shortening == flip_shortening) {
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
-  for (const auto& [is_given, option] : {std::pair(options.is_multiscale, "--multiscale"),
-                                         std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
+  for (const auto& [is_given, option] :
+       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.is_multiscale, "--multiscale"),
+        std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
     if (input.is_point_set && is_given) {
       throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
     }
@@ -474,19 +476,24 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 
 namespace {
 
-/// Whether one of the results is made with the mesh, not with the skeleton alone.
+/// Whether a mesh is wrapped, or one of the results is made with the mesh, not with the skeleton alone.
 bool needs_mesh(const Skeletonize_options& options)
 {
-  return !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
+  return options.wrap ||
+         !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
            options.labelled.empty() && options.report.empty() && options.html.empty()) ||
          std::any_of(options.outputs.begin(), options.outputs.end(), is_rig);
 }
 
-/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
+/// As `read_input()`, and wraps meshes; where one cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
-    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
+    Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
+    if (options.wrap && !input.is_point_set) {
+      wrap_mesh(input, *options.wrap, name_of(options.input));
+    }
+    return input;
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }

@@ -49,6 +49,7 @@ struct Input
   std::vector<Vector> normals;                           ///< of the points, or empty
   std::optional<CSCD::internal::Indexed_skeleton> graph; ///< if it is taken for one: its vertices are the points
   std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
+  bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
   CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
 };

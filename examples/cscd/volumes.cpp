@@ -131,6 +131,7 @@ void check_volume_options(const Skeletonize_options& options)
     return;
   }
   refuse({{!options.domain.empty(), "--as"},
+          {options.wrap.has_value(), "--wrap"},
           {options.shape != automatic_shape, "--shape"},
           {!options.cylinders.empty(), "--cylinders"},
           {!options.correspondence.empty(), "--correspondence"},

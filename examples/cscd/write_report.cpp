@@ -248,6 +248,9 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs}};
+  if (options.wrap) {
+    document["wrap"] = *options.wrap;
+  }
   if (options.domain == graph_domain) {
     document["method"] = graph_domain;
   } else if (options.method == local_method) {

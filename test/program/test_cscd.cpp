@@ -567,6 +567,40 @@ TEST_F(Cscd, writes_which_node_each_vertex_belongs_to)
   EXPECT_EQ(0, run("skeletonize y.ply -o again.graph").status);
 }
 
+TEST_F(Cscd, wraps_parts_that_cut_each_other)
+{
+  // Two capsules that cross.
+  Mesh_file_content mesh = file_content(CSCD::test::capsule(8, 1, 24));
+  const std::size_t size = mesh.points.size();
+  for (std::size_t v = 0; v < size; ++v) {
+    const auto [x, y, z] = mesh.points[v];
+    mesh.points.push_back({4 - z, y, x - 4});
+  }
+  for (std::size_t i = 0, number = mesh.polygons.size(); i < number; ++i) {
+    mesh.polygons.push_back(mesh.polygons[i]);
+    for (std::size_t& corner : mesh.polygons.back()) {
+      corner += size;
+    }
+  }
+  m_folder.write("parts.off", off(mesh));
+  const auto json = [this](const std::string& name) { return nlohmann::json::parse(content(name)); };
+  EXPECT_EQ(0, run("skeletonize parts.off --report parts.json -q").status);
+  EXPECT_EQ(2, json("parts.json").at("number_of_skeleton_components"));
+  const Outcome outcome = run("skeletonize parts.off --wrap 0.03 --report wrap.json --correspondence wrap.csv");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ(0.03, json("wrap.json").at("wrap"));
+  EXPECT_EQ(1, json("wrap.json").at("number_of_skeleton_components"));
+  EXPECT_EQ(4, json("wrap.json").at("number_of_tips"));
+  EXPECT_EQ(0, json("wrap.json").at("number_of_edges_outside"));
+  EXPECT_EQ(2 * size + 1, number_of_lines(content("wrap.csv")));
+  EXPECT_EQ(std::string::npos, content("wrap.csv").find(",,")) << "a vertex without a node";
+
+  m_folder.write("pole.xyz", pole());
+  expect_refusal("skeletonize pole.xyz --wrap 0.03", 1, {"--wrap", "not for points"});
+  expect_refusal("skeletonize parts.off --as graph --wrap 0.03", 1, {"--wrap", "--as graph"});
+  expect_refusal("skeletonize parts.off --wrap 0", 1, {"--wrap"});
+}
+
 TEST_F(Cscd, writes_which_node_each_point_belongs_to)
 {
   m_folder.write("pole.xyz", pole());

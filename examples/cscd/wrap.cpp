@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "wrap.h"
+
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cscd {
+
+namespace {
+
+using Exact_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Wrap = CGAL::Surface_mesh<Exact_kernel::Point_3>;
+
+double diagonal(const CGAL::Bbox_3& box)
+{
+  return std::hypot(box.x_span(), box.y_span(), box.z_span());
+}
+
+CSCD::internal::Polygon_soup to_soup(const Wrap& wrap)
+{
+  CSCD::internal::Polygon_soup soup;
+  for (const auto vertex : wrap.vertices()) {
+    const Exact_kernel::Point_3& p = wrap.point(vertex);
+    soup.points.emplace_back(p.x(), p.y(), p.z());
+  }
+  for (const auto face : wrap.faces()) {
+    for (const auto vertex : wrap.vertices_around_face(wrap.halfedge(face))) {
+      soup.corners.push_back(CSCD::Index(vertex));
+    }
+    soup.end_polygon();
+  }
+  return soup;
+}
+
+} // namespace
+
+void wrap_mesh(Input& input, double size, const std::string& name)
+{
+  // How far the wrap stays off the mesh, relative to what it closes, as in CGAL's examples.
+  constexpr double offset = 1. / 30;
+  std::vector<Exact_kernel::Point_3> points;
+  CGAL::Bbox_3 box;
+  for (const Point& p : input.mesh.points()) {
+    points.emplace_back(p.x(), p.y(), p.z());
+    box += p.bbox();
+  }
+  std::vector<std::array<std::size_t, 3>> faces;
+  for (const auto face : input.mesh.faces()) {
+    faces.emplace_back();
+    std::size_t corner = 0;
+    for (const auto vertex : input.mesh.vertices_around_face(input.mesh.halfedge(face))) {
+      faces.back()[corner++] = vertex;
+    }
+  }
+  const double alpha = size * diagonal(box);
+  Wrap wrap;
+  if (alpha > 0) {
+    CGAL::alpha_wrap_3(points, faces, alpha, offset * alpha, wrap);
+  }
+  if (wrap.is_empty()) {
+    throw CSCD::Input_error(name + ": cannot be wrapped; leave --wrap out");
+  }
+  CSCD::internal::convert_to_triangle_mesh(to_soup(wrap), name, input.mesh);
+  input.is_wrapped = true;
+}
+
+} // namespace cscd
