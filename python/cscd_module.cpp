@@ -253,8 +253,9 @@ std::string page(const Shown_skeleton& skeleton, const std::string& title)
 cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
-  if (input.is_point_set || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
-    throw cscd::Usage_error("only a mesh that was not repaired has values of its own vertices and faces");
+  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
+    throw cscd::Usage_error(
+        "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
   }
   return input.mesh;
 }
@@ -396,6 +397,7 @@ void define_options(py::module_& module)
       .def_readwrite("multiscale", &Skeletonize_options::is_multiscale)
       .def_readwrite("shape", &Skeletonize_options::shape)
       .def_readwrite("borders", &Skeletonize_options::borders)
+      .def_readwrite("wrap", &Skeletonize_options::wrap)
       .def_readwrite("domain", &Skeletonize_options::domain)
       .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)

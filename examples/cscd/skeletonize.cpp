@@ -435,6 +435,9 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   }
   Skeletonization_result result;
   try {
+    if (options.wrap) {
+      wrap_mesh(input, *options.wrap);
+    }
     result = compute_skeleton(input, options, bar);
     result.has_normals = !input.normals.empty();
     result.volume = input.volume;
@@ -485,15 +488,11 @@ bool needs_mesh(const Skeletonize_options& options)
          std::any_of(options.outputs.begin(), options.outputs.end(), is_rig);
 }
 
-/// As `read_input()`, and wraps meshes; where one cannot be repaired, the message says what can be done with it still.
+/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
-    Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
-    if (options.wrap && !input.is_point_set) {
-      wrap_mesh(input, *options.wrap, name_of(options.input));
-    }
-    return input;
+    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }

@@ -14,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -48,7 +47,7 @@ CSCD::internal::Polygon_soup to_soup(const Wrap& wrap)
 
 } // namespace
 
-void wrap_mesh(Input& input, double size, const std::string& name)
+void wrap_mesh(Input& input, double size)
 {
   // How far the wrap stays off the mesh, relative to what it closes, as in CGAL's examples.
   constexpr double offset = 1. / 30;
@@ -72,9 +71,9 @@ void wrap_mesh(Input& input, double size, const std::string& name)
     CGAL::alpha_wrap_3(points, faces, alpha, offset * alpha, wrap);
   }
   if (wrap.is_empty()) {
-    throw CSCD::Input_error(name + ": cannot be wrapped; leave --wrap out");
+    throw CSCD::Input_error("cannot be wrapped; leave --wrap out");
   }
-  CSCD::internal::convert_to_triangle_mesh(to_soup(wrap), name, input.mesh);
+  CSCD::internal::convert_to_triangle_mesh(to_soup(wrap), "the wrap", input.mesh);
   input.is_wrapped = true;
 }
 

@@ -8,16 +8,13 @@
 
 #include "types.h"
 
-#include <string>
-
 namespace cscd {
 
 /// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that
 /// cut each other, and solid where the inside is reached by narrow holes only. It does not keep the vertices.
 /// \param size holes, gaps and hollows that are narrower are closed; relative to the diagonal of the bounding box
-/// \param name what to call the input in messages
 /// \throw CSCD::Input_error if nothing can be wrapped
-void wrap_mesh(Input& input, double size, const std::string& name);
+void wrap_mesh(Input& input, double size);
 
 } // namespace cscd
 

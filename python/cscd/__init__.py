@@ -347,6 +347,7 @@ def skeletonize(
     threads: int = 0,
     shape: str = "auto",
     borders: str | None = None,
+    wrap: float | None = None,
     root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
@@ -377,6 +378,8 @@ def skeletonize(
     shape: what points sample: "surface" of a body, "tree" for trees and other thin shapes; "auto" decides by the points
     borders: of a mesh: "bridge" them all, take components with borders for sheets whose skeleton runs along their middle,
         "open", or let their shape decide, "auto"
+    wrap: of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and closes holes,
+        gaps and hollows narrower than this, relative to the diagonal, such as 0.01
     root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
         `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
         points
@@ -437,6 +440,9 @@ def skeletonize(
     options.intrinsic = intrinsic
     options.multiscale = multiscale
     options.detail = detail
+    if wrap is not None and not 0.001 <= wrap <= 0.5:
+        raise ValueError(f"wrap: is {wrap}; it has to be from 0.001 to 0.5")
+    options.wrap = wrap
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)
     options.separators = _count("separators", separators)

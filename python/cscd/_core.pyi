@@ -21,6 +21,7 @@ class SkeletonizeOptions:
     multiscale: bool
     shape: str
     borders: str
+    wrap: float | None
     domain: str
     neighbors: int
     root: str

@@ -194,6 +194,19 @@ def test_a_strip_has_its_middle_as_skeleton():
     assert len(bridged.nodes) != len(skeleton.nodes)
 
 
+def test_parts_that_cut_each_other_are_wrapped():
+    V, F = shapes.torus(60, 24)
+    parts = np.concatenate([V, V[:, [1, 2, 0]]])
+    faces = np.concatenate([F, F + len(V)])
+    assert cscd.skeletonize(parts, faces).report["number_of_skeleton_components"] == 2
+    wrapped = cscd.skeletonize(parts, faces, wrap=0.03)
+    assert wrapped.report["number_of_skeleton_components"] == 1
+    assert len(wrapped.vertex_to_node) == len(parts)
+    assert (wrapped.vertex_to_node >= 0).all()
+    with pytest.raises(ValueError, match="wrap"):
+        cscd.skeletonize(parts, faces, wrap=2)
+
+
 def test_points_get_the_skeleton_of_their_surface():
     V, _ = shapes.torus(120, 48)
     skeleton = cscd.skeletonize(V)
