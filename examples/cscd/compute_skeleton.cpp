@@ -7,6 +7,7 @@
 #include "compute_skeleton.h"
 
 #include "roots.h"
+#include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -200,10 +201,15 @@ run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const P
 #endif
 }
 
-/// Skeletonizes the mesh of `input`, or its triangles, which are used up.
+/// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if that is asked for.
 Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
 {
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  if (options.wrap) {
+    wrap_mesh(input, *options.wrap);
+  }
+#endif
   using Traits = CSCD::Triangle_mesh_traits<Mesh>;
   const auto treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
                          : options.borders == open_borders  ? CSCD::Border_treatment::open

@@ -10,7 +10,6 @@
 #include "three_js_source.h"
 #include "types.h"
 #include "volumes.h"
-#include "wrap.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_points.h>
@@ -435,9 +434,6 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   }
   Skeletonization_result result;
   try {
-    if (options.wrap) {
-      wrap_mesh(input, *options.wrap);
-    }
     result = compute_skeleton(input, options, bar);
     result.has_normals = !input.normals.empty();
     result.volume = input.volume;
