@@ -201,7 +201,8 @@ run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const P
 #endif
 }
 
-/// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if that is asked for.
+/// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if that is asked
+/// for.
 Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
 {
