@@ -30,11 +30,10 @@ public:
   explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
   {
     std::vector<Bounding_box> boxes = block_boxes();
-    Bounding_box whole;
     for (const Bounding_box& box : boxes) {
-      whole.extend(box);
+      m_box.extend(box);
     }
-    m_offset = relative_offset * whole.diagonal();
+    m_offset = relative_offset * m_box.diagonal();
     if (is_scattered(boxes)) {
       m_block_size = 1;
       boxes = block_boxes();
@@ -47,10 +46,8 @@ public:
   /// so that further rays would not help. Where the surface intersects itself, a part inside both sheets is outside.
   bool is_inside(const Vector_3& point) const
   {
-    // Any direction will do; faces of designed parts are often perpendicular or parallel to the axes.
-    const Ray ray(point, Vector_3(0.8523, 0.4127, 0.3211));
     bool is_odd = false;
-    visit_hits(ray, infinity, [&is_odd](double) { is_odd = !is_odd; });
+    visit_hits(Ray(point, way_out(point)), infinity, [&is_odd](double) { is_odd = !is_odd; });
     return is_odd;
   }
 
@@ -183,6 +180,21 @@ private:
   /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  /// The direction of a ray that leaves the bounding box soon: any will do, and of many thin components most are left
+  /// out. Not along an axis, as faces of designed parts are often perpendicular or parallel to these.
+  Vector_3 way_out(const Vector_3& point) const
+  {
+    const Vector_3 below = point - m_box.min();
+    const Vector_3 above = m_box.max() - point;
+    const Vector_3 nearer = below.cwiseMin(above);
+    const auto axis = std::min_element(nearer.begin(), nearer.end()) - nearer.begin();
+    Vector_3 direction;
+    direction[axis] = below[axis] < above[axis] ? -0.8523 : 0.8523;
+    direction[(axis + 1) % 3] = 0.4127;
+    direction[(axis + 2) % 3] = 0.3211;
+    return direction;
+  }
 
   Index begin_of(Index block) const { return block * m_block_size; }
   Index end_of(Index block) const { return std::min((block + 1) * m_block_size, m_surface.number_of_faces()); }
@@ -334,6 +346,7 @@ private:
 
   const Triangulated_surface& m_surface;
   Index m_block_size = default_block_size;
+  Bounding_box m_box;
   double m_offset = 0;
   Box_tree m_tree;
 };
