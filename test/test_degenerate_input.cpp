@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -426,6 +427,23 @@ TEST(Degenerate_input, fragments_are_not_refined)
   const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::merged("fragments", parts));
   EXPECT_EQ(report.number_of_surface_components, 4000u);
   EXPECT_EQ(report.number_of_inserted_vertices, 0u);
+}
+
+TEST(Degenerate_input, fragments_without_thickness_have_no_inside)
+{
+  std::vector<Shape> parts{CSCD::test::scaled(CSCD::test::subdivided_cube(4), 10)};
+  const Shape fragment = triangles({{0, 0, 0}, {0.5, 0, 0.1}, {0, 0.1, 0.2}}, {{0, 1, 2}});
+  constexpr std::size_t number = 50;
+  for (std::size_t i = 0; i < number; ++i) {
+    const auto place = static_cast<double>(i);
+    parts.push_back(CSCD::test::translated(fragment, {1 + 0.15 * place, 3 + 0.07 * place, 5 + 0.01 * place}));
+  }
+  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::merged("fragments", parts));
+  Skeleton skeleton;
+  EXPECT_EQ(CSCD::test::expect_skeleton(mesh, skeleton).number_of_nodes_outside, number);
+  const auto nodes = vertices(skeleton);
+  EXPECT_EQ(std::count_if(nodes.first, nodes.second, [&](auto node) { return degree(node, skeleton) == 0; }),
+            std::ptrdiff_t(number));
 }
 
 /// Cubes of side `width` at the points of a lattice of n x n x n, those beside each other joined by struts of eight

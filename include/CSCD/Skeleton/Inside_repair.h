@@ -228,7 +228,9 @@ public:
   {
     for (Index node = 0; node < builder.size(); ++node) {
       const bool has_place = !builder[node].is_removed && !builder[node].is_opening;
-      m_is_outside[node] = has_place && !surface.is_inside(builder[node].position) ? 1 : 0;
+      // A component without thickness has no inside: rays would tell whether it lies in another one.
+      const bool is_flat = builder.degree(node) == 0 && builder[node].radius <= m_offset;
+      m_is_outside[node] = has_place && (is_flat || !surface.is_inside(builder[node].position)) ? 1 : 0;
     }
   }
 

@@ -139,6 +139,9 @@ private:
   /// A piece at the end of a sheet, which is mostly straight, gets a tip if it is higher than this, relative to the
   /// radius.
   static constexpr double min_tip_height_on_sheet = 1.5;
+  /// Of a component that no separator cuts, and that is thinner than this, in the unit of the area of the surface, rays
+  /// tell nothing.
+  static constexpr double min_thickness = 1e-7;
   /// A border at the end of a limb is an opening if it is this long, relative to the last separator of the limb. Across
   /// a shorter one, the limb is closed ...
   static constexpr double min_opening_length = 0.6;
@@ -266,7 +269,7 @@ private:
     }
     const Vector_3 direction = (farthest - center).normalized();
     // From outside, tips would lead somewhere into the wall of what is hollow.
-    if (m_number_of_openings[piece] == 0 && m_solid.is_inside(center)) {
+    if (m_number_of_openings[piece] == 0 && radius > min_thickness && m_solid.is_inside(center)) {
       extend(builder, node, piece, direction, radius);
       extend(builder, node, piece, -direction, radius);
     }
