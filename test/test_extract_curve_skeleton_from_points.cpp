@@ -382,6 +382,22 @@ TEST(Point_skeleton, refuses_what_has_no_surface)
   expect_refusal(circle, "do not sample a surface");
 }
 
+TEST(Point_skeleton, calls_sparse_slices_no_scan_of_a_tree)
+{
+  std::vector<Triple> contours;
+  for (int i = 0; i < 20000; ++i) {
+    contours.push_back({std::cos(0.001 * i), std::sin(0.001 * i), 0.5 * (i % 10)});
+  }
+  expect_refusal(contours, "parallel planes");
+  Skeleton skeleton;
+  try {
+    CSCD::extract_curve_skeleton(to_points(contours), skeleton);
+  } catch (const CSCD::Surface_error& error) { // which leads the program on to trees
+    ADD_FAILURE() << error.what();
+  } catch (const CSCD::Input_error&) {
+  }
+}
+
 TEST(Point_skeleton, refuses_coordinates_that_are_not_finite)
 {
   std::vector<Triple> points = some_points();

@@ -197,6 +197,37 @@ TEST(is_scan_of_trees, does_not_take_slices_for_twigs)
   EXPECT_FALSE(CSCD::internal::is_scan_of_trees(forms));
 }
 
+TEST(lie_in_slices, tells_a_body_in_slices_from_flat_things)
+{
+  const auto lie_in_slices = [](std::vector<Vector_3> points) {
+    return CSCD::internal::lie_in_slices(CSCD::make_point_cloud(std::move(points), {}).points);
+  };
+  EXPECT_TRUE(lie_in_slices(sliced_ball(20000, 100)));
+  EXPECT_TRUE(lie_in_slices(sliced_ball(20000, 500)));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> along(-1, 1);
+  std::vector<Vector_3> slices; // turned
+  std::vector<Vector_3> flat;   // crossing lines
+  std::vector<Vector_3> poles;
+  std::vector<Vector_3> spring;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = 3.141592653589793 * along(random);
+    const double noise = 1e-3 * along(random);
+    const Vector_3 x(0.6, 0.8, 0);
+    const Vector_3 y(0, 0, 1);
+    const Vector_3 z(0.8, -0.6, 0);
+    slices.push_back(std::cos(angle) * x + std::sin(angle) * y + (0.5 * (i % 5) + noise) * z);
+    flat.push_back(along(random) * (i % 2 == 0 ? x : y) + noise * z);
+    poles.push_back((i % 5) * x + (i % 3) * y + along(random) * z);
+    spring.push_back(std::cos(10 * angle) * x + std::sin(10 * angle) * y + 0.4 * angle * z);
+  }
+  EXPECT_TRUE(lie_in_slices(slices));
+  EXPECT_FALSE(lie_in_slices(flat));
+  EXPECT_FALSE(lie_in_slices(poles));
+  EXPECT_FALSE(lie_in_slices(spring));
+  EXPECT_FALSE(lie_in_slices(torus_points(20000, 0)));
+}
+
 TEST(lie_along_curves, knows_a_helix_from_a_body_in_slices)
 {
   constexpr std::size_t number = 20000;

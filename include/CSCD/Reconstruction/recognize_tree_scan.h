@@ -51,6 +51,8 @@ struct Cloud_forms
   double along_curves = 0; ///< long and thin
   double in_space = 0;     ///< as wide as high
   double steepness = 0;    ///< the mean square of the sine between the curves and the plane that they are nearest to
+  double bend = 0;         ///< the same between the curves and the line that they are nearest to
+  Vector_3 normal;         ///< of that plane
 };
 
 /// The covariance of `offsets`, and their principal axes.
@@ -117,7 +119,10 @@ inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
     result.in_space /= number_of_forms;
   }
   if (number_of_curves > 0) {
-    result.steepness = principal_axes(directions).values[0] / number_of_curves;
+    const Principal_axes axes = principal_axes(directions);
+    result.steepness = axes.values[0] / number_of_curves;
+    result.bend = 1 - axes.values[2] / number_of_curves;
+    result.normal = axes.vectors[0];
   }
   return result;
 }
@@ -134,6 +139,24 @@ inline bool is_scan_of_trees(const Cloud_forms& forms)
   constexpr double min_steepness = 0.02;    // twigs in all directions have 0.33; slices, without noise, 0
   return forms.steepness > min_steepness && forms.along_curves > min_along_curves &&
          forms.along_curves < max_along_curves && forms.along_curves + forms.in_space > min_of_both;
+}
+
+/// Whether points lie along curves in several parallel planes, as of a body that was sliced: what is in one piece, as a
+/// tree, has curves that lead from plane to plane. Linear.
+/// \pre the extent of the points is about 1
+inline bool lie_in_slices(const std::vector<Vector_3>& points)
+{
+  constexpr double min_along_curves = 0.9;
+  constexpr double max_steepness = 1e-3; // two degrees, for noise
+  constexpr double min_bend = 0.1;       // 20 degrees: straight lines of any direction are in parallel planes
+  constexpr double min_height = 0.05;    // of all slices: noise of a single one is lower
+  const Cloud_forms forms = forms_of(points);
+  if (forms.along_curves < min_along_curves || forms.steepness > max_steepness || forms.bend < min_bend) {
+    return false;
+  }
+  const auto is_lower = [&](const Vector_3& a, const Vector_3& b) { return forms.normal.dot(a) < forms.normal.dot(b); };
+  const auto [lowest, highest] = std::minmax_element(points.begin(), points.end(), is_lower);
+  return forms.normal.dot(*highest - *lowest) > min_height;
 }
 
 /// Whether points are along curves that are far from each other, so that they sample no surface: around nearly all of

@@ -17,7 +17,7 @@
 namespace CSCD::internal {
 
 /// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
-/// \throw Surface_error if there is none
+/// \throw Surface_error if there is none; another Input_error if the points lie in slices that are too far apart
 Reconstructed_surface reconstruct_surface(const Point_cloud& cloud);
 
 /// For every point of `cloud`, its vertex in `solid`, or that of the nearest point that has one.

@@ -45,13 +45,12 @@ public:
     m_result.report.number_of_outliers = m_sampling.number_of_outliers();
   }
 
-  /// \throw Surface_error if the points do not sample a surface
+  /// \throw Surface_error if the points do not sample a surface; another Input_error if it is that of a body in slices
   Reconstructed_surface operator()()
   {
     // A triangulation of points along curves can be of quadratic size.
     if (lie_along_curves(m_cloud.points, m_sampling.spacing())) {
-      throw Surface_error("the points do not sample a surface: they lie along curves; sample the surface more densely "
-                          "between them");
+      refuse("they lie along curves; sample the surface more densely between them");
     }
     triangulate();
     Surface_completion complete(m_result, m_cloud.normalization);
@@ -96,10 +95,18 @@ private:
   {
     const std::size_t number_of_vertices = m_result.triangles.points.size();
     if (double(m_result.report.number_of_border_edges) > max_border_edges * double(number_of_vertices)) {
-      throw Surface_error("the points do not sample a surface: what connects them has " +
-                          std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
-                          std::to_string(number_of_vertices) + " points; sample the surface more densely");
+      refuse("what connects them has " + std::to_string(m_result.report.number_of_border_edges) + " border edges at " +
+             std::to_string(number_of_vertices) + " points; sample the surface more densely");
     }
+  }
+
+  [[noreturn]] void refuse(const std::string& reason) const
+  {
+    const std::string what = "the points do not sample a surface: ";
+    if (lie_in_slices(m_cloud.points)) {
+      throw Input_error(what + "they lie along curves in parallel planes, which are too far apart; add planes between");
+    }
+    throw Surface_error(what + reason);
   }
 
   std::size_t count_used_points() const
