@@ -154,6 +154,7 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
   const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
   std::vector<std::vector<std::uint32_t>> node_of_vertex;
   for (CSCD::Voxel_surface& surface : surfaces) {
+    surface.turn_cavities();
     Input body = make_input(surface);
     if (!has_node_volume) {
       surface.triangles = {}; // as many labels as there are need not be in memory twice

@@ -1186,6 +1186,26 @@ TEST_F(Cscd, lists_of_edges_are_graphs)
   expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
 }
 
+TEST_F(Cscd, keeps_cavities_of_a_volume_as_bodies)
+{
+  std::string volume = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 12 12 12\nencoding: raw\n\n";
+  const auto is_in = [](int i, int wall) { return i >= wall && i < 12 - wall; };
+  for (int z = 0; z < 12; ++z) {
+    for (int y = 0; y < 12; ++y) {
+      for (int x = 0; x < 12; ++x) {
+        volume += char(is_in(x, 3) && is_in(y, 3) && is_in(z, 3) ? 0 : 1);
+      }
+    }
+  }
+  m_folder.write("hollow.nrrd", volume);
+  for (const std::string option : {"", " --keep-cavities"}) {
+    EXPECT_EQ(0, run("skeletonize hollow.nrrd -q -o h.graph --report h.json" + option).status);
+    const auto report = nlohmann::json::parse(content("h.json"));
+    EXPECT_EQ(option.empty() ? 1 : 2, report.at("number_of_skeleton_components")) << option;
+    EXPECT_EQ(0, report.at("number_of_cavities")) << option;
+  }
+}
+
 TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
 {
   // Two bars of 12 x 2 x 2 voxels, which share a voxel's edge, and a ring of label 5.

@@ -66,7 +66,8 @@ struct Voxel_surface_settings
 {
   /// Which voxels belong together.
   Voxel_connectivity connectivity = Voxel_connectivity::twenty_six;
-  /// Whether the surfaces of cavities are left out. The pipeline takes each for the surface of another body.
+  /// Whether the surfaces of cavities are left out. The pipeline takes each for the surface of another body after
+  /// `Voxel_surface::turn_cavities()`.
   bool fills_cavities = true;
 };
 
@@ -83,6 +84,10 @@ struct Voxel_surface
   std::size_t number_of_voxels = 0;
   /// The number of cavities, whether filled or not.
   std::size_t number_of_cavities = 0;
+
+  /// Turns the surfaces of cavities that were kept outwards, as those of bodies: the pipeline fills cavities of meshes.
+  /// Linear.
+  void turn_cavities();
 };
 
 /// A volume has at most so many labels that are bodies of their own.

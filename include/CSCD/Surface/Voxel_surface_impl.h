@@ -227,6 +227,14 @@ inline std::size_t find_cavities(Indexed_triangles& triangles, Halfedge_pairing&
 
 } // namespace internal
 
+CSCD_INLINE void Voxel_surface::turn_cavities()
+{
+  if (number_of_cavities > 0) {
+    internal::Surface_components components(triangles);
+    internal::orient_outwards(triangles, pairing, components);
+  }
+}
+
 CSCD_INLINE Voxel_surface_builder::Voxel_surface_builder(const Volume_grid& grid,
                                                          const Voxel_surface_settings& settings)
     : m_grid(grid), m_settings(settings), m_row(grid.size[0] + 2)

@@ -11,7 +11,6 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Vector_3.h>
@@ -50,11 +49,9 @@ public:
   {
     const auto start = std::chrono::steady_clock::now();
     std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
-    Indexed_triangles triangles = surface.triangles;
-    Halfedge_pairing pairing = surface.pairing;
-    internal::Surface_components components(triangles);
-    internal::orient_outwards(triangles, pairing, components); // cavities that are kept are to have skeletons
-    m_surface.emplace(std::move(triangles), std::move(pairing));
+    Voxel_surface bodies = surface;
+    bodies.turn_cavities();
+    m_surface.emplace(std::move(bodies.triangles), std::move(bodies.pairing));
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 
