@@ -330,7 +330,6 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
       ->add_option("--wrap", options.wrap,
                    "of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and "
                    "closes holes, gaps and hollows narrower than SIZE, relative to the diagonal, such as 0.01")
-      ->check(CLI::Range(0.001, 0.5))
       ->type_name("SIZE");
   command
       ->add_option("--detail", options.detail,

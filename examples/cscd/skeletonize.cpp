@@ -387,6 +387,11 @@ void check_domain(const Skeletonize_options& options)
 void check_method(const Skeletonize_options& options)
 {
   check_domain(options);
+  constexpr double min_wrap = 0.001; // a wrap has some 1 / size^2 vertices
+  constexpr double max_wrap = 0.5;
+  if (options.wrap && !(*options.wrap >= min_wrap && *options.wrap <= max_wrap)) {
+    throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
+  }
   const bool is_published = options.method == published_method;
   if (!is_published && !options.target.empty()) {
     throw Usage_error("--target: only the published method has a choice of targets; add --method published");

@@ -440,8 +440,6 @@ def skeletonize(
     options.intrinsic = intrinsic
     options.multiscale = multiscale
     options.detail = detail
-    if wrap is not None and not 0.001 <= wrap <= 0.5:
-        raise ValueError(f"wrap: is {wrap}; it has to be from 0.001 to 0.5")
     options.wrap = wrap
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)

@@ -228,9 +228,7 @@ public:
   {
     for (Index node = 0; node < builder.size(); ++node) {
       const bool has_place = !builder[node].is_removed && !builder[node].is_opening;
-      // A component without thickness has no inside: rays would tell whether it lies in another one.
-      const bool is_flat = builder.degree(node) == 0 && builder[node].radius <= m_offset;
-      m_is_outside[node] = has_place && (is_flat || !surface.is_inside(builder[node].position)) ? 1 : 0;
+      m_is_outside[node] = has_place && (is_flat(node) || !surface.is_inside(builder[node].position)) ? 1 : 0;
     }
   }
 
@@ -303,15 +301,17 @@ private:
     return middle_behind(m_builder[node].position, node);
   }
 
-  /// The middle of the body behind `point`, which is at `node` or on an edge there. For a component without thickness,
-  /// such as a single triangle, there is none: behind it lies another component.
+  /// Whether `node` is all that a component without thickness has, such as a single triangle: it has no inside, and
+  /// rays would tell of another component, in which or beside which it lies.
+  bool is_flat(Index node) const { return m_builder.degree(node) == 0 && m_builder[node].radius <= m_offset; }
+
+  /// The middle of the body behind `point`, which is at `node` or on an edge there.
   std::optional<Vector_3> middle_behind(const Vector_3& point, Index node) const
   {
-    const double radius = m_builder[node].radius;
     if (m_builder[node].is_on_sheet) {
-      return middle_of_sheet(m_surface, point, radius);
+      return middle_of_sheet(m_surface, point, m_builder[node].radius);
     }
-    return radius > m_offset ? m_surface.middle_behind(point) : std::nullopt;
+    return is_flat(node) ? std::nullopt : m_surface.middle_behind(point);
   }
 
   /// The middle of the first stretch of the edge that is outside. At an opening there is no surface that says.

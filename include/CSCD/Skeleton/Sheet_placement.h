@@ -100,16 +100,6 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
   return Vector_3((middle_of_part(points, *first) + middle_of_part(points, *second)) / 2);
 }
 
-/// The level of `Triangulated_solid::query_surface()`.
-inline const Surface_level& query_level(const Triangulated_solid& solid)
-{
-  Index level = 0;
-  while (&solid.levels()[level].surface != &solid.query_surface()) {
-    ++level;
-  }
-  return solid.levels()[level];
-}
-
 /// The middle between the sides of a sheet behind the surface that is nearest to `point`.
 /// \param radius half of the width of the sheet there: what is farther away is another body
 template <class Surface>
@@ -130,7 +120,7 @@ inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, c
 /// Points of the rims of all sheets, as far from each other as their vertices. Linear.
 inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
 {
-  const Surface_level& level = query_level(solid);
+  const Surface_level& level = solid.query_level();
   const Triangulated_surface& surface = level.surface;
   const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
   std::vector<Vector_3> result;
@@ -214,7 +204,7 @@ public:
     if (!is_cut || m_section.length() < min_length * expected_length) {
       return std::nullopt;
     }
-    const Surface_level& level = query_level(m_solid);
+    const Surface_level& level = m_solid.query_level();
     const auto side = [this, &level](Index vertex) { return m_solid.side_of_sheet(level.to_finest(vertex)); };
     return middle_of_open_curve(level.surface, side, m_section.crossings());
   }

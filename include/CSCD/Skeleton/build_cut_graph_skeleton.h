@@ -21,7 +21,6 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <utility>
 #include <vector>
@@ -39,9 +38,7 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
 {
   const auto number_of_threads = unsigned(report.number_of_threads);
   Embedded_skeleton result;
-  call_both(
-      number_of_threads, [&] { result.graph = Node_placement(solid, separators, packed, cut_graph)(); },
-      [&solid] { solid.is_inside(Vector_3::Zero()); }); // the first query builds what the others search
+  result.graph = Node_placement(solid, separators, packed, cut_graph)();
   make_simple(result.graph);
   merge_junctions(result.graph);
   Junction_centering(solid, result.graph)();

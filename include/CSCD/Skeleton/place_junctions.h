@@ -229,8 +229,7 @@ inline void drop_overshoots(Skeleton_builder& builder)
       if (!builder.is_regular(node)) {
         continue;
       }
-      const std::vector<Index>& ends = builder[node].neighbors;
-      const Index next = ends[0] == junction ? ends[1] : ends[0];
+      const Index next = builder.other_neighbor(node, junction);
       const std::vector<Index>& around = builder[junction].neighbors;
       const bool stays_simple = next != junction && std::find(around.begin(), around.end(), next) == around.end();
       if (stays_simple && builder.degree(next) == 2 && doubles_back(junction, node, next)) {

@@ -87,8 +87,10 @@ public:
   /// The first query builds a search structure.
   /// @{
 
-  /// The surface that queries refer to: the finest level of at most 60000 vertices. Finer faces differ from it by less
-  /// than the precision of the skeleton.
+  /// The level whose surface queries refer to: the finest one of at most 60000 vertices. Finer faces differ from it by
+  /// less than the precision of the skeleton.
+  const Surface_level& query_level() const;
+  /// The surface of that level.
   const Triangulated_surface& query_surface() const;
   /// Whether the body contains `point`. Where the surface intersects itself, a part inside both sheets is outside.
   bool is_inside(const Vector_3& point) const;
@@ -123,7 +125,6 @@ public:
 
 private:
   const internal::Solid_queries& queries() const;
-  const Surface_level& query_level() const;
   /// Of the face nearest to `place`, the vertex that is nearest.
   Index nearest_vertex(const Vector_3& place) const;
 

@@ -11,12 +11,48 @@
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// The sides of triangles, sorted so that those at one edge are together.
+class Sides_of_edges
+{
+public:
+  /// O(n log n).
+  explicit Sides_of_edges(const std::vector<std::array<Index, 3>>& faces)
+  {
+    m_sides.reserve(3 * faces.size());
+    for (Index face = 0; face < faces.size(); ++face) {
+      const auto [a, b, c] = faces[face];
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        m_sides.push_back({std::min(from, to), std::max(from, to), face});
+      }
+    }
+    std::sort(m_sides.begin(), m_sides.end());
+  }
+
+  /// Calls `function(faces)` for each edge with the faces at it. The argument is reused.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < m_sides.size(); ++i) {
+      const auto& [first, second, face] = m_sides[i];
+      faces.push_back(face);
+      if (i + 1 == m_sides.size() || m_sides[i + 1][0] != first || m_sides[i + 1][1] != second) {
+        function(std::as_const(faces));
+        faces.clear();
+      }
+    }
+  }
+
+private:
+  std::vector<std::array<Index, 3>> m_sides; ///< the two vertices, the smaller one first, and the face
+};
 
 /// Finds the faces of flaps: parts of the surface, joined by edges of two faces, that meet a part of a hundred times
 /// their area at an edge of three faces or more. Without them, that edge joins the two faces of the larger part, which
@@ -25,55 +61,35 @@ namespace CSCD::internal {
 inline std::vector<char> find_flaps(const Indexed_triangles& triangles)
 {
   constexpr double max_area = 0.01; // relative to that of the larger part
-  struct Side
-  {
-    Index first, second; // vertices, the smaller one first
-    Index face;
-  };
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.faces.size());
-  for (Index face = 0; face < triangles.faces.size(); ++face) {
-    const auto [a, b, c] = triangles.faces[face];
-    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-      sides.push_back({std::min(from, to), std::max(from, to), face});
-    }
-  }
-  const auto key = [](const Side& side) { return std::tie(side.first, side.second, side.face); };
-  std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return key(a) < key(b); });
-  const auto for_each_edge = [&sides](const auto& function) {
-    for (auto begin = sides.cbegin(), end = begin; begin != sides.cend(); begin = end) {
-      while (end != sides.cend() && end->first == begin->first && end->second == begin->second) {
-        ++end;
-      }
-      function(begin, end);
-    }
-  };
-  Disjoint_sets parts(triangles.faces.size());
-  for_each_edge([&](auto begin, auto end) {
-    if (end - begin == 2) {
-      parts.join(begin->face, (begin + 1)->face);
+  const std::size_t number_of_faces = triangles.faces.size();
+  const Sides_of_edges sides(triangles.faces);
+  Disjoint_sets sets(number_of_faces);
+  sides.for_each_edge([&](const std::vector<Index>& faces) {
+    if (faces.size() == 2) {
+      sets.join(faces[0], faces[1]);
     }
   });
-  std::vector<double> area(triangles.faces.size(), 0.); // of each part, at the face that represents it
+  Index number_of_parts = 0;
+  const std::vector<Index> part = sets.numbers(number_of_parts);
   const std::vector<double> face_area = face_areas(triangles);
-  for (Index face = 0; face < triangles.faces.size(); ++face) {
-    area[parts.find(face)] += face_area[face];
+  std::vector<double> area(number_of_parts, 0.);
+  for (Index face = 0; face < number_of_faces; ++face) {
+    area[part[face]] += face_area[face];
   }
-  std::vector<char> is_flap(triangles.faces.size(), 0); // of each part, likewise
-  for_each_edge([&](auto begin, auto end) {
-    if (end - begin > 2) {
+  std::vector<char> is_flap(number_of_parts, 0);
+  sides.for_each_edge([&](const std::vector<Index>& faces) {
+    if (faces.size() > 2) {
       double largest = 0;
-      std::for_each(begin, end, [&](const Side& s) { largest = std::max(largest, area[parts.find(s.face)]); });
-      std::for_each(begin, end, [&](const Side& s) {
-        const Index part = parts.find(s.face);
-        is_flap[part] = is_flap[part] != 0 || area[part] < max_area * largest ? 1 : 0;
-      });
+      for (const Index face : faces) {
+        largest = std::max(largest, area[part[face]]);
+      }
+      for (const Index face : faces) {
+        is_flap[part[face]] = is_flap[part[face]] != 0 || area[part[face]] < max_area * largest ? 1 : 0;
+      }
     }
   });
-  std::vector<char> result(triangles.faces.size());
-  for (Index face = 0; face < triangles.faces.size(); ++face) {
-    result[face] = is_flap[parts.find(face)];
-  }
+  std::vector<char> result(number_of_faces);
+  std::transform(part.begin(), part.end(), result.begin(), [&is_flap](Index p) { return is_flap[p]; });
   return result;
 }
 
