@@ -417,6 +417,36 @@ TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)
   }
 }
 
+double total_length(const Skeleton& skeleton)
+{
+  double sum = 0;
+  for (const auto edge : CGAL::make_range(edges(skeleton))) {
+    sum += std::sqrt(
+        CGAL::squared_distance(skeleton[source(edge, skeleton)].point, skeleton[target(edge, skeleton)].point));
+  }
+  return sum;
+}
+
+TEST(Overlapping_components, have_the_skeletons_that_each_has_alone)
+{
+  // A limb that is a part of its own and ends in the body, as in models of characters.
+  const Shape body = CSCD::test::capsule(8, 1, 24);
+  const Shape limb = CSCD::test::translated(CSCD::test::capsule(8, 0.4, 16), {6.5, 0.1, 0.1});
+  Skeleton skeleton;
+  double length = 0;
+  for (const Shape& shape : {body, limb}) {
+    CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(shape), skeleton);
+    length += total_length(skeleton);
+  }
+  const auto report =
+      CSCD::extract_curve_skeleton(CSCD::test::to_mesh<Mesh>(CSCD::test::merged("", {body, limb})), skeleton);
+  EXPECT_EQ(report.number_of_skeleton_components, 2u);
+  EXPECT_EQ(report.number_of_tips, 4u);
+  EXPECT_EQ(report.number_of_nodes_outside, 0u);
+  EXPECT_EQ(report.number_of_edges_outside, 0u);
+  EXPECT_NEAR(total_length(skeleton), length, 0.02 * length);
+}
+
 TEST(Flat_component, keeps_its_nodes_beside_a_body)
 {
   for (const int number_of_faces : {1, 2}) {

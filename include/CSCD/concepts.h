@@ -141,7 +141,7 @@ constexpr void check_surface_triangulation()
 /// | `s.triangulation()` | the triangles: a reference to a model of `SurfaceTriangulation`, or to a `Point_complex` |
 /// | `s.is_inside(p)` | whether the body contains the point `p` |
 /// | `s.middle_behind(p)` | an optional point: the middle of the body behind where the surface is nearest to `p` |
-/// | `s.crossings(p, q, v)` | fills `v`: the ascending distances from `p` at which segment `p` `q` meets the surface |
+/// | `s.crossings(p, q, v)` | fills `v`: the ascending distances from `p` at which `p` `q` enters or leaves the body |
 ///
 /// \cgalHasModels{`Triangulated_solid`, `Point_solid`}
 /// \cgalArchetype{Surface_archetype.h}

@@ -15,6 +15,7 @@
 #include <limits>
 #include <random>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -207,6 +208,45 @@ TEST(Solid_queries, respects_a_cavity)
   EXPECT_FALSE(queries.is_inside({0.1, 0.1, 0.1}));
   EXPECT_TRUE(queries.is_inside({0.5, 0.5, 0.2}));
   EXPECT_FALSE(queries.is_inside({1, 1, 1}));
+}
+
+TEST(Solid_queries, takes_bodies_that_overlap_for_one)
+{
+  const CSCD::test::Shape cube = CSCD::test::subdivided_cube(1);
+  const CSCD::test::Shape other = CSCD::test::translated(cube, {0.5, 0.25, 0.125});
+  for (const bool is_reversed : {false, true}) {
+    CSCD::test::Shape both = CSCD::test::merged("", {cube, other});
+    if (is_reversed) {
+      both = CSCD::test::reversed(both);
+    }
+    const Triangulated_surface surface = to_surface(both);
+    const Solid_queries queries(surface);
+    const auto is_in_a_cube = [](const Vector_3& point) {
+      const Vector_3 in_other = point - Vector_3(0.5, 0.25, 0.125);
+      return (point.minCoeff() > 0 && point.maxCoeff() < 1) || (in_other.minCoeff() > 0 && in_other.maxCoeff() < 1);
+    };
+    std::mt19937_64 random(6);
+    std::vector<double> distances;
+    std::size_t number_of_passages = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const Vector_3 from = random_vector(random, 1) + Vector_3(0.75, 0.6, 0.55);
+      const Vector_3 to = random_vector(random, 1) + Vector_3(0.75, 0.6, 0.55);
+      ASSERT_EQ(queries.is_inside(from), is_in_a_cube(from)) << testing::PrintToString(from);
+      // From one crossing to the next, inside and outside alternate.
+      queries.crossings(from, to, distances);
+      distances.push_back((to - from).norm());
+      bool is_inside = is_in_a_cube(from);
+      double last = 0;
+      for (const double distance : distances) {
+        const Vector_3 middle = from + (last + distance) / 2 * (to - from).normalized();
+        ASSERT_EQ(is_in_a_cube(middle), is_inside) << testing::PrintToString(middle);
+        is_inside = !is_inside;
+        last = distance;
+      }
+      number_of_passages += distances.size() == 1 && is_in_a_cube(from) ? 1 : 0;
+    }
+    EXPECT_GT(number_of_passages, 0u) << "segments within both";
+  }
 }
 
 TEST(Solid_queries, survives_faces_without_area)

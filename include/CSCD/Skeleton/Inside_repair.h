@@ -38,7 +38,8 @@ public:
   }
 
   /// Points inside such that each sees the next, the first one `from` and the last one `to`; none, where no way was
-  /// found, as in bodies that cut themselves, or the ways before took too much work. \pre both are inside
+  /// found, as where components of different orientation overlap, or the ways before took too much work. \pre both are
+  /// inside
   std::vector<Vector_3> find(const Vector_3& from, const Vector_3& to)
   {
     if (m_work_left == 0 || !trace_surface(from, to)) {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -42,14 +43,9 @@ public:
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
 
-  /// Whether the body holds `point`: by the parity of the crossings along one ray, which is exact on a closed surface,
-  /// so that further rays would not help. Where the surface intersects itself, a part inside both sheets is outside.
-  bool is_inside(const Vector_3& point) const
-  {
-    bool is_odd = false;
-    visit_hits(Ray(point, way_out(point)), infinity, [&is_odd](double) { is_odd = !is_odd; });
-    return is_odd;
-  }
+  /// Whether the body holds `point`: whether the surface winds around it. Where bodies overlap, or the surface
+  /// intersects itself, what is inside of several sheets is inside.
+  bool is_inside(const Vector_3& point) const { return winding_number(point) != 0; }
 
   /// The point of the surface that is nearest to `point`.
   /// \param near a face that may be near, such as that of the answer for a neighbor of `point`: it saves time
@@ -87,7 +83,7 @@ public:
     const Ray ray(origin, direction.normalized());
     std::optional<Surface_hit> hit;
     const auto try_face = [&](Index face) {
-      const double distance = hit_distance(face, ray);
+      const double distance = hit_of_face(face, ray).distance;
       if (distance < infinity && (!hit || distance < hit->distance)) {
         hit = {face, ray.origin + distance * ray.direction, distance};
       }
@@ -117,8 +113,8 @@ public:
     return is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
   }
 
-  /// Writes the distances from `from` at which the segment from there to `to` meets the surface to `distances`, in
-  /// ascending order.
+  /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body to `distances`,
+  /// in ascending order.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
   {
     distances.clear();
@@ -126,8 +122,21 @@ public:
     if (!(length > 0)) {
       return;
     }
-    visit_hits(Ray(from, (to - from) / length), length, [&](double distance) { distances.push_back(distance); });
-    std::sort(distances.begin(), distances.end());
+    std::vector<std::pair<double, int>> hits;
+    visit_hits(Ray(from, (to - from) / length), length,
+               [&](const Hit& hit) { hits.emplace_back(hit.distance, hit.turn); });
+    if (hits.empty()) {
+      return;
+    }
+    std::sort(hits.begin(), hits.end());
+    int number = winding_number(from);
+    for (const auto& [distance, turn] : hits) {
+      const bool was_inside = number != 0;
+      number -= turn;
+      if (was_inside != (number != 0)) {
+        distances.push_back(distance);
+      }
+    }
   }
 
   /// The point of `face` that is nearest to `point`, by the signs of the point's barycentric coordinates
@@ -280,7 +289,23 @@ private:
     return least;
   }
 
-  /// Calls `visit` with every distance, up to `max_distance`, at which the ray meets the surface.
+  /// Where a ray meets a face.
+  struct Hit
+  {
+    double distance = infinity; ///< from the origin of the ray
+    int turn = 0;               ///< 1 where the ray leaves what the face bounds, -1 where it enters that
+  };
+
+  /// How often the surface winds around `point`: by the crossings along one ray, which is exact on a closed surface, so
+  /// that further rays would not help.
+  int winding_number(const Vector_3& point) const
+  {
+    int number = 0;
+    visit_hits(Ray(point, way_out(point)), infinity, [&number](const Hit& hit) { number += hit.turn; });
+    return number;
+  }
+
+  /// Calls `visit` with every hit of the ray up to `max_distance`.
   template <class Visit>
   void visit_hits(const Ray& ray, double max_distance, const Visit& visit) const
   {
@@ -291,9 +316,9 @@ private:
         },
         [&](Index block) {
           for (Index face = begin_of(block); face < end_of(block); ++face) {
-            const double distance = hit_distance(face, ray);
-            if (distance < infinity && distance <= max_distance) {
-              visit(distance);
+            const Hit hit = hit_of_face(face, ray);
+            if (hit.distance < infinity && hit.distance <= max_distance) {
+              visit(hit);
             }
           }
         });
@@ -311,10 +336,10 @@ private:
     return product != 0 ? product > 0 : a.y() != b.y() ? a.y() > b.y() : b.x() > a.x();
   }
 
-  /// The distance from the origin of the ray at which it meets `face`, `infinity` if it does not.
+  /// Where the ray meets `face`, at an infinite distance if it does not.
   /// Both faces of an edge evaluate the same expression for it, and ties are decided as for a ray that meets no edge or
-  /// vertex: so the parity of crossings is right on every closed surface.
-  double hit_distance(Index face, const Ray& ray) const
+  /// vertex: so the sum of turns is right on every closed surface.
+  Hit hit_of_face(Index face, const Ray& ray) const
   {
     const std::array<Index, 3> corner = corners(face);
     std::array<Vector_3, 3> at;
@@ -334,14 +359,15 @@ private:
       weight[i] = std::abs(product);
     }
     if (left[0] != left[1] || left[1] != left[2]) {
-      return infinity;
+      return {};
     }
     if (!(weight[0] + weight[1] + weight[2] > 0)) {
       weight = {1, 1, 1}; // seen from its edge
     }
     const double distance =
         (weight[0] * at[0].z() + weight[1] * at[1].z() + weight[2] * at[2].z()) / (weight[0] + weight[1] + weight[2]);
-    return distance > 0 ? distance : infinity;
+    // Along a negative main axis, ray coordinates are mirrored.
+    return distance > 0 ? Hit{distance, left[0] == (ray.direction[ray.main_axis] > 0) ? 1 : -1} : Hit{};
   }
 
   const Triangulated_surface& m_surface;

@@ -92,7 +92,8 @@ public:
   const Surface_level& query_level() const;
   /// The surface of that level.
   const Triangulated_surface& query_surface() const;
-  /// Whether the body contains `point`. Where the surface intersects itself, a part inside both sheets is outside.
+  /// Whether the body contains `point`. Where the surface intersects itself, what is inside of several sheets is
+  /// inside.
   bool is_inside(const Vector_3& point) const;
   /// The point of the surface nearest to `point`.
   Surface_point closest_point(const Vector_3& point) const;
@@ -100,7 +101,8 @@ public:
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const;
   /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
   std::optional<Vector_3> middle_behind(const Vector_3& point) const;
-  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
+  /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body, in ascending
+  /// order.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
   /// @}
 
