@@ -20,6 +20,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/coarsen_triangles.h>
 #include <CSCD/Surface/fill_cavities.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
@@ -36,6 +37,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <istream>
 #include <iterator>
 #include <optional>
@@ -376,6 +378,56 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   }
   result.pairing = std::move(*pairing);
   return result;
+}
+
+/// Whether some side of a triangle has fewer or more of the opposite direction than of its own. Compares two sums of
+/// hashes over all sides, so that no memory is needed; two different sums are equal once in 2^64 times.
+inline bool has_unmatched_side(const std::vector<Index>& corners)
+{
+  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15; // 2^64 by the golden ratio, odd: spreads near numbers
+  const auto hash = [](Index source, Index target) {
+    std::uint64_t bits = (std::uint64_t(source) << 32U | target) * factor;
+    bits = (bits ^ bits >> 32U) * factor;
+    return bits ^ bits >> 32U;
+  };
+  std::uint64_t difference = 0;
+  for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index source = corners[t + i];
+      const Index target = corners[t + (i + 1) % 3];
+      difference += hash(source, target) - hash(target, source);
+    }
+  }
+  return difference != 0;
+}
+
+CSCD_INLINE std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_number_of_points,
+                                            unsigned number_of_threads, Mesh_repair_report& report)
+{
+  report.number_of_triangulated_polygons += soup.number_of_polygons([](std::size_t size) { return size > 3; });
+  report.number_of_removed_faces += soup.number_of_polygons([](std::size_t size) { return size < 3; });
+  if (!soup.first_corner.are_triangles()) {
+    Indexed_triangles triangles = triangulate_polygon_soup(std::move(soup));
+    soup.points = std::move(triangles.points);
+    soup.corners.reserve(3 * triangles.faces.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      soup.corners.insert(soup.corners.end(), face.begin(), face.end());
+    }
+  }
+  std::vector<Index> result;
+  if (has_unmatched_side(soup.corners)) {
+    report.number_of_merged_points += merge_equal_points(soup.points, result);
+    for (Index& corner : soup.corners) {
+      corner = result[corner];
+    }
+  }
+  const std::vector<Index> coarse =
+      coarsen_triangles(soup.points, soup.corners, max_number_of_points, number_of_threads);
+  soup.first_corner = Corner_offsets(soup.corners.size() / 3);
+  for (Index& point : result) {
+    point = coarse.empty() ? point : coarse[point];
+  }
+  return result.empty() ? coarse : result;
 }
 
 CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,
