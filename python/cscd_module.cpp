@@ -145,7 +145,7 @@ void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_opti
   const std::size_t bytes = (sizeof(CSCD::Vector_3) + sizeof(CSCD::Vertex_label) + sizeof(Index)) * points.size();
   std::optional<cscd::Coarse_triangles> coarse;
   if (options.max_memory > 0) {
-    coarse = cscd::bound_memory(soup, options, bytes, makes_mesh);
+    coarse = cscd::bound_memory(soup, options, 0, bytes, makes_mesh);
   }
   source.input = cscd::to_input(std::move(soup), std::move(coarse), options, makes_mesh);
   source.input.as_read.points = std::move(points);

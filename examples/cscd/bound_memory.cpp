@@ -29,9 +29,10 @@ using Soup = CSCD::internal::Polygon_soup;
 /// \name Bytes, as measured on meshes of 0.7 to 20 million vertices and rounded up; see doc/performance.md
 /// @{
 constexpr std::size_t bytes_of_program = std::size_t(16) << 20U;
-constexpr std::size_t bytes_a_vertex = 310;          // of surface, levels and search
+constexpr std::size_t bytes_a_vertex = 340;          // of surface, levels and search
 constexpr std::size_t bytes_a_vertex_of_mesh = 150;  // more, where a mesh is made
 constexpr std::size_t bytes_a_coarsened_vertex = 6;  // beside the triangles, while they are coarsened
+constexpr std::size_t bytes_a_merged_vertex = 24;    // beside them, while points of equal coordinates are looked for
 constexpr std::size_t bytes_a_vertex_of_block = 300; // of the blocks that are coarsened at a time
 /// @}
 
@@ -69,8 +70,8 @@ void add(const CSCD::Mesh_repair_report& earlier, CSCD::Mesh_repair_report& repo
 
 } // namespace
 
-std::optional<Coarse_triangles> bound_memory(Soup& soup, const Skeletonize_options& options, std::size_t other_bytes,
-                                             bool makes_mesh)
+std::optional<Coarse_triangles> bound_memory(Soup& soup, const Skeletonize_options& options, std::size_t file_bytes,
+                                             std::size_t other_bytes, bool makes_mesh)
 {
   const std::size_t n = soup.points.size();
   const std::size_t per_vertex = bytes_a_vertex + (makes_mesh ? bytes_a_vertex_of_mesh : 0);
@@ -81,14 +82,20 @@ std::optional<Coarse_triangles> bound_memory(Soup& soup, const Skeletonize_optio
   const std::size_t others = bytes_of_program + other_bytes + sizeof(CSCD::Index) * n;
   const std::size_t bytes_of_block = bytes_a_vertex_of_block * std::min(n, CSCD::default_coarsening_block);
   const std::size_t beside_blocks = bytes_of_program + other_bytes + bytes_of(soup) + bytes_a_coarsened_vertex * n;
-  const std::size_t needed = std::max(others + per_vertex * min_number_of_vertices, beside_blocks + bytes_of_block);
+  const std::size_t needed = std::max({others + per_vertex * min_number_of_vertices, beside_blocks + bytes_of_block,
+                                       bytes_of_program + other_bytes + bytes_of(soup) + bytes_a_merged_vertex * n,
+                                       bytes_of_program + file_bytes + bytes_of(soup)});
   if (needed > options.max_memory) {
     refuse(options, n, std::min(needed, without_coarsening));
   }
   const std::size_t max_number_of_vertices = (options.max_memory - others) / per_vertex;
+  const std::size_t max_number_of_threads = (options.max_memory - beside_blocks) / bytes_of_block;
+  const std::size_t number_of_threads =
+      options.number_of_threads > 0 ? options.number_of_threads : std::max(1U, std::thread::hardware_concurrency());
   Coarse_triangles result;
-  result.point_of_file =
-      CSCD::internal::coarsen_soup(soup, max_number_of_vertices, options.number_of_threads, result.earlier_repairs);
+  result.point_of_file = CSCD::internal::coarsen_soup(soup, max_number_of_vertices,
+                                                      unsigned(std::min(number_of_threads, max_number_of_threads)),
+                                                      result.earlier_repairs);
   if (soup.points.size() > max_number_of_vertices) {
     refuse(options, n, others + per_vertex * soup.points.size());
   }
@@ -111,7 +118,8 @@ Input to_input(Soup&& soup, std::optional<Coarse_triangles>&& coarse, const Skel
 
 Input read_within_memory(const Skeletonize_options& options, bool makes_mesh)
 {
-  const std::size_t bytes_to_read = bytes_of_program + bytes_of_file(options.input);
+  const std::size_t file_bytes = bytes_of_file(options.input);
+  const std::size_t bytes_to_read = bytes_of_program + file_bytes;
   if (bytes_to_read > options.max_memory) {
     throw CSCD::Input_error(name_of(options.input) + ": to read the file takes more than --max-memory " +
                             memory_size_text(options.max_memory) + ": it has to be " +
@@ -121,9 +129,6 @@ Input read_within_memory(const Skeletonize_options& options, bool makes_mesh)
   if (soup.number_of_polygons() == 0) {
     throw Usage_error("--max-memory: is for meshes only, not for points; leave the option out");
   }
-  if (bytes_to_read + bytes_of(soup) > options.max_memory) {
-    refuse(options, soup.points.size(), bytes_to_read + bytes_of(soup));
-  }
   const bool keeps_file = !(options.correspondence.empty() && options.labelled.empty());
   Soup as_read;
   if (keeps_file) {
@@ -131,7 +136,7 @@ Input read_within_memory(const Skeletonize_options& options, bool makes_mesh)
   }
   const std::size_t bytes_of_labels =
       keeps_file ? bytes_of(soup) + sizeof(CSCD::Vertex_label) * soup.points.size() : std::size_t(0);
-  std::optional<Coarse_triangles> coarse = bound_memory(soup, options, bytes_of_labels, makes_mesh);
+  std::optional<Coarse_triangles> coarse = bound_memory(soup, options, file_bytes, bytes_of_labels, makes_mesh);
   Input input = to_input(std::move(soup), std::move(coarse), options, makes_mesh);
   input.as_read = std::move(as_read);
   return input;

@@ -17,12 +17,13 @@ namespace cscd {
 
 /// Makes the triangles of `soup` fewer, if the skeletonization of what it holds is estimated to take more than
 /// `options.max_memory` bytes, and as few as needed.
-/// \param other_bytes what else is in memory meanwhile
+/// \param file_bytes what was in memory beside it while it was read
+/// \param other_bytes what else is in memory until the end
 /// \param makes_mesh whether a mesh is made of the triangles
 /// \return how, if that was done
 /// \throw `CSCD::Input_error` if not even that fits
 std::optional<Coarse_triangles> bound_memory(CSCD::internal::Polygon_soup& soup, const Skeletonize_options& options,
-                                             std::size_t other_bytes, bool makes_mesh);
+                                             std::size_t file_bytes, std::size_t other_bytes, bool makes_mesh);
 
 /// As `to_input()`, of triangles that may have been coarsened.
 Input to_input(CSCD::internal::Polygon_soup&& soup, std::optional<Coarse_triangles>&& coarse,

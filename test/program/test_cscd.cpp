@@ -612,10 +612,10 @@ TEST_F(Cscd, coarsens_what_does_not_fit_into_memory)
   EXPECT_TRUE(json("same.json").at("number_of_vertices_before_coarsening").is_null());
 
   const Outcome outcome = run("skeletonize torus.off -o coarse.graph --report coarse.json --correspondence coarse.csv "
-                              "--labelled coarse.ply --max-memory 100 --threads 2");
+                              "--labelled coarse.ply --max-memory 70 --threads 2");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_NE(std::string::npos, outcome.err.find("coarsened from 144000 to")) << outcome.err;
-  EXPECT_EQ(100 << 20, json("coarse.json").at("max_memory"));
+  EXPECT_EQ(70 << 20, json("coarse.json").at("max_memory"));
   EXPECT_EQ(mesh.points.size(), json("coarse.json").at("number_of_vertices_before_coarsening"));
   EXPECT_LT(json("coarse.json").at("number_of_sites"), mesh.points.size() / 2);
   EXPECT_EQ(1, json("coarse.json").at("betti_number"));
