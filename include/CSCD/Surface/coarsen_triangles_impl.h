@@ -378,16 +378,20 @@ CSCD_INLINE std::vector<Index> coarsen_triangles(std::vector<Vector_3>& points, 
       ++depth;
     }
     const std::size_t old_size = points.size();
-    const std::vector<Index> coarse = internal::Block_coarsening(points, corners)(
+    std::vector<Index> coarse = internal::Block_coarsening(points, corners)(
         internal::Space_partition(points, depth, is_turned), number_of_threads);
     if (result.empty()) {
-      result = coarse;
+      result = std::move(coarse);
     } else {
       for (Index& point : result) {
         point = coarse[point];
       }
     }
     is_reduced = double(points.size()) <= min_reduction * double(old_size);
+  }
+  if (!result.empty()) {
+    points.shrink_to_fit();
+    corners.shrink_to_fit();
   }
   return result;
 }
