@@ -50,6 +50,7 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
   cscd skeletonize vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
   cscd skeletonize labels.nrrd --all-labels -o cell.swc     cell_1.swc, cell_2.swc and so on
+  cscd skeletonize huge.ply --max-memory 4G -o huge.graph     coarsened as far as memory demands
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 

@@ -20,8 +20,8 @@ inline constexpr std::size_t default_coarsening_block = 100000;
 /// coarsens triangles until they have at most `max_number_of_points` points, by collapses of edges that keep the
 /// topology, or until that is no longer possible.
 ///
-/// Space is divided into blocks; the triangles of one are compiled, and about 5/7 of their vertices are collapsed into
-/// others; what touches another block stays. The next pass has other blocks. So the memory of a few blocks, one for
+/// Space is divided into blocks; the triangles of one are compiled, and nearly three quarters of their vertices are
+/// collapsed into others; what touches another block stays. The next pass has other blocks. So the memory of a few blocks, one for
 /// each thread, and six bytes for each point are enough beside the triangles. Points that remain keep their places.
 /// Points on borders, where the triangles are no oriented manifold, and without a triangle all remain, with the
 /// triangles there. Near linear.
@@ -31,7 +31,7 @@ inline constexpr std::size_t default_coarsening_block = 100000;
 /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
 /// \param block the greatest number of points of a block, about
 /// \return for each point the number of the coarse one that it is or was collapsed into; empty if none was
-/// \pre the numbers of corners are those of points, and there are less than 2^29 triangles
+/// \pre the numbers of corners are those of points
 std::vector<Index> coarsen_triangles(std::vector<Vector_3>& points, std::vector<Index>& corners,
                                      std::size_t max_number_of_points, unsigned number_of_threads = 1,
                                      std::size_t block = default_coarsening_block);
