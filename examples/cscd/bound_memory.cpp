@@ -5,6 +5,7 @@
 
 #include "memory.h"
 #include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/internal/has_unmatched_side.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Surface/coarsen_triangles.h>
@@ -29,9 +30,10 @@ using Soup = CSCD::internal::Polygon_soup;
 /// \name Bytes, as measured on meshes of 0.7 to 20 million vertices and rounded up; see doc/performance.md
 /// @{
 constexpr std::size_t bytes_of_program = std::size_t(16) << 20U;
-constexpr std::size_t bytes_a_vertex = 340;          // of surface, levels and search
-constexpr std::size_t bytes_a_vertex_of_mesh = 150;  // more, where a mesh is made
-constexpr std::size_t bytes_a_coarsened_vertex = 6;  // beside the triangles, while they are coarsened
+constexpr std::size_t bytes_a_vertex = 340;              // of surface, levels and search
+constexpr std::size_t bytes_a_vertex_with_borders = 140; // more, where there are any: they are looked at and closed
+constexpr std::size_t bytes_a_vertex_of_mesh = 150;      // more, where a mesh is made
+constexpr std::size_t bytes_a_coarsened_vertex = 6;      // beside the triangles, while they are coarsened
 constexpr std::size_t bytes_a_merged_vertex = 24;    // beside them, while points of equal coordinates are looked for
 constexpr std::size_t bytes_a_vertex_of_block = 300; // of the blocks that are coarsened at a time
 /// @}
@@ -74,7 +76,8 @@ std::optional<Coarse_triangles> bound_memory(Soup& soup, const Skeletonize_optio
                                              std::size_t other_bytes, bool makes_mesh)
 {
   const std::size_t n = soup.points.size();
-  const std::size_t per_vertex = bytes_a_vertex + (makes_mesh ? bytes_a_vertex_of_mesh : 0);
+  const std::size_t per_vertex = bytes_a_vertex + (makes_mesh ? bytes_a_vertex_of_mesh : 0) +
+                                 (CSCD::internal::has_unmatched_side(soup) ? bytes_a_vertex_with_borders : 0);
   const std::size_t without_coarsening = bytes_of_program + other_bytes + per_vertex * n;
   if (without_coarsening <= options.max_memory) {
     return std::nullopt;

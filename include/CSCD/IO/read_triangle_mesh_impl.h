@@ -10,6 +10,7 @@
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/find_flaps.h>
+#include <CSCD/IO/internal/has_unmatched_side.h>
 #include <CSCD/IO/internal/parse_3mf.h>
 #include <CSCD/IO/internal/parse_gltf.h>
 #include <CSCD/IO/internal/parse_mesh.h>
@@ -37,7 +38,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <istream>
 #include <iterator>
 #include <optional>
@@ -380,27 +380,6 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   return result;
 }
 
-/// Whether some side of a triangle has fewer or more of the opposite direction than of its own. Compares two sums of
-/// hashes over all sides, so that no memory is needed; two different sums are equal once in 2^64 times.
-inline bool has_unmatched_side(const std::vector<Index>& corners)
-{
-  constexpr std::uint64_t factor = 0x9e3779b97f4a7c15; // 2^64 by the golden ratio, odd: spreads near numbers
-  const auto hash = [](Index source, Index target) {
-    std::uint64_t bits = (std::uint64_t(source) << 32U | target) * factor;
-    bits = (bits ^ bits >> 32U) * factor;
-    return bits ^ bits >> 32U;
-  };
-  std::uint64_t difference = 0;
-  for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Index source = corners[t + i];
-      const Index target = corners[t + (i + 1) % 3];
-      difference += hash(source, target) - hash(target, source);
-    }
-  }
-  return difference != 0;
-}
-
 CSCD_INLINE std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_number_of_points,
                                             unsigned number_of_threads, Mesh_repair_report& report)
 {
@@ -413,9 +392,10 @@ CSCD_INLINE std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_
     for (const std::array<Index, 3>& face : triangles.faces) {
       soup.corners.insert(soup.corners.end(), face.begin(), face.end());
     }
+    soup.first_corner = Corner_offsets(triangles.faces.size());
   }
   std::vector<Index> result;
-  if (has_unmatched_side(soup.corners)) {
+  if (has_unmatched_side(soup)) {
     report.number_of_merged_points += merge_equal_points(soup.points, result);
     for (Index& corner : soup.corners) {
       corner = result[corner];

@@ -21,10 +21,10 @@ inline constexpr std::size_t default_coarsening_block = 100000;
 /// topology, or until that is no longer possible.
 ///
 /// Space is divided into blocks; the triangles of one are compiled, and nearly three quarters of their vertices are
-/// collapsed into others; what touches another block stays. The next pass has other blocks. So the memory of a few blocks, one for
-/// each thread, and six bytes for each point are enough beside the triangles. Points that remain keep their places.
-/// Points on borders, where the triangles are no oriented manifold, and without a triangle all remain, with the
-/// triangles there. Near linear.
+/// collapsed into others; what touches another block stays. The next pass has other blocks. So the memory of a few
+/// blocks, one for each thread, and six bytes for each point are enough beside the triangles. Points that remain keep
+/// their places. Points on borders, where the triangles are no oriented manifold, and without a triangle all remain,
+/// with the triangles there. Near linear.
 ///
 /// \param points, corners the places, and the numbers of the corners of each triangle, one triangle after the other;
 ///        both become those of the coarse triangles, which have no order
