@@ -5,6 +5,7 @@
 
 #include "cscd/applications.h"
 #include "cscd/commands.h"
+#include "cscd/memory.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -28,11 +29,6 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-#ifdef __linux__
-#include <fstream>
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace {
 
@@ -54,6 +50,7 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
   cscd skeletonize vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
   cscd skeletonize labels.nrrd --all-labels -o cell.swc     cell_1.swc, cell_2.swc and so on
+  cscd skeletonize huge.ply --max-memory 4G -o huge.graph     coarsened as far as memory demands
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 
@@ -181,6 +178,15 @@ std::string check_length(const std::string& text, bool may_be_relative)
   double value = 0;
   const bool is_length = CLI::detail::lexical_cast(number, value) && value >= 0 && std::isfinite(value);
   return is_length ? "" : "must be a number that is at least 0, not " + text;
+}
+
+/// Adds an option that takes a size of memory, and puts the bytes into `size`.
+void add_memory_size(CLI::App& command, const std::string& name, std::size_t& size, const std::string& description)
+{
+  command
+      .add_option_function<std::string>(
+          name, [name, &size](const std::string& text) { size = cscd::parse_memory_size(text, name); }, description)
+      ->type_name("SIZE");
 }
 
 void add_fragments(CLI::App& command, cscd::Fragment_options& options, const std::string& unit)
@@ -331,6 +337,8 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and "
                    "closes holes, gaps and hollows narrower than SIZE, relative to the diagonal, such as 0.01")
       ->type_name("SIZE");
+  add_memory_size(*command, "--max-memory", options.max_memory,
+                  "of a mesh: coarsen it as far as its skeletonization would take more memory: megabytes, or as in 2G");
   command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
@@ -552,9 +560,7 @@ void add_batch(CLI::App& app, cscd::Batch_options& options)
   command->add_option("--timeout", options.timeout, "seconds after which a process is stopped")
       ->check(CLI::PositiveNumber)
       ->type_name("S");
-  command->add_option("--memory", options.memory, "megabytes that each process may use")
-      ->check(check_count)
-      ->type_name("MB");
+  add_memory_size(*command, "--memory", options.memory, "memory that each process may use: megabytes, or as in 2G");
   command->add_flag("--resume", options.resumes, "leave out inputs that the manifest has as done or failed");
   command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
   command->footer("Behind -- follow options of cscd skeletonize; {} stands for the name of the results without ending. "
@@ -595,31 +601,6 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
     std::fputs("cscd: internal failure; please report it together with the input\n", stderr);
   }
   std::abort();
-}
-
-/// Limits the memory of this process to what the machine can give, so that a run which needs more ends with a message.
-/// Without a limit, the system promises what it does not have, and kills this program or another where that is used.
-void limit_memory()
-{
-#ifdef __linux__
-  constexpr rlim_t bytes_a_kilobyte = 1024;
-  std::ifstream machine("/proc/meminfo");
-  std::string key;
-  rlim_t available = 0; // kilobytes
-  while (machine >> key && key != "MemAvailable:") {
-    machine.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
-  std::ifstream process("/proc/self/statm"); // pages: whole size, resident, shared, code, 0, data
-  rlim_t pages = 0;
-  for (int column = 0; column < 6; ++column) {
-    process >> pages;
-  }
-  rlimit limit{};
-  if (machine >> available && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
-    limit.rlim_cur = std::min(limit.rlim_cur, pages * rlim_t(sysconf(_SC_PAGESIZE)) + available * bytes_a_kilobyte);
-    setrlimit(RLIMIT_DATA, &limit);
-  }
-#endif
 }
 
 int run(int argc, char** argv)
@@ -694,7 +675,7 @@ int main(int argc, char** argv)
   mallopt(M_TRIM_THRESHOLD, -1);
 #endif
   std::set_terminate(terminate);
-  limit_memory();
+  cscd::limit_memory_to_available();
   try {
     return run(argc, argv);
   } catch (const cscd::Usage_error& error) {

@@ -4,8 +4,10 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
 // cscd/__init__.py.
 
+#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
+#include "memory.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"
@@ -135,11 +137,18 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
-/// Makes the mesh of `source` from polygons, repaired as the program repairs them.
-void make_mesh(CSCD::internal::Polygon_soup&& soup, Source& source)
+/// Makes the mesh of `source` from polygons, repaired as the program repairs them, and coarsened if `options` demand.
+void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_options& options, Source& source)
 {
-  source.input.as_read.points = soup.points;
-  source.input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), source.name(), source.input.mesh);
+  constexpr bool makes_mesh = true;
+  std::vector<CSCD::Vector_3> points = soup.points;
+  const std::size_t bytes = (sizeof(CSCD::Vector_3) + sizeof(CSCD::Vertex_label) + sizeof(Index)) * points.size();
+  std::optional<cscd::Coarse_triangles> coarse;
+  if (options.max_memory > 0) {
+    coarse = cscd::bound_memory(soup, options, 0, bytes, makes_mesh);
+  }
+  source.input = cscd::to_input(std::move(soup), std::move(coarse), options, makes_mesh);
+  source.input.as_read.points = std::move(points);
 }
 
 void make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals, Source& source)
@@ -214,10 +223,13 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
     make_point_set(points, normals, *source);
   }
   const py::gil_scoped_release release;
-  if (soup) {
-    make_mesh(std::move(*soup), *source);
-  }
   options.input = source->name();
+  options.is_quiet = true;
+  if (soup) {
+    make_mesh(std::move(*soup), options, *source);
+  } else if (options.max_memory > 0) {
+    throw cscd::Usage_error("max_memory: is for meshes only; leave it out");
+  }
   options.report = cscd::standard_stream; // with all that a report has
   cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
   std::ostringstream report;
@@ -253,9 +265,10 @@ std::string page(const Shown_skeleton& skeleton, const std::string& title)
 cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
-  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
+  if (input.is_point_set || input.is_wrapped || input.coarse || !input.repairs.sentences().empty() ||
+      num_faces(input.mesh) == 0) {
     throw cscd::Usage_error(
-        "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
+        "only a mesh that was neither repaired, wrapped nor coarsened has values of its own vertices and faces");
   }
   return input.mesh;
 }
@@ -327,7 +340,10 @@ py::list find_loops(const Coordinates& points, const Corners& corners, unsigned 
   std::vector<CSCD::Surface_loop<cscd::Point>> loops;
   {
     const py::gil_scoped_release release;
-    make_mesh(std::move(soup), source);
+    cscd::Skeletonize_options options;
+    options.input = source.name();
+    options.is_quiet = true;
+    make_mesh(std::move(soup), options, source);
     loops = CSCD::find_surface_loops(source.input.mesh, CSCD::parameters::random_seed(seed), min_depth);
   }
   constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
@@ -398,6 +414,11 @@ void define_options(py::module_& module)
       .def_readwrite("shape", &Skeletonize_options::shape)
       .def_readwrite("borders", &Skeletonize_options::borders)
       .def_readwrite("wrap", &Skeletonize_options::wrap)
+      .def_property(
+          "max_memory", [](const Skeletonize_options& options) { return options.max_memory; },
+          [](Skeletonize_options& options, const std::string& size) {
+            options.max_memory = cscd::parse_memory_size(size, "max_memory");
+          })
       .def_readwrite("domain", &Skeletonize_options::domain)
       .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)

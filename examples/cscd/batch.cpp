@@ -5,6 +5,7 @@
 
 #include "Batch_manifest.h"
 #include "commands.h"
+#include "memory.h"
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/counted.h>
 
@@ -52,7 +53,6 @@ constexpr const char* placeholder = "{}";
 constexpr int not_started = 127;
 /// That of the program for an internal failure, memory included.
 constexpr int internal_failure = 3;
-constexpr std::size_t bytes_a_megabyte = 1 << 20;
 
 /// An input and where its results go.
 struct Task
@@ -361,10 +361,7 @@ private:
     setpgid(0, 0);                    // signals of a terminal are for the batch
     prctl(PR_SET_PDEATHSIG, SIGKILL); // no child outlives a batch that is killed
     if (m_options.memory > 0) {
-      // What is written to counts, unlike RLIMIT_AS, which counts what the allocator only reserves.
-      const rlim_t bytes = std::min<rlim_t>(m_options.memory, RLIM_INFINITY / bytes_a_megabyte) * bytes_a_megabyte;
-      const rlimit limit{bytes, bytes};
-      setrlimit(RLIMIT_DATA, &limit);
+      limit_memory(m_options.memory);
     }
     sigprocmask(SIG_SETMASK, &m_child_signals, nullptr);
     if (getppid() == parent) {

@@ -100,6 +100,7 @@ struct Skeletonize_options
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::string borders;                 ///< what becomes of those of a mesh; `automatic_borders` if empty
   std::optional<double> wrap;          ///< size of the gaps of a mesh that a wrap around it closes, to its diagonal
+  std::size_t max_memory = 0;          ///< bytes to which a mesh is coarsened to fit into, or 0
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has
@@ -174,7 +175,7 @@ struct Batch_options
   std::string part;                         ///< "I/N", of the inputs, or empty for all
   std::size_t number_of_jobs = 0;           ///< processes at once; 0 for one a core
   double timeout = 0;                       ///< seconds for each input, or 0
-  std::size_t memory = 0;                   ///< megabytes for each process, or 0
+  std::size_t memory = 0;                   ///< bytes for each process, or 0
   bool resumes = false;                     ///< leaves out what the manifest has as done or failed
   bool is_quiet = false;                    ///< writes no summary
   std::vector<std::string> command_options; ///< of `cscd skeletonize`; {} stands for the output files without ending

@@ -4,6 +4,7 @@
 // The command `cscd skeletonize`: from arguments to files.
 
 #include "Progress_bar.h"
+#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "roots.h"
@@ -51,46 +52,6 @@ namespace {
 void say(const std::string& input, const std::string& sentence)
 {
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
-}
-
-Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file, bool makes_mesh)
-{
-  Input input;
-  CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, format, name);
-  if (keeps_file) {
-    input.as_read = soup;
-  }
-  input.is_point_set = soup.number_of_polygons() == 0;
-  if (input.is_point_set) {
-    CSCD::internal::convert_to_points(soup, input.points, input.normals);
-    input.has_other_columns = soup.has_other_columns;
-  } else if (makes_mesh) {
-    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh);
-  } else {
-    input.triangles = CSCD::internal::make_manifold(std::move(soup), name);
-    input.repairs = input.triangles->report;
-  }
-  return input;
-}
-
-Input read_from(const std::string& name, const std::string& format, bool keeps_file, bool makes_mesh)
-{
-  if (name == standard_stream) {
-    if (format.empty()) {
-      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
-                        "vtp, xyz or pcd");
-    }
-    return read(std::cin, "." + format, name_of(name), keeps_file, makes_mesh);
-  }
-  std::error_code error;
-  if (std::filesystem::is_directory(name, error)) {
-    throw CSCD::File_error(name + ": is a folder; name a file in it");
-  }
-  std::ifstream in(name, std::ios::binary);
-  if (!in) {
-    throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
-  }
-  return read(in, format.empty() ? name : "." + format, name, keeps_file, makes_mesh);
 }
 
 /// The options that name files besides those of the skeleton, and the files.
@@ -309,9 +270,43 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh)
+CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format)
 {
-  Input input = read_from(name, format, keeps_file, makes_mesh);
+  if (name == standard_stream) {
+    if (format.empty()) {
+      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
+                        "vtp, xyz or pcd");
+    }
+    return CSCD::internal::read_polygons_or_points(std::cin, "." + format, name_of(name));
+  }
+  std::error_code error;
+  if (std::filesystem::is_directory(name, error)) {
+    throw CSCD::File_error(name + ": is a folder; name a file in it");
+  }
+  std::ifstream in(name, std::ios::binary);
+  if (!in) {
+    throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
+  }
+  return CSCD::internal::read_polygons_or_points(in, format.empty() ? name : "." + format, name);
+}
+
+Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+               bool makes_mesh)
+{
+  Input input;
+  if (keeps_file) {
+    input.as_read = soup;
+  }
+  input.is_point_set = soup.number_of_polygons() == 0;
+  if (input.is_point_set) {
+    CSCD::internal::convert_to_points(soup, input.points, input.normals);
+    input.has_other_columns = soup.has_other_columns;
+  } else if (makes_mesh) {
+    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name_of(name), input.mesh);
+  } else {
+    input.triangles = CSCD::internal::make_manifold(std::move(soup), name_of(name));
+    input.repairs = input.triangles->report;
+  }
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
@@ -321,6 +316,11 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
     }
   }
   return input;
+}
+
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh)
+{
+  return to_input(read_soup(name, format), name, is_quiet, keeps_file, makes_mesh);
 }
 
 std::string name_of(const std::string& input)
@@ -375,7 +375,8 @@ void check_domain(const Skeletonize_options& options)
        {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
         std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
-        std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
+        std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
+        std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
       throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
     }
@@ -393,6 +394,11 @@ void check_method(const Skeletonize_options& options)
     throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
   }
   const bool is_published = options.method == published_method;
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  if (options.max_memory > 0 && (options.wrap || is_published)) {
+    throw Usage_error("--max-memory: how much --wrap and --method published take is not known; leave it out");
+  }
+#endif
   if (!is_published && !options.target.empty()) {
     throw Usage_error("--target: only the published method has a choice of targets; add --method published");
   }
@@ -431,7 +437,8 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
   for (const auto& [is_given, option] :
-       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.is_multiscale, "--multiscale"),
+       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
+        std::pair(options.is_multiscale, "--multiscale"),
         std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
     if (input.is_point_set && is_given) {
       throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
@@ -492,6 +499,11 @@ bool needs_mesh(const Skeletonize_options& options)
 /// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  if (options.max_memory > 0) {
+    return read_within_memory(options, needs_mesh(options));
+  }
+#endif
   try {
     return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
   } catch (const CSCD::Input_error& error) {

@@ -37,6 +37,15 @@ using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 
+/// The coarse triangles that a mesh was made of so that it fits into memory.
+struct Coarse_triangles
+{
+  std::vector<CSCD::Index> point_of_file;   ///< for each point of the file, the one that stands for it
+  std::vector<CSCD::Vector_3> points;       ///< before repairs
+  CSCD::Mesh_repair_report earlier_repairs; ///< before they were coarsened
+  Memory_bound bound;
+};
+
 /// A mesh, or points, if the file has no faces.
 struct Input
 {
@@ -52,6 +61,9 @@ struct Input
   bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
   CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  std::optional<Coarse_triangles> coarse; ///< if the mesh is coarser than the file's
+#endif
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -69,6 +81,13 @@ struct Skeletonization_result : Run_report
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
                  bool makes_mesh = true);
+
+/// Reads the polygons or points of a file or of standard input, as `read_input()` does.
+CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format);
+
+/// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
+Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+               bool makes_mesh);
 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`

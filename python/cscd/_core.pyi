@@ -22,6 +22,10 @@ class SkeletonizeOptions:
     shape: str
     borders: str
     wrap: float | None
+    @property
+    def max_memory(self) -> int: ...
+    @max_memory.setter
+    def max_memory(self, size: str) -> None: ...
     domain: str
     neighbors: int
     root: str

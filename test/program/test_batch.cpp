@@ -136,6 +136,8 @@ TEST_F(Batch, what_needs_too_much_memory_is_stopped)
   const auto manifest = rows("out/manifest.csv");
   EXPECT_EQ("memory", manifest.at("large.off")[1]) << manifest.at("large.off")[11];
   EXPECT_EQ("done", manifest.at("small.off")[1]) << manifest.at("small.off")[11];
+  EXPECT_EQ(0, run("batch large.off small.off --output-dir more --memory 2G").status);
+  expect_refusal("batch small.off --output-dir none --memory 2X", 1, {"--memory", "2X", "2G"});
 }
 
 TEST_F(Batch, goes_on_where_a_manifest_ends)

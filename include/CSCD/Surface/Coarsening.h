@@ -24,8 +24,9 @@
 namespace CSCD::internal {
 
 /// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of
-/// them. The coarse vertices are a subset of the fine ones, the coarse surface is a closed oriented manifold of the
-/// same topology, and the result depends on the numbering of the fine surface alone. Linear.
+/// them. The coarse vertices are a subset of the fine ones, the coarse surface is an oriented manifold of the same
+/// topology, closed or with the same borders, and the result depends on the numbering of the fine surface alone.
+/// Linear.
 class Coarsening
 {
 public:
@@ -34,12 +35,18 @@ public:
   {
     freeze_wide_stars();
     freeze_bridges();
-    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
-      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
-    });
-    copy_rings(number_of_threads);
-    collapse_others(number_of_threads);
-    number_coarse_vertices();
+    collapse(number_of_threads);
+  }
+
+  /// Coarsens a surface with borders, by one thread.
+  /// \param is_fixed of each vertex, whether it stays and so do its faces; those on borders are to stay
+  Coarsening(const Triangulated_surface& fine, const std::vector<char>& is_fixed) : m_fine(fine)
+  {
+    freeze_wide_stars();
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      m_status[vertex] = is_fixed[vertex] != 0 ? Status::frozen : m_status[vertex];
+    }
+    collapse(1);
   }
 
   /// The coarse surface as points and faces.
@@ -125,6 +132,17 @@ private:
         }
       }
     }
+  }
+
+  /// Does it all, for the vertices that are not frozen.
+  void collapse(unsigned number_of_threads)
+  {
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
+      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
+    });
+    copy_rings(number_of_threads);
+    collapse_others(number_of_threads);
+    number_coarse_vertices();
   }
 
   /// The ring of a kept vertex has room to grow; no other ring grows.

@@ -119,18 +119,21 @@ public:
 
   /// The same by `number_of_threads` threads, 0 for as many as TBB allows; areas and normals wait for `measure()`.
   Triangulated_surface(Indexed_triangles&& triangles, unsigned number_of_threads)
-      : Triangulated_surface(std::move(triangles),
-                             Halfedge_pairing(triangles.faces, triangles.points.size(), number_of_threads), true)
+      : Triangulated_surface(true, std::move(triangles),
+                             Halfedge_pairing(triangles.faces, triangles.points.size(), number_of_threads))
   {
   }
 
   /// Compiles `triangles` to a surface with or without borders, after they have been checked; linear.
+  /// \param is_measured whether areas and normals are computed at once; they wait for `measure()` otherwise
   /// \pre `pairing` is that of the faces of `triangles` and has no conflict, and the faces of each vertex form one fan
-  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
-      : Triangulated_surface(std::move(triangles), std::move(pairing), false)
+  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing, bool is_measured = true)
+      : Triangulated_surface(false, std::move(triangles), std::move(pairing))
   {
     CGAL_precondition(!m_defect);
-    measure();
+    if (is_measured) {
+      measure();
+    }
   }
 
   /// Computes areas and normals, unless they are known; linear. Nothing if there is a defect.
@@ -224,7 +227,7 @@ public:
   /// @}
 
 private:
-  Triangulated_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing, bool must_be_closed)
+  Triangulated_surface(bool must_be_closed, Indexed_triangles&& triangles, Halfedge_pairing&& pairing)
       : m_points(std::move(triangles.points)), m_first_hole_filling_face(Index(triangles.first_hole_filling_face))
   {
     CGAL_precondition(pairing.number_of_halfedges() == 3 * triangles.faces.size());

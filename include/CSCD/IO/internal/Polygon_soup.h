@@ -13,6 +13,40 @@
 
 namespace CSCD::internal {
 
+/// Where the corners of each polygon begin, and at last their number: a vector that takes no memory as long as all
+/// polygons are triangles: it would be a quarter of the soup.
+class Corner_offsets
+{
+public:
+  Corner_offsets() = default;
+  /// Those of triangles.
+  explicit Corner_offsets(std::size_t number_of_triangles) : m_size(number_of_triangles + 1) {}
+
+  /// One more than there are polygons.
+  std::size_t size() const { return m_size; }
+  std::size_t operator[](std::size_t polygon) const { return are_triangles() ? 3 * polygon : m_offsets[polygon]; }
+  std::size_t back() const { return (*this)[m_size - 1]; }
+  bool are_triangles() const { return m_offsets.empty(); }
+
+  /// Ends a polygon whose corners end at `offset`.
+  void push_back(std::size_t offset)
+  {
+    if (are_triangles() && offset != 3 * m_size) {
+      for (std::size_t i = 0; i < m_size; ++i) {
+        m_offsets.push_back(3 * i);
+      }
+    }
+    if (!are_triangles()) {
+      m_offsets.push_back(offset);
+    }
+    ++m_size;
+  }
+
+private:
+  std::size_t m_size = 1;
+  std::vector<std::size_t> m_offsets; // empty if all are triangles
+};
+
 /// Points and polygons in flat arrays.
 struct Polygon_soup
 {
@@ -24,7 +58,7 @@ struct Polygon_soup
   /// The corners of all polygons, one polygon after the other, as indices into `points`.
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.
-  std::vector<std::size_t> first_corner{0};
+  Corner_offsets first_corner;
 
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
   std::size_t size_of_polygon(std::size_t polygon) const { return first_corner[polygon + 1] - first_corner[polygon]; }

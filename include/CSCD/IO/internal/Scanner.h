@@ -32,6 +32,20 @@
 
 namespace CSCD::internal {
 
+/// The number of bytes that are left in `in`, or 0 where that is not known, as of a pipe.
+inline std::size_t remaining_size(std::istream& in)
+{
+  const std::istream::pos_type begin = in.tellg();
+  if (begin == std::istream::pos_type(-1)) {
+    return 0;
+  }
+  in.seekg(0, std::ios::end);
+  const std::istream::pos_type end = in.tellg();
+  in.clear();
+  in.seekg(begin);
+  return end > begin ? static_cast<std::size_t>(end - begin) : 0;
+}
+
 /// All that is left in `in`, decompressed if the ending of `format` tells how.
 /// \param name for messages
 /// \throw File_error if reading fails, or if it cannot be decompressed
@@ -42,6 +56,9 @@ inline std::string read_content(std::istream& in, const std::string& name, const
   }
   constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
   std::string content;
+#ifndef CSCD_LOCAL_METHOD_ONLY                      // the page that computes would be too large
+  content.reserve(remaining_size(in) + block_size); // growing, it would be in memory twice
+#endif
   while (in) {
     const std::size_t size = content.size();
     content.resize(size + block_size);

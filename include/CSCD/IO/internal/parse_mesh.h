@@ -193,7 +193,6 @@ private:
   {
     const std::size_t expected = std::min(m_number_of_polygons, m_scanner.remaining() / min_polygon_size + 1);
     m_soup.corners.reserve(3 * expected);
-    m_soup.first_corner.reserve(expected + 1);
     for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
       if (!m_scanner.skip_blanks(comment)) {
         m_scanner.fail_at_end("face " + std::to_string(i) + " of " + std::to_string(m_number_of_polygons));
@@ -247,8 +246,6 @@ private:
       }
       bytes.skip(number_size * m_size_of_look);
     }
-    // A polygon has a number of corners and one of components at least.
-    m_soup.first_corner.reserve(std::min(m_number_of_polygons, bytes.remaining() / (2 * number_size)) + 1);
     for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
       read_binary_polygon(bytes);
       if (!is_little) {
@@ -528,10 +525,7 @@ private:
     Polygon_soup result;
     merge_equal_points(m_points, result.corners);
     result.points = std::move(m_points);
-    result.first_corner.reserve(result.corners.size() / 3 + 1);
-    for (std::size_t end = 3; end <= result.corners.size(); end += 3) {
-      result.first_corner.push_back(end);
-    }
+    result.first_corner = Corner_offsets(result.corners.size() / 3);
     return result;
   }
 
@@ -580,9 +574,7 @@ inline Polygon_soup parse_neuroglancer(std::string_view content, const std::stri
                        std::to_string(number_of_points) + " (counted from 0); write the file again");
     }
   }
-  while (soup.first_corner.back() < soup.corners.size()) {
-    soup.first_corner.push_back(soup.first_corner.back() + 3);
-  }
+  soup.first_corner = Corner_offsets(soup.corners.size() / 3);
   return soup;
 }
 

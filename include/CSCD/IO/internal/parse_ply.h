@@ -403,7 +403,6 @@ private:
   {
     const std::size_t expected = std::min(element.number_of_items, m_source.remaining() / 3 + 1);
     m_soup.corners.reserve(3 * expected);
-    m_soup.first_corner.reserve(expected + 1);
     std::size_t face = element.properties.empty() ? 0 : read_triangle_records(element);
     for (; face < element.number_of_items && !element.properties.empty(); ++face) {
       read_item(element, [&](const Ply_property& property, std::size_t, double number) {

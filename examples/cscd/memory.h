@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sizes of memory in options and messages, and the bound that the system keeps.
+
+#ifndef CSCD_PROGRAM_MEMORY_H
+#define CSCD_PROGRAM_MEMORY_H
+
+#include <cstddef>
+#include <string>
+
+namespace cscd {
+
+/// The bytes that `size` means: a number of megabytes, or of what the letter K, M, G or T behind it says.
+/// \throw Usage_error naming `option` if it means none
+std::size_t parse_memory_size(const std::string& size, const std::string& option);
+
+/// A size as `parse_memory_size()` reads it, rounded up to megabytes or tenths of gigabytes.
+std::string memory_size_text(std::size_t bytes);
+
+/// Limits the memory that this process may write to, unless its limit is lower: more ends it with a message. May be
+/// called between fork and exec.
+void limit_memory(std::size_t bytes);
+
+/// Limits it to what the machine can give. Without a limit, the system promises what it does not have, and kills this
+/// program or another where that is used.
+void limit_memory_to_available();
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_MEMORY_H
