@@ -242,6 +242,30 @@ TEST(Inside_repair, brings_nodes_and_edges_back_into_the_body)
   EXPECT_EQ(edges + 1, builder.size());
 }
 
+TEST(Inside_repair, ends_branches_before_tips_that_stay_outside)
+{
+  const Shape_solid solid(CSCD::test::tube(6, 1, 24, CSCD::test::Tube_end::flat));
+  Skeleton_builder builder;
+  const Index first = builder.add_node(solid.at(2, 0, 0), 1 / solid.unit());
+  const Index middle = builder.add_node(solid.at(4, 0, 0), 1 / solid.unit());
+  // No sheet is so near to them that they could be brought back.
+  const Index outside = builder.add_node(solid.at(9, 0, 0), 0.01 / solid.unit());
+  const Index tip = builder.add_node(solid.at(12, 0, 0), 0.01 / solid.unit());
+  builder.add_edge(first, middle);
+  builder.add_edge(middle, outside);
+  builder.add_edge(outside, tip);
+  builder[outside].is_on_sheet = true;
+  builder[tip].is_on_sheet = true;
+  builder[tip].pieces = {7};
+  CSCD::internal::Inside_repair repair(*solid, builder);
+  ASSERT_EQ(repair.number_of_nodes_outside(), 2u);
+  repair.draw_back_tips();
+  EXPECT_EQ(repair.number_of_nodes_outside(), 0u);
+  EXPECT_EQ(repair.number_of_edges_outside(), 0u);
+  EXPECT_EQ(builder.degree(middle), 1u) << "the tip now";
+  EXPECT_EQ(builder[middle].pieces, std::vector<Index>{7});
+}
+
 TEST(Inside_repair, leads_an_edge_along_the_surface)
 {
   const Shape_solid solid(CSCD::test::bent_tube(3, 3, 0.6, 24));

@@ -233,6 +233,23 @@ public:
     }
   }
 
+  /// Brings nodes back in, and ends branches before tips that cannot be brought back.
+  void draw_back_tips()
+  {
+    repair_nodes();
+    for (Index node = 0; node < m_builder.size(); ++node) {
+      for (Index tip = node; m_is_outside[tip] != 0 && m_builder.degree(tip) == 1;) {
+        const Index next = m_builder[tip].neighbors[0];
+        if (!m_builder.is_regular(next)) {
+          break;
+        }
+        m_builder.contract(tip, next);
+        m_is_outside[tip] = 0;
+        tip = next;
+      }
+    }
+  }
+
   /// Repairs what can be repaired, in a few rounds.
   void operator()()
   {

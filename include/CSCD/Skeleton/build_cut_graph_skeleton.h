@@ -50,7 +50,9 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   finish_on_sheets(solid, result.graph);
   Branch_straightening straightening(solid, result.graph);
   straightening.drop_folds();
-  Inside_repair(solid, result.graph)();
+  Inside_repair repair(solid, result.graph);
+  repair.draw_back_tips();
+  repair();
   Sheet_placement(solid, result.graph).finish();
   straightening.drop_scarce_nodes(
       Vertex_assignment(solid.triangulation(), cut_graph, result.graph, number_of_threads).numbers_of_vertices());
