@@ -53,7 +53,8 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file, bool makes_mesh)
+Input read(std::istream& in, const std::string& format, const std::string& name, bool keeps_file, bool makes_mesh,
+           unsigned number_of_threads)
 {
   Input input;
   CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, format, name);
@@ -65,22 +66,23 @@ Input read(std::istream& in, const std::string& format, const std::string& name,
     CSCD::internal::convert_to_points(soup, input.points, input.normals);
     input.has_other_columns = soup.has_other_columns;
   } else if (makes_mesh) {
-    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh);
+    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name, input.mesh, number_of_threads);
   } else {
-    input.triangles = CSCD::internal::make_manifold(std::move(soup), name);
+    input.triangles = CSCD::internal::make_manifold(std::move(soup), name, number_of_threads);
     input.repairs = input.triangles->report;
   }
   return input;
 }
 
-Input read_from(const std::string& name, const std::string& format, bool keeps_file, bool makes_mesh)
+Input read_from(const std::string& name, const std::string& format, bool keeps_file, bool makes_mesh,
+                unsigned number_of_threads)
 {
   if (name == standard_stream) {
     if (format.empty()) {
       throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
                         "vtp, xyz or pcd");
     }
-    return read(std::cin, "." + format, name_of(name), keeps_file, makes_mesh);
+    return read(std::cin, "." + format, name_of(name), keeps_file, makes_mesh, number_of_threads);
   }
   std::error_code error;
   if (std::filesystem::is_directory(name, error)) {
@@ -90,7 +92,7 @@ Input read_from(const std::string& name, const std::string& format, bool keeps_f
   if (!in) {
     throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
   }
-  return read(in, format.empty() ? name : "." + format, name, keeps_file, makes_mesh);
+  return read(in, format.empty() ? name : "." + format, name, keeps_file, makes_mesh, number_of_threads);
 }
 
 /// The options that name files besides those of the skeleton, and the files.
@@ -309,9 +311,10 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh)
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh,
+                 unsigned number_of_threads)
 {
-  Input input = read_from(name, format, keeps_file, makes_mesh);
+  Input input = read_from(name, format, keeps_file, makes_mesh, number_of_threads);
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
@@ -493,7 +496,8 @@ bool needs_mesh(const Skeletonize_options& options)
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
-    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
+    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
+                      options.number_of_threads);
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }

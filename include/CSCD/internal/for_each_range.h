@@ -21,6 +21,10 @@ inline constexpr Index range_size = 1U << 13U;
 /// \param number_of_threads 0 for as many as TBB allows
 void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function);
 
+/// Calls `function(i)` for `i` from 0 to `size` - 1, each of which is enough work for a thread. In order where there is
+/// one thread.
+void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function);
+
 /// Calls `first()` and `second()`, at the same time where there are several threads, else in this order.
 void call_both(unsigned number_of_threads, const std::function<void()>& first, const std::function<void()>& second);
 
