@@ -61,7 +61,7 @@ public:
   /// O(n log n).
   /// \param boxes those of the objects
   /// \param number_of_threads 0 for as many as TBB allows; the tree is the same for any number
-  explicit Box_tree(const std::vector<Bounding_box>& boxes, unsigned number_of_threads = 1)
+  explicit Box_tree(const std::vector<Bounding_box>& boxes, [[maybe_unused]] unsigned number_of_threads = 1)
   {
     std::vector<Entry> entries;
     entries.reserve(boxes.size());
@@ -72,7 +72,11 @@ public:
       m_boxes.resize(boxes.size() - 1);
       m_children.resize(boxes.size() - 1);
       const Range all{0, Index(boxes.size()), 0};
-      build_in_parts(boxes, entries, all, number_of_threads);
+      if constexpr (has_threads) {
+        build_in_parts(boxes, entries, all, number_of_threads);
+      } else {
+        build(boxes, entries, all);
+      }
       m_root = root_of(entries, all);
     }
   }

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+#ifdef CGAL_LINKED_WITH_TBB
+
 namespace CSCD::internal {
 
 CSCD_INLINE void for_each_range(Index size, unsigned number_of_threads,
@@ -42,5 +44,7 @@ CSCD_INLINE void call_both(unsigned number_of_threads, const std::function<void(
 }
 
 } // namespace CSCD::internal
+
+#endif // CGAL_LINKED_WITH_TBB
 
 #endif // CSCD_INTERNAL_FOR_EACH_RANGE_IMPL_H
