@@ -88,8 +88,9 @@ private:
   template <class ForEachValue, class Use>
   void for_each_value_of_rows(const ForEachValue& for_each_value, unsigned number_of_threads, const Use& use) const
   {
-    if (number_of_threads == 1) {
-      const Parallel_clock::Loop measured(true);
+    const bool is_worth_threads = number_of_rows() > range_size;
+    if (number_of_threads == 1 || !is_worth_threads) {
+      const Parallel_clock::Loop measured(is_worth_threads);
       for_each_value(use);
       return;
     }
