@@ -1,25 +1,33 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long each stage takes on generated shapes of growing size, with the order of growth: one thread, CPU time.
-// "coarsen" is a part of "compile"; the other stages follow each other.
+// How long each stage takes on generated shapes of growing size, with the order of growth: one thread, CPU time; and
+// which part of that is in loops that several threads can share.
+// "read" makes a manifold of the bytes of a binary file. "coarsen" is a part of "compile"; the other stages follow each
+// other.
 
 #include "convert_shape.h"
 #include "support/generated_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_json.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/internal/Parallel_clock.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -33,6 +41,8 @@ using CSCD::benchmark::Sized_shape;
 
 /// Numbers of vertices to aim at.
 constexpr std::int64_t sizes[] = {3125, 12500, 50000, 200000, 800000};
+/// The same for one of the shapes.
+constexpr std::int64_t largest_size = 2800000;
 
 /// A skeletonization ready for any of its stages.
 struct Prepared
@@ -41,8 +51,11 @@ struct Prepared
       : name(shape.name), size(number_of_vertices), mesh(CSCD::test::to_mesh<Mesh>(shape.make(number_of_vertices))),
         traits(mesh), skeletonization(traits)
   {
-    skeletonization.find_separators();
-    skeletonization.pack_separators();
+    std::ostringstream out(std::ios::binary);
+    CGAL::IO::set_binary_mode(out);
+    CGAL::IO::write_PLY(out, mesh);
+    file = out.str();
+    skeletonization.run(skeleton);
   }
 
   std::string name;
@@ -50,6 +63,8 @@ struct Prepared
   Mesh mesh;
   Traits traits;
   Skeletonization skeletonization;
+  std::string file; ///< the mesh as binary PLY
+  Skeletonization::Skeleton skeleton;
 };
 
 /// The result of the last call is kept: each is used several times in a row.
@@ -63,62 +78,126 @@ Prepared& prepared(const Sized_shape& shape, std::int64_t number_of_vertices)
   return *last;
 }
 
-void compile(benchmark::State& state, Prepared& input)
+/// The part of the time of a stage that is spent in loops which several threads can share.
+class Loop_share
+{
+public:
+  /// Lives as long as the stage is run once.
+  class Scope
+  {
+  public:
+    explicit Scope(Loop_share& share)
+        : m_share(share), m_begin(std::chrono::steady_clock::now()),
+          m_loops_begin(CSCD::internal::Parallel_clock::seconds())
+    {
+    }
+    ~Scope()
+    {
+      m_share.m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
+      m_share.m_seconds_in_loops += CSCD::internal::Parallel_clock::seconds() - m_loops_begin;
+    }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+  private:
+    Loop_share& m_share;
+    std::chrono::steady_clock::time_point m_begin;
+    double m_loops_begin;
+  };
+
+  double percent() const { return 100 * m_seconds_in_loops / m_seconds; }
+
+private:
+  double m_seconds = 0;
+  double m_seconds_in_loops = 0;
+};
+
+void read(benchmark::State& state, Prepared& input, Loop_share& share)
 {
   for (auto _ : state) {
+    state.PauseTiming();
+    std::istringstream in(input.file);
+    state.ResumeTiming();
+    const Loop_share::Scope measured(share);
+    const auto manifold = CSCD::internal::make_manifold(
+        CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, input.name), input.name);
+    benchmark::DoNotOptimize(manifold.triangles.faces.size());
+  }
+}
+
+void compile(benchmark::State& state, Prepared& input, Loop_share& share)
+{
+  for (auto _ : state) {
+    const Loop_share::Scope measured(share);
     const Traits traits(input.mesh);
     benchmark::DoNotOptimize(traits.surface().triangulation().number_of_vertices());
   }
 }
 
-void coarsen(benchmark::State& state, Prepared& input)
+void coarsen(benchmark::State& state, Prepared& input, Loop_share& share)
 {
   for (auto _ : state) {
     state.PauseTiming();
     CSCD::Triangulated_surface surface = input.traits.surface().triangulation();
     state.ResumeTiming();
+    const Loop_share::Scope measured(share);
     const CSCD::Surface_levels levels(std::move(surface));
     benchmark::DoNotOptimize(levels.size());
   }
 }
 
-void find(benchmark::State& state, Prepared& input)
+void find(benchmark::State& state, Prepared& input, Loop_share& share)
 {
   for (auto _ : state) {
+    const Loop_share::Scope measured(share);
     Skeletonization skeletonization(input.traits);
     benchmark::DoNotOptimize(skeletonization.find_separators());
   }
 }
 
-void pack(benchmark::State& state, Prepared& input)
+void pack(benchmark::State& state, Prepared& input, Loop_share& share)
 {
   for (auto _ : state) {
+    const Loop_share::Scope measured(share);
     benchmark::DoNotOptimize(input.skeletonization.pack_separators());
   }
 }
 
-void build(benchmark::State& state, Prepared& input)
+void build(benchmark::State& state, Prepared& input, Loop_share& share)
 {
   for (auto _ : state) {
+    const Loop_share::Scope measured(share);
     Skeletonization::Skeleton skeleton;
     input.skeletonization.convert_to_skeleton(skeleton);
     benchmark::DoNotOptimize(num_vertices(skeleton));
   }
 }
 
+void write(benchmark::State& state, Prepared& input, Loop_share& share)
+{
+  for (auto _ : state) {
+    const Loop_share::Scope measured(share);
+    std::ostringstream out;
+    CSCD::write_json(out, input.skeleton);
+    benchmark::DoNotOptimize(out.tellp());
+  }
+}
+
 struct Stage
 {
   const char* name;
-  void (*run)(benchmark::State&, Prepared&);
+  void (*run)(benchmark::State&, Prepared&, Loop_share&);
 };
 
-constexpr Stage stages[] = {
-    {"compile", compile}, {"coarsen", coarsen}, {"find", find}, {"pack", pack}, {"build", build}};
+constexpr Stage stages[] = {{"read", read}, {"compile", compile}, {"coarsen", coarsen}, {"find", find},
+                            {"pack", pack}, {"build", build},     {"write", write}};
 
 void run(benchmark::State& state, const Stage& stage, const Sized_shape& shape)
 {
   Prepared& input = prepared(shape, state.range(0));
-  stage.run(state, input);
+  Loop_share share;
+  stage.run(state, input, share);
+  state.counters["percent_in_parallel_loops"] = share.percent();
   state.SetComplexityN(std::int64_t(num_vertices(input.mesh)));
   state.counters["vertices"] = double(num_vertices(input.mesh));
   state.counters["separators"] = double(input.skeletonization.separators().size());
@@ -133,6 +212,9 @@ bool register_benchmarks()
           benchmark::RegisterBenchmark(name.c_str(), [&](benchmark::State& state) { run(state, stage, shape); });
       for (const std::int64_t size : sizes) {
         registered->Arg(size);
+      }
+      if (&shape == &CSCD::benchmark::generated_shapes[0]) {
+        registered->Arg(largest_size);
       }
       registered->Unit(benchmark::kMillisecond)->Complexity();
     }

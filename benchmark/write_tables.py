@@ -84,15 +84,47 @@ def growth_table(medians):
             f"from one size to the next, {steps}.")
 
 
-def stage_table(medians):
-    stages, sizes = {}, {}
+def stages_by_size(medians):
+    """The sizes that were aimed at, in ascending order, and for each stage and shape the runs by size."""
+    stages = {}
     for name, run in medians.items():
         stage, shape, size = name.split("/")
-        sizes.setdefault(size, f"about {count(int(size))}")
-        stages.setdefault((stage, shape), []).append((run["vertices"], run["cpu_time"]))
-    rows = [[f"{stage}, {shape}"] + [f"{milliseconds:.1f}" for _, milliseconds in points]
-            + [f"{growth_exponent(points):.2f}"] for (stage, shape), points in stages.items()]
-    return markdown(["stage, shape", *sizes.values(), "exponent"], rows)
+        stages.setdefault((stage, shape), {})[int(size)] = run
+    return sorted({size for runs in stages.values() for size in runs}), stages
+
+
+def stage_rows(sizes, stages, cell):
+    return [[f"{stage}, {shape}"] + [cell(runs[size]) if size in runs else "–" for size in sizes]
+            for (stage, shape), runs in stages.items()]
+
+
+def stage_table(medians):
+    sizes, stages = stages_by_size(medians)
+    rows = stage_rows(sizes, stages, lambda run: f"{run['cpu_time']:.1f}")
+    for row, runs in zip(rows, stages.values()):
+        row.append(f"{growth_exponent([(run['vertices'], run['cpu_time']) for run in runs.values()]):.2f}")
+    return markdown(["stage, shape", *(f"about {count(size)}" for size in sizes), "exponent"], rows)
+
+
+def parallel_table(medians):
+    """The percentage of the time in loops that threads can share, of every stage and of all that follow each other."""
+    sizes, stages = stages_by_size(medians)
+    rows = stage_rows(sizes, stages, lambda run: f"{run['percent_in_parallel_loops']:.0f}")
+    for parts, of_all in (({"compile", "find", "pack", "build"}, "of the library"),
+                          ({"read", "compile", "find", "pack", "build", "write"}, "of all")):
+        for shape in dict.fromkeys(shape for _, shape in stages):
+            row = [f"{of_all}, {shape}"]
+            for size in sizes:
+                runs = [runs[size] for (stage, its_shape), runs in stages.items()
+                        if stage in parts and its_shape == shape and size in runs]
+                row.append(f"{weighted_mean(runs):.0f}" if runs else "–")
+            rows.append(row)
+    return markdown(["stage, shape", *(f"about {count(size)}" for size in sizes)], rows)
+
+
+def weighted_mean(runs):
+    total = sum(run["cpu_time"] for run in runs)
+    return sum(run["cpu_time"] * run["percent_in_parallel_loops"] for run in runs) / total
 
 
 def sampling_table(medians, kind):
@@ -152,7 +184,11 @@ TABLES_OF_PROGRAM = {
         "quality": quality_table,
         "growth": growth_table,
     },
-    "benchmark_stages": {"circumstances_of_stages": None, "stages": stage_table},
+    "benchmark_stages": {
+        "circumstances_of_stages": None,
+        "stages": stage_table,
+        "parallel_stages": parallel_table,
+    },
     "benchmark_points": {
         "samplings": lambda medians: sampling_table(medians, "cloud"),
         "clouds": lambda medians: cloud_table(medians, "cloud"),

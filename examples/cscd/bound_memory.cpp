@@ -111,7 +111,8 @@ Input to_input(Soup&& soup, std::optional<Coarse_triangles>&& coarse, const Skel
                bool makes_mesh)
 {
   constexpr bool keeps_file = false; // coarse triangles are not those of the file
-  Input input = to_input(std::move(soup), options.input, options.is_quiet, keeps_file, makes_mesh);
+  Input input =
+      to_input(std::move(soup), options.input, options.is_quiet, keeps_file, makes_mesh, options.number_of_threads);
   if (coarse) {
     add(coarse->earlier_repairs, input.repairs);
   }

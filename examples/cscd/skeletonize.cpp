@@ -291,7 +291,7 @@ CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::strin
 }
 
 Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
-               bool makes_mesh)
+               bool makes_mesh, unsigned number_of_threads)
 {
   Input input;
   if (keeps_file) {
@@ -302,9 +302,10 @@ Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, boo
     CSCD::internal::convert_to_points(soup, input.points, input.normals);
     input.has_other_columns = soup.has_other_columns;
   } else if (makes_mesh) {
-    input.repairs = CSCD::internal::convert_to_triangle_mesh(std::move(soup), name_of(name), input.mesh);
+    input.repairs =
+        CSCD::internal::convert_to_triangle_mesh(std::move(soup), name_of(name), input.mesh, number_of_threads);
   } else {
-    input.triangles = CSCD::internal::make_manifold(std::move(soup), name_of(name));
+    input.triangles = CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
     input.repairs = input.triangles->report;
   }
   if (!is_quiet) {
@@ -318,9 +319,10 @@ Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, boo
   return input;
 }
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh)
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh,
+                 unsigned number_of_threads)
 {
-  return to_input(read_soup(name, format), name, is_quiet, keeps_file, makes_mesh);
+  return to_input(read_soup(name, format), name, is_quiet, keeps_file, makes_mesh, number_of_threads);
 }
 
 std::string name_of(const std::string& input)
@@ -505,7 +507,8 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 #endif
   try {
-    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options));
+    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
+                      options.number_of_threads);
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }

@@ -78,16 +78,17 @@ struct Skeletonization_result : Run_report
 /// \param format of the input, or empty for that of its ending
 /// \param keeps_file whether the input is also kept as it was read
 /// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
+/// \param number_of_threads 0 for all that the machine has
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
-                 bool makes_mesh = true);
+                 bool makes_mesh = true, unsigned number_of_threads = 1);
 
 /// Reads the polygons or points of a file or of standard input, as `read_input()` does.
 CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format);
 
 /// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
 Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
-               bool makes_mesh);
+               bool makes_mesh, unsigned number_of_threads);
 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`

@@ -122,9 +122,20 @@ Json reconstruction_part(const CSCD::Reconstruction_report& r)
           {"cut_handles", repairs_part(r.cut_handles)}};
 }
 
-double total_seconds(const CSCD::Skeletonization_report& report)
+using Stage_seconds = std::array<double, CSCD::number_of_skeletonization_stages>;
+
+double sum(const Stage_seconds& seconds)
 {
-  return std::accumulate(report.seconds.begin(), report.seconds.end(), 0.0);
+  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+}
+
+Json by_stage(const Stage_seconds& seconds)
+{
+  Json result;
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    result[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = seconds[i];
+  }
+  return result;
 }
 
 /// The numbers of sections by the outcome of fitting a circle.
@@ -300,11 +311,10 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   for (const Opening& opening : result.openings) {
     document["openings"].push_back({{"node", opening.node}, {"center", opening.center}, {"radius", opening.radius}});
   }
-  Json seconds;
-  for (std::size_t i = 0; i < report.seconds.size(); ++i) {
-    seconds[CSCD::name(static_cast<CSCD::Skeletonization_stage>(i))] = report.seconds[i];
-  }
-  document["seconds"] = std::move(seconds);
+  document["seconds"] = by_stage(report.seconds);
+#ifdef CGAL_LINKED_WITH_TBB
+  document["parallel_seconds"] = by_stage(report.parallel_seconds);
+#endif
   document["warnings"] = report.warnings;
   return document;
 }
@@ -340,7 +350,11 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
       << ", " << counted(report.number_of_skeleton_components, "component") << ", "
       << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
       << counted(report.number_of_junctions, "junction") << "\ntime: " << std::fixed << std::setprecision(digits)
-      << total_seconds(report) << " s on " << counted(report.number_of_threads, "thread") << '\n';
+      << sum(report.seconds) << " s on " << counted(report.number_of_threads, "thread")
+#ifdef CGAL_LINKED_WITH_TBB
+      << ", " << sum(report.parallel_seconds) << " s of it in parallel loops"
+#endif
+      << '\n';
 }
 
 std::string printable(const std::string& text)

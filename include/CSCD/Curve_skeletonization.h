@@ -17,6 +17,7 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/Parallel_clock.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -213,9 +214,11 @@ private:
     m_visitor.on_stage_begin(stage);
     progress(0);
     const auto start = std::chrono::steady_clock::now();
+    const double parallel_start = internal::Parallel_clock::seconds();
     run();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
+    m_report.parallel_seconds[static_cast<std::size_t>(stage)] = internal::Parallel_clock::seconds() - parallel_start;
     progress(1);
     m_visitor.on_stage_end(stage);
   }

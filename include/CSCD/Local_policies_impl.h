@@ -69,9 +69,9 @@ CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triang
                                                                     std::vector<Separator>& separators,
                                                                     Skeletonization_report& report) const
 {
-  auto packing = std::make_unique<internal::Separator_packing>(solid.triangulation(), separators,
-                                                               internal::separator_costs(separators, m_cost),
-                                                               m_detail.min_branch_area_ratio());
+  auto packing = std::make_unique<internal::Separator_packing>(
+      solid.triangulation(), separators, internal::separator_costs(separators, m_cost),
+      m_detail.min_branch_area_ratio(), unsigned(report.number_of_threads));
   report.number_of_handle_cuts = internal::cut_handles(solid, separators, *packing);
   for (auto added = separators.end() - std::ptrdiff_t(report.number_of_handle_cuts); added != separators.end();
        ++added) {

@@ -26,6 +26,15 @@ using CSCD::internal::Coverage;
 using CSCD::internal::Source_sequence;
 using CSCD::test::to_levels;
 
+/// Takes note of `result` and its band, as the search does.
+void add_with_band(const Surface_levels& levels, Coverage& coverage, Index source, const Search_result& result)
+{
+  std::vector<Index> band;
+  CSCD::internal::Coverage_band grow(levels);
+  grow(source, result, band);
+  coverage.add(source, result, band);
+}
+
 TEST(Coverage, grows_around_separators_and_not_elsewhere)
 {
   const Surface_levels levels = to_levels(CSCD::test::tube(20, 1, 24, CSCD::test::Tube_end::flat));
@@ -38,7 +47,7 @@ TEST(Coverage, grows_around_separators_and_not_elsewhere)
   for (int i = 0; i < 4; ++i) {
     find(source, 0, result);
     ASSERT_EQ(result.outcome, Search_outcome::found);
-    coverage.add(source, result);
+    add_with_band(levels, coverage, source, result);
   }
   EXPECT_TRUE(coverage.is_covered(source));
   EXPECT_TRUE(coverage.is_covered(CSCD::test::nearest_vertex(surface, {10, 0, -1}))) << "all around the limb";
@@ -64,7 +73,7 @@ TEST(Coverage, covers_every_source_that_was_tried_in_vain)
     Search_result result;
     result.outcome = outcome;
     result.loop_length = 1;
-    coverage.add(42, result);
+    add_with_band(levels, coverage, 42, result);
     EXPECT_TRUE(coverage.is_covered(42));
     EXPECT_FALSE(coverage.is_covered(2000));
   }
@@ -120,7 +129,7 @@ TEST(Source_sequence, passes_over_what_is_covered)
   Coverage coverage(levels);
   Search_result bump;
   bump.outcome = Search_outcome::degenerate;
-  coverage.add(7, bump);
+  add_with_band(levels, coverage, 7, bump);
   ASSERT_TRUE(coverage.is_covered(7));
   Source_sequence sources(levels, 0);
   std::vector<Index> batch;

@@ -16,6 +16,7 @@ namespace {
 
 using CSCD::Index;
 using CSCD::internal::call_both;
+using CSCD::internal::for_each_part;
 using CSCD::internal::for_each_range;
 using CSCD::internal::range_size;
 
@@ -47,6 +48,18 @@ TEST(For_each_range, goes_in_order_by_one_thread_and_passes_on_what_is_thrown)
   for_each_range(3 * range_size, 1, [&](Index begin, Index) { begins.push_back(begin); });
   EXPECT_EQ(begins, (std::vector<Index>{0, range_size, 2 * range_size}));
   EXPECT_THROW(for_each_range(1, 1, [](Index, Index) { throw std::runtime_error("stop"); }), std::runtime_error);
+}
+
+TEST(For_each_part, calls_once_for_each_number)
+{
+  const CSCD::test::Allow_threads allow(2);
+  for (const unsigned number_of_threads : {1u, 2u}) {
+    for (const Index size : {Index(0), Index(1), Index(100)}) {
+      std::vector<int> calls(size, 0);
+      for_each_part(size, number_of_threads, [&calls](Index i) { ++calls[i]; });
+      EXPECT_EQ(calls, std::vector<int>(size, 1));
+    }
+  }
 }
 
 TEST(Call_both, calls_both_and_returns_when_they_have_returned)

@@ -88,8 +88,9 @@ Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending
 
 /// Cuts polygons into triangles and repairs these.
 /// \param filename for messages
+/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
 /// \throw Input_error if they are too many or cannot be made a surface
-Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename);
+Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename, unsigned number_of_threads = 1);
 
 /// Makes the polygons of a file a few coarser triangles, in little memory, before they are repaired: polygons are cut
 /// into triangles, points of equal coordinates merged where there is a border, as `make_manifold()` does, and the rest
@@ -224,9 +225,10 @@ private:
 
 /// Makes a mesh of the polygons of a file.
 template <class TriangleMesh>
-Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::string& filename, TriangleMesh& mesh)
+Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::string& filename, TriangleMesh& mesh,
+                                            unsigned number_of_threads = 1)
 {
-  const Manifold_triangles manifold = make_manifold(std::move(polygons), filename);
+  const Manifold_triangles manifold = make_manifold(std::move(polygons), filename, number_of_threads);
   Triangle_mesh_builder<TriangleMesh>(manifold.triangles, manifold.pairing, mesh).build();
   return manifold.report;
 }

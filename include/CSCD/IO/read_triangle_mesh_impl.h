@@ -181,13 +181,13 @@ inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& polygons)
 }
 
 /// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
-inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles)
+inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
 {
   const auto is_degenerate = [](const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
   if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
     return std::nullopt;
   }
-  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size(), number_of_threads);
   if (pairing.conflict() != no_index || pairing.pinched_vertex() != no_index) {
     return std::nullopt;
   }
@@ -353,7 +353,8 @@ CSCD_INLINE Polygon_soup read_polygons_or_points(std::istream& in, const std::st
   return parse_polygon_soup(content, mesh_format_among_all(ending), name);
 }
 
-CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename)
+CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename,
+                                             unsigned number_of_threads)
 {
   Manifold_triangles result;
   result.report.number_of_triangulated_polygons =
@@ -363,7 +364,7 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   if (result.triangles.faces.size() > maximum_number_of_faces) {
     throw Input_error(filename + ": the mesh has more than 2^26 triangles; simplify it first");
   }
-  std::optional<Halfedge_pairing> pairing = pair_manifold(result.triangles);
+  std::optional<Halfedge_pairing> pairing = pair_manifold(result.triangles, number_of_threads);
   if (!pairing || pairing->has_border()) {
     pairing = repair_triangle_soup(result.triangles, result.report);
   }
@@ -372,7 +373,7 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
                                  "modelling program");
   }
   if (!pairing->has_border()) {
-    Surface_components components(result.triangles);
+    Surface_components components(result.triangles, number_of_threads);
     result.report.number_of_turned_components =
         orient_outwards(result.triangles, *pairing, components, Cavity_search(result.triangles, components)());
   }

@@ -28,16 +28,100 @@
 
 namespace CSCD::internal {
 
+/// The part of a surface that a source explores: a band around the separator that was found, or the surroundings of the
+/// source. Grown on the level on which the separator was found. One object serves one thread.
+class Coverage_band
+{
+public:
+  explicit Coverage_band(const Surface_levels& levels)
+      : m_levels(levels), m_failure_radius(failure_radius(levels)),
+        m_front(levels.finest().surface.number_of_vertices())
+  {
+  }
+
+  /// Writes the vertices of the band of `result`, that of the search from `source`, to `band`, as vertices of the level
+  /// of `result`.
+  void operator()(Index source, const Search_result& result, std::vector<Index>& band)
+  {
+    band.clear();
+    switch (result.outcome) {
+    case Search_outcome::found:
+      grow_around_separator(result.separator, band);
+      break;
+    case Search_outcome::bump:
+      grow_around_vertex(source, result.level,
+                         float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)), band);
+      break;
+    case Search_outcome::no_cut:
+      grow_around_vertex(source, result.level, m_failure_radius, band);
+      break;
+    case Search_outcome::degenerate:
+      break;
+    }
+  }
+
+private:
+  /// Width of the band around a separator, relative to its radius.
+  static constexpr double band_width = 0.2;
+  /// Radius of the band around a source without a cut point, relative to the square root of the surface's area.
+  static constexpr double relative_failure_radius = 0.05;
+  /// Vertices of a body that the failure radius suits.
+  static constexpr double usual_size = 2000;
+
+  static float failure_radius(const Surface_levels& levels)
+  {
+    const Triangulated_surface& surface = levels.finest().surface;
+    const double number_of_bodies =
+        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
+    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
+  }
+
+  void grow_around_separator(const Separator& separator, std::vector<Index>& band)
+  {
+    const Surface_level& level = m_levels[separator.level];
+    m_front.clear();
+    for (const Edge_crossing& crossing : separator.crossings) {
+      m_front.reach(level.from_finest(m_levels.finest().surface.origin(crossing.halfedge)), 0);
+    }
+    grow(separator.level, float(band_width * separator.radius()), band);
+  }
+
+  void grow_around_vertex(Index source, Index level, float radius, std::vector<Index>& band)
+  {
+    m_front.clear();
+    m_front.reach(m_levels[level].from_finest(source), 0);
+    grow(level, radius, band);
+  }
+
+  /// Appends the vertices of `level` that are at most `width` away from what the front has reached.
+  void grow(Index level, float width, std::vector<Index>& band)
+  {
+    const Vertex_fan_table& corners = m_levels[level].corners();
+    m_front.spread([&](Index vertex, float vertex_distance) {
+      band.push_back(vertex);
+      for (const Corner& corner : corners.neighbors(vertex)) {
+        const float distance = vertex_distance + corner.length;
+        if (distance <= width && m_front.reach(corner.neighbor, distance)) {
+          corners.prefetch(corner.neighbor);
+        }
+      }
+    });
+  }
+
+  const Surface_levels& m_levels;
+  float m_failure_radius;
+  Dijkstra_search m_front;
+};
+
 /// Counts how often each part of the surface lies in a band around a separator that was found, or next to a source
 /// whose search failed. A source that is covered often enough need not be tried: so the number of sources follows the
-/// shape, not the number of vertices. Bands are grown on the level on which the separator was found.
+/// shape, not the number of vertices.
 class Coverage
 {
 public:
   explicit Coverage(const Surface_levels& levels)
       : m_levels(levels), m_is_tried(levels.finest().surface.number_of_vertices(), 0), m_count(levels.size()),
-        m_hint(levels.coarsest().surface.number_of_vertices(), no_hint), m_failure_radius(failure_radius(levels)),
-        m_front(levels.finest().surface.number_of_vertices())
+        m_hint(levels.coarsest().surface.number_of_vertices(), no_hint)
   {
     for (Index level = 0; level < levels.size(); ++level) {
       m_count[level].assign(levels[level].surface.number_of_vertices(), 0);
@@ -67,33 +151,22 @@ public:
     return hint == no_hint ? std::min(first_level, m_levels.finest_with_at_most(first_size)) : hint;
   }
 
-  /// Takes note of the result of the search from `source`, which is not tried again.
-  void add(Index source, const Search_result& result)
+  /// Takes note of the result of the search from `source`, which is not tried again, and of its band.
+  void add(Index source, const Search_result& result, const std::vector<Index>& band)
   {
     m_is_tried[source] = 1;
-    switch (result.outcome) {
-    case Search_outcome::found:
-      cover_separator(result.separator);
-      break;
-    case Search_outcome::bump:
-      cover_vertex(source, result.level,
-                   float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)));
-      break;
-    case Search_outcome::no_cut:
-      cover_vertex(source, result.level, m_failure_radius);
-      break;
-    case Search_outcome::degenerate:
-      break;
+    const bool is_found = result.outcome == Search_outcome::found;
+    for (const Index vertex : band) {
+      increase(m_count[is_found ? result.separator.level : result.level][vertex]);
+    }
+    if (is_found) {
+      set_hints(result.separator);
     }
   }
 
 private:
   /// At first, a source is covered when this many bands hold it.
   static constexpr unsigned first_required_count = 1;
-  /// Width of the band around a separator, relative to its radius.
-  static constexpr double band_width = 0.2;
-  /// Radius of the band around a source without a cut point, relative to the square root of the surface's area.
-  static constexpr double relative_failure_radius = 0.05;
   /// Where nothing is known yet, fronts start on this level: most limbs are found there ...
   static constexpr Index first_level = 1;
   /// ... or on the surface itself if it has at most this many vertices: the smallest limbs of coarse surfaces are found
@@ -101,55 +174,11 @@ private:
   static constexpr Index first_size = 6000;
   static constexpr std::uint8_t no_hint = std::numeric_limits<std::uint8_t>::max();
 
-  /// Vertices of a body that the failure radius suits.
-  static constexpr double usual_size = 2000;
-
-  static float failure_radius(const Surface_levels& levels)
-  {
-    const Triangulated_surface& surface = levels.finest().surface;
-    const double number_of_bodies =
-        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
-    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
-  }
-
   static void increase(std::uint8_t& count)
   {
     if (count < std::numeric_limits<std::uint8_t>::max()) {
       ++count;
     }
-  }
-
-  void cover_separator(const Separator& separator)
-  {
-    const Surface_level& level = m_levels[separator.level];
-    m_front.clear();
-    for (const Edge_crossing& crossing : separator.crossings) {
-      m_front.reach(level.from_finest(m_levels.finest().surface.origin(crossing.halfedge)), 0);
-    }
-    grow_band(separator.level, float(band_width * separator.radius()));
-    set_hints(separator);
-  }
-
-  void cover_vertex(Index source, Index level, float radius)
-  {
-    m_front.clear();
-    m_front.reach(m_levels[level].from_finest(source), 0);
-    grow_band(level, radius);
-  }
-
-  /// Counts the vertices of `level` that are at most `width` away from what the front has reached.
-  void grow_band(Index level, float width)
-  {
-    const Vertex_fan_table& corners = m_levels[level].corners();
-    m_front.spread([&](Index vertex, float vertex_distance) {
-      increase(m_count[level][vertex]);
-      for (const Corner& corner : corners.neighbors(vertex)) {
-        const float distance = vertex_distance + corner.length;
-        if (distance <= width && m_front.reach(corner.neighbor, distance)) {
-          corners.prefetch(corner.neighbor);
-        }
-      }
-    });
   }
 
   void set_hints(const Separator& separator)
@@ -173,8 +202,6 @@ private:
   std::vector<std::uint8_t> m_is_tried;
   std::vector<std::vector<std::uint8_t>> m_count;
   std::vector<std::uint8_t> m_hint;
-  float m_failure_radius;
-  Dijkstra_search m_front;
 };
 
 /// Goes through the vertices of a level in a scattered order, in batches of those that are not covered.

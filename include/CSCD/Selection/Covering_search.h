@@ -19,6 +19,7 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Parallel_clock.h>
 #include <CSCD/internal/for_each_index.h>
 
 #include <algorithm>
@@ -41,7 +42,11 @@ public:
   Separator_search(const Surface_levels& levels, const Search_settings& settings,
                    std::function<Separator_finder()> make_finder)
       : m_coverage(levels), m_sources(levels, settings.random_seed),
-        m_for_each(std::move(make_finder), settings.number_of_threads)
+        m_for_each(
+            [&levels, make_finder = std::move(make_finder)] {
+              return Worker{make_finder(), Coverage_band(levels)};
+            },
+            settings.number_of_threads)
   {
   }
 
@@ -74,21 +79,31 @@ private:
   /// Sources in a batch: enough for a few threads, while the share of dropped ones stays below a tenth.
   static constexpr std::size_t batch_size = 16;
 
+  /// What one thread works with.
+  struct Worker
+  {
+    Separator_finder finder;
+    Coverage_band band;
+  };
+
   void search_batch(std::vector<Separator>& separators, Skeletonization_report& report)
   {
     std::array<Index, batch_size> hints{};
     for (std::size_t i = 0; i < m_batch.size(); ++i) {
       hints[i] = m_coverage.level_hint(m_batch[i]);
     }
-    const auto search = [&](Index i, Separator_finder& finder) { finder(m_batch[i], hints[i], m_results[i]); };
-    const auto take = [&](Index i) { take_result(m_batch[i], m_results[i], separators, report); };
+    const auto search = [&](Index i, Worker& worker) {
+      worker.finder(m_batch[i], hints[i], m_results[i]);
+      worker.band(m_batch[i], m_results[i], m_bands[i]);
+    };
+    const auto take = [&](Index i) { take_result(i, separators, report); };
     const auto size = Index(m_batch.size());
     if (m_for_each.number_of_threads() == 1) {
       // What is dropped need not be computed.
-      m_for_each(size, [&](Index i, Separator_finder& finder) {
+      m_for_each(size, [&](Index i, Worker& worker) {
         if (!m_coverage.is_covered(m_batch[i])) {
-          search(i, finder);
-          take(i);
+          search(i, worker);
+          Parallel_clock::run_serial_part([&] { take(i); });
         }
       });
       return;
@@ -101,10 +116,10 @@ private:
     }
   }
 
-  void take_result(Index source, const Search_result& result, std::vector<Separator>& separators,
-                   Skeletonization_report& report)
+  void take_result(Index i, std::vector<Separator>& separators, Skeletonization_report& report)
   {
-    m_coverage.add(source, result);
+    const Search_result& result = m_results[i];
+    m_coverage.add(m_batch[i], result, m_bands[i]);
     ++report.number_of_sources;
     switch (result.outcome) {
     case Search_outcome::found:
@@ -123,9 +138,10 @@ private:
 
   Coverage m_coverage;
   Source_sequence m_sources;
-  For_each_index<Separator_finder> m_for_each;
+  For_each_index<Worker> m_for_each;
   std::vector<Index> m_batch;
   std::array<Search_result, batch_size> m_results;
+  std::array<std::vector<Index>, batch_size> m_bands;
 };
 
 /// Seeks separators from sources all over the surface until it is covered by them, packs them for trial, and looks
@@ -138,7 +154,8 @@ public:
   Covering_search(const Surface_levels& levels, const Search_settings& settings,
                   std::function<Separator_finder()> make_finder, double min_branch_area_ratio)
       : m_levels(levels), m_min_branch_area_ratio(min_branch_area_ratio),
-        m_max_sources(settings.maximum_number_of_sources), m_search(levels, settings, std::move(make_finder))
+        m_max_sources(settings.maximum_number_of_sources), m_number_of_threads(settings.number_of_threads),
+        m_search(levels, settings, std::move(make_finder))
   {
   }
 
@@ -168,7 +185,7 @@ private:
     const Triangulated_surface& surface = m_levels.finest().surface;
     Disjoint_separators disjoint(surface, separators, costs);
     disjoint.pack([](Index) { return true; });
-    Cut_graph cut_graph(surface, disjoint.arrangement());
+    Cut_graph cut_graph(surface, disjoint.arrangement(), m_number_of_threads);
     cut_graph.cut(disjoint.arrangement());
     const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), m_min_branch_area_ratio);
     std::vector<char> is_bump(separators.size(), 0);
@@ -199,6 +216,7 @@ private:
   const Surface_levels& m_levels;
   double m_min_branch_area_ratio;
   std::size_t m_max_sources;
+  unsigned m_number_of_threads;
   Separator_search m_search;
 };
 

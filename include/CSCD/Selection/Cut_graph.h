@@ -10,13 +10,16 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Concurrent_sets.h>
 #include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -48,7 +51,10 @@ public:
   };
 
   /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
-  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators) : Cut_graph(surface)
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+            unsigned number_of_threads = 1)
+      : Cut_graph(surface, number_of_threads)
   {
     for (const Separator& separator : separators) {
       for (const Edge_crossing& crossing : separator.crossings) {
@@ -59,7 +65,9 @@ public:
   }
 
   /// Prepares to cut `surface` along those in `arrangement` alone.
-  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement) : Cut_graph(surface)
+  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement,
+            unsigned number_of_threads = 1)
+      : Cut_graph(surface, number_of_threads)
   {
     for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
       m_crossed_edge[point.edge] = 1;
@@ -86,8 +94,8 @@ public:
   Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
 
 private:
-  explicit Cut_graph(const Triangulated_surface& surface)
-      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0)
+  Cut_graph(const Triangulated_surface& surface, unsigned number_of_threads)
+      : m_surface(surface), m_number_of_threads(number_of_threads), m_crossed_edge(surface.number_of_halfedges(), 0)
   {
   }
 
@@ -100,53 +108,101 @@ private:
     double begin_place;   ///< where the chord begins, in the order around the face
   };
 
+  /// Vertices that are joined whatever is cut, and what lies between them.
+  struct Cluster
+  {
+    int euler; ///< its vertices, edges and faces, counted as for the Euler number
+    double area;
+  };
+
+  /// What consecutive faces have.
+  struct Gathered_faces
+  {
+    std::vector<Index> crossable_edges;
+    std::vector<Index> crossable_faces;
+    std::vector<std::pair<Index, Cluster>> sums; ///< of clusters by their number, which may stand several times
+  };
+
   /// Joins what cannot be cut to clusters, and sums it up. In the order of memory, so that it does not wait for that.
   void gather()
   {
-    Disjoint_sets joined(m_surface.number_of_vertices());
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+    Concurrent_sets joined(m_surface.number_of_vertices());
+    const Index number_of_faces = m_surface.number_of_faces();
+    std::vector<Gathered_faces> ranges(number_of_faces / range_size + 1);
+    for_each_range(number_of_faces, m_number_of_threads,
+                   [&](Index begin, Index end) { join_faces(begin, end, joined, ranges[begin / range_size]); });
+    number_clusters(joined);
+    for_each_range(number_of_faces, m_number_of_threads, [&](Index begin, Index end) {
+      for (Index face = begin; face < end; ++face) {
+        gather_face(face, ranges[begin / range_size]);
+      }
+    });
+    for (const Gathered_faces& range : ranges) {
+      m_crossable_edges.insert(m_crossable_edges.end(), range.crossable_edges.begin(), range.crossable_edges.end());
+      m_crossable_faces.insert(m_crossable_faces.end(), range.crossable_faces.begin(), range.crossable_faces.end());
+      for (const auto& [cluster, sum] : range.sums) {
+        m_clusters[cluster].euler += sum.euler;
+        m_clusters[cluster].area += sum.area;
+      }
+    }
+  }
+
+  /// Joins the ends of the edges that cannot be cut, of those that have their first face in a range.
+  void join_faces(Index begin, Index end, Concurrent_sets& joined, Gathered_faces& gathered) const
+  {
+    for (Index h = 3 * begin; h < 3 * end; ++h) {
       if (m_surface.edge(h) != h) {
         continue;
       }
       if (m_crossed_edge[h] != 0) {
-        m_crossable_edges.push_back(h);
+        gathered.crossable_edges.push_back(h);
       } else {
         joined.join(m_surface.origin(h), m_surface.target(h));
       }
     }
-    number_clusters(joined);
-    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
-      gather_face(face);
-    }
   }
 
   /// Numbers the clusters by their first vertex, and counts their vertices.
-  void number_clusters(Disjoint_sets& joined)
+  void number_clusters(Concurrent_sets& joined)
   {
-    Index number_of_clusters = 0;
-    m_cluster = joined.numbers(number_of_clusters);
-    m_clusters.assign(number_of_clusters, {0, 0});
-    for (const Index cluster : m_cluster) {
-      ++m_clusters[cluster].euler;
+    m_cluster.resize(joined.size());
+    for_each_range(joined.size(), m_number_of_threads, [&](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        m_cluster[vertex] = joined.find(vertex);
+      }
+    });
+    for (Index vertex = 0; vertex < m_cluster.size(); ++vertex) {
+      const Index first = m_cluster[vertex];
+      if (first == vertex) {
+        m_clusters.push_back({0, 0});
+      }
+      m_cluster[vertex] = first == vertex ? Index(m_clusters.size() - 1) : m_cluster[first];
+      ++m_clusters[m_cluster[vertex]].euler;
     }
   }
 
   /// Counts those edges of `face` that have it as their first face, and `face` itself unless it can be cut.
-  void gather_face(Index face)
+  void gather_face(Index face, Gathered_faces& gathered) const
   {
+    const auto sum_of = [&](Index vertex) -> Cluster& {
+      if (gathered.sums.empty() || gathered.sums.back().first != m_cluster[vertex]) {
+        gathered.sums.push_back({m_cluster[vertex], {0, 0}});
+      }
+      return gathered.sums.back().second;
+    };
     bool is_crossable = false;
-    Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index edge = m_surface.edge(h);
       if (m_crossed_edge[edge] != 0) {
         is_crossable = true;
       } else if (edge == h) {
-        --m_clusters[m_cluster[m_surface.origin(h)]].euler;
+        --sum_of(m_surface.origin(h)).euler;
       }
     }
     if (is_crossable) {
-      m_crossable_faces.push_back(face);
+      gathered.crossable_faces.push_back(face);
     } else {
+      Cluster& home = sum_of(m_surface.origin(3 * face));
       ++home.euler;
       home.area += double(m_surface.face_area(face));
     }
@@ -203,48 +259,85 @@ private:
     return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
   }
 
+  struct Chord_end
+  {
+    std::uint64_t place; ///< in the order around the face
+    Index point;
+    Index chord;
+  };
+
+  /// A part of a face between chords.
+  struct Part
+  {
+    Index interval; ///< the set of a part of an edge beside it
+    double area;
+  };
+
+  /// What the faces of consecutive chords are split into.
+  struct Split_faces
+  {
+    std::vector<Part> parts;
+    std::vector<std::pair<Index, Index>> joined; ///< sets that are connected
+    std::vector<Chord_end> ends;                 ///< working memory
+    std::vector<Open_chord> open;                ///< working memory
+  };
+
+  /// Chords that one thread treats at once.
+  static constexpr Index number_of_chords_at_once = 1024;
+
   /// Splits every face that is cut into its parts, and joins what each part connects.
   void split_faces(const Separator_arrangement& arrangement)
   {
-    m_parts.clear();
     const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
-    for (Index chord = 0; chord < chords.size(); ++chord) {
-      // Each face once: at the chord that its list begins with.
-      if (arrangement.first_chord(chords[chord].face) == chord) {
-        split_face(arrangement, chords[chord].face);
+    std::vector<Split_faces> all(chords.size() / number_of_chords_at_once + 1);
+    for_each_part(Index(all.size()), m_number_of_threads, [&](Index i) {
+      const auto end = std::min(Index(chords.size()), (i + 1) * number_of_chords_at_once);
+      for (Index chord = i * number_of_chords_at_once; chord < end; ++chord) {
+        // Each face once: at the chord that its list begins with.
+        if (arrangement.first_chord(chords[chord].face) == chord) {
+          split_face(arrangement, chords[chord].face, all[i]);
+        }
+      }
+    });
+    m_parts.clear();
+    for (const Split_faces& split : all) {
+      m_parts.insert(m_parts.end(), split.parts.begin(), split.parts.end());
+      for (const auto& [a, b] : split.joined) {
+        m_sets.join(a, b);
       }
     }
   }
 
   /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
   /// just after it ends.
-  void split_face(const Separator_arrangement& arrangement, Index face)
+  void split_face(const Separator_arrangement& arrangement, Index face, Split_faces& split) const
   {
-    collect_ends(arrangement, face);
+    std::vector<Open_chord>& open = split.open;
+    collect_ends(arrangement, face, split.ends);
     const double area = double(m_surface.face_area(face));
-    m_open.clear();
+    open.clear();
     double taken = 0;
-    for (const Chord_end& end : m_ends) {
+    for (const Chord_end& end : split.ends) {
       const double place = boundary_place(arrangement, end.point, face);
       const Index interval_before = interval_beside(arrangement, end.point, face, false);
-      if (m_open.empty() || m_open.back().chord != end.chord) {
-        m_open.push_back({end.chord, interval_before, taken, place});
+      if (open.empty() || open.back().chord != end.chord) {
+        open.push_back({end.chord, interval_before, taken, place});
         taken = 0;
         continue;
       }
-      const double part = cut_off_part(m_open.back().begin_place, place);
-      m_parts.push_back({interval_before, (part - taken) * area});
-      m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
-      taken = m_open.back().taken_outside + part;
-      m_open.pop_back();
+      const double part = cut_off_part(open.back().begin_place, place);
+      split.parts.push_back({interval_before, (part - taken) * area});
+      split.joined.emplace_back(open.back().interval, interval_beside(arrangement, end.point, face, true));
+      taken = open.back().taken_outside + part;
+      open.pop_back();
     }
-    m_parts.push_back({interval_beside(arrangement, m_ends.front().point, face, false), (1 - taken) * area});
+    split.parts.push_back({interval_beside(arrangement, split.ends.front().point, face, false), (1 - taken) * area});
   }
 
   /// Collects the ends of the chords of `face` in their order around it, that of `Separator_arrangement::is_before()`.
-  void collect_ends(const Separator_arrangement& arrangement, Index face)
+  void collect_ends(const Separator_arrangement& arrangement, Index face, std::vector<Chord_end>& ends) const
   {
-    m_ends.clear();
+    ends.clear();
     const auto place = [&](Index point) {
       const Index edge = arrangement.points()[point].edge;
       const bool is_reversed = Triangulated_surface::face(edge) != face;
@@ -254,10 +347,10 @@ private:
     for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
       const Index begin = arrangement.chords()[chord].begin;
       const Index end = arrangement.chords()[chord].end;
-      m_ends.push_back({place(begin), begin, chord});
-      m_ends.push_back({place(end), end, chord});
+      ends.push_back({place(begin), begin, chord});
+      ends.push_back({place(end), end, chord});
     }
-    std::sort(m_ends.begin(), m_ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
+    std::sort(ends.begin(), ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
   }
 
   /// The place of an edge point in the order around `face`, in [0, 3): side plus position along it.
@@ -356,28 +449,8 @@ private:
     }
   }
 
-  /// Vertices that are joined whatever is cut, and what lies between them.
-  struct Cluster
-  {
-    int euler; ///< its vertices, edges and faces, counted as for the Euler number
-    double area;
-  };
-
-  struct Chord_end
-  {
-    std::uint64_t place; ///< in the order around the face
-    Index point;
-    Index chord;
-  };
-
-  /// A part of a face between chords.
-  struct Part
-  {
-    Index interval; ///< the set of a part of an edge beside it
-    double area;
-  };
-
   const Triangulated_surface& m_surface;
+  unsigned m_number_of_threads;
   std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
   std::vector<Index> m_crossable_edges;     ///< in ascending order, as the next
   std::vector<Index> m_crossable_faces;
@@ -390,8 +463,6 @@ private:
   std::vector<Index> m_order; ///< of every point among the sorted ones
   std::vector<Index> m_intervals;
   std::vector<Index> m_interval_before;
-  std::vector<Chord_end> m_ends;
-  std::vector<Open_chord> m_open;
   std::vector<Part> m_parts;
   std::vector<Piece> m_pieces;
   std::vector<Sides> m_sides;

@@ -14,6 +14,7 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Dijkstra_search.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <cmath>
@@ -223,14 +224,17 @@ template <class Surface>
 class Inside_repair
 {
 public:
-  Inside_repair(const Surface& surface, Skeleton_builder& builder)
-      : m_surface(surface), m_builder(builder), m_diagonal(diagonal(surface.triangulation().points())),
-        m_offset(relative_offset * m_diagonal), m_is_outside(builder.size(), 0)
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+  Inside_repair(const Surface& surface, Skeleton_builder& builder, unsigned number_of_threads = 1)
+      : m_surface(surface), m_builder(builder), m_number_of_threads(number_of_threads),
+        m_diagonal(diagonal(surface.triangulation().points())), m_offset(relative_offset * m_diagonal),
+        m_is_outside(builder.size(), 0)
   {
-    for (Index node = 0; node < builder.size(); ++node) {
-      const bool has_place = !builder[node].is_removed && !builder[node].is_opening;
-      m_is_outside[node] = has_place && (is_flat(node) || !surface.is_inside(builder[node].position)) ? 1 : 0;
-    }
+    for_each_chunk(builder.size(), [this](Index node) {
+      const Skeleton_builder::Node& its = m_builder[node];
+      const bool has_place = !its.is_removed && !its.is_opening;
+      m_is_outside[node] = has_place && (is_flat(node) || !m_surface.is_inside(its.position)) ? 1 : 0;
+    });
   }
 
   /// Brings nodes back in, and ends branches before tips that cannot be brought back.
@@ -333,19 +337,20 @@ private:
   }
 
   /// The middle of the first stretch of the edge that is outside. At an opening there is no surface that says.
-  std::optional<Vector_3> first_stretch_outside(Index a, Index b)
+  std::optional<Vector_3> first_stretch_outside(Index a, Index b) const
   {
     if (m_builder[a].is_opening || m_builder[b].is_opening) {
       return std::nullopt;
     }
     const Vector_3& from = m_builder[a].position;
     const Vector_3& to = m_builder[b].position;
-    m_surface.crossings(from, to, m_crossings);
+    std::vector<double> crossings;
+    m_surface.crossings(from, to, crossings);
     const double length = (to - from).norm();
-    m_crossings.push_back(length);
+    crossings.push_back(length);
     bool is_outside = m_is_outside[a] != 0;
     double last = 0;
-    for (double crossing : m_crossings) {
+    for (double crossing : crossings) {
       if (is_outside && crossing - last > m_offset) {
         return Vector_3(from + (last + crossing) / (2 * length) * (to - from));
       }
@@ -355,11 +360,19 @@ private:
     return std::nullopt;
   }
 
-  std::size_t number_outside(const std::vector<Edge>& edges)
+  /// The first stretches outside of all `edges`.
+  std::vector<std::optional<Vector_3>> stretches_outside(const std::vector<Edge>& edges) const
   {
-    return std::size_t(std::count_if(edges.begin(), edges.end(), [this](const Edge& edge) {
-      return first_stretch_outside(edge.first, edge.second).has_value();
-    }));
+    std::vector<std::optional<Vector_3>> result(edges.size());
+    for_each_chunk(Index(edges.size()),
+                   [&](Index i) { result[i] = first_stretch_outside(edges[i].first, edges[i].second); });
+    return result;
+  }
+
+  std::size_t number_outside(const std::vector<Edge>& edges) const
+  {
+    const std::vector<std::optional<Vector_3>> stretches = stretches_outside(edges);
+    return edges.size() - std::size_t(std::count(stretches.begin(), stretches.end(), std::nullopt));
   }
 
   /// Splits those of `edges` that leave the body, by nodes behind the nearest surface. \return the parts, which may
@@ -367,8 +380,11 @@ private:
   std::vector<Edge> repair_edges(const std::vector<Edge>& edges)
   {
     std::vector<Edge> parts;
-    for (const auto& [a, b] : edges) {
-      const std::optional<Vector_3> outside = first_stretch_outside(a, b);
+    // Dividing one edge does not move the ends of another.
+    const std::vector<std::optional<Vector_3>> stretches = stretches_outside(edges);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const auto& [a, b] = edges[i];
+      const std::optional<Vector_3>& outside = stretches[i];
       if (!outside) {
         continue;
       }
@@ -406,12 +422,24 @@ private:
     }
   }
 
+  /// Calls `function(i)` for `i` from 0 to `size` - 1 in several threads, for some numbers at once.
+  template <class Function>
+  void for_each_chunk(Index size, const Function& function) const
+  {
+    constexpr Index chunk_size = 32; // queries take some microseconds each
+    for_each_part(size / chunk_size + 1, m_number_of_threads, [&](Index chunk) {
+      for (Index i = chunk * chunk_size; i < std::min(size, (chunk + 1) * chunk_size); ++i) {
+        function(i);
+      }
+    });
+  }
+
   const Surface& m_surface;
   Skeleton_builder& m_builder;
+  unsigned m_number_of_threads;
   double m_diagonal;
   double m_offset;
   std::vector<char> m_is_outside; ///< for every node
-  std::vector<double> m_crossings;
 };
 
 } // namespace CSCD::internal

@@ -46,11 +46,11 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
   Rim_trimming(solid, result.graph)();
   Branch_refinement(solid, result.graph)();
   smooth_branches(result.graph);
-  Branch_centering(solid, result.graph)();
+  Branch_centering(solid, result.graph, number_of_threads)();
   finish_on_sheets(solid, result.graph);
   Branch_straightening straightening(solid, result.graph);
   straightening.drop_folds();
-  Inside_repair repair(solid, result.graph);
+  Inside_repair repair(solid, result.graph, number_of_threads);
   repair.draw_back_tips();
   repair();
   Sheet_placement(solid, result.graph).finish();
@@ -58,7 +58,7 @@ inline Embedded_skeleton build_cut_graph_skeleton(const Triangulated_solid& soli
       Vertex_assignment(solid.triangulation(), cut_graph, result.graph, number_of_threads).numbers_of_vertices());
   straightening.blunt_turns();
   result.graph.compact();
-  Inside_repair check(solid, result.graph);
+  Inside_repair check(solid, result.graph, number_of_threads);
   report.number_of_nodes_outside = check.number_of_nodes_outside();
   report.number_of_edges_outside = check.number_of_edges_outside();
   Vertex_assignment(solid.triangulation(), cut_graph, result.graph, number_of_threads).move_to(result);

@@ -9,7 +9,8 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Concurrent_sets.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -24,11 +25,12 @@ namespace CSCD::internal {
 struct Surface_components
 {
   /// Numbers and measures the components of `triangles`; near linear.
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   /// \pre the faces of each vertex form one fan: what has a vertex in common is connected
-  explicit Surface_components(const Indexed_triangles& triangles)
+  explicit Surface_components(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
   {
-    number_components(triangles);
-    measure(triangles);
+    number_components(triangles, number_of_threads);
+    measure(triangles, number_of_threads);
   }
 
   struct Measure
@@ -64,57 +66,139 @@ private:
   /// A face is long if it is at least this much longer than high: halves of squares are twice as long.
   static constexpr double long_ratio = 2.5;
 
-  /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
-  void number_components(const Indexed_triangles& triangles)
+  /// With more components, sums are not divided into ranges: those of a range would take too much memory.
+  static constexpr Index max_components_of_range = 64;
+  /// Faces ahead for whose corners memory is asked for.
+  static constexpr std::size_t prefetch_distance = 16;
+
+  /// Measures of some consecutive faces.
+  struct Partial_measures
   {
-    Disjoint_sets joined(triangles.points.size());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      joined.join(face[0], face[1]);
-      joined.join(face[0], face[2]);
-    }
+    std::vector<Measure> measures; // sums, of every component
+    std::vector<Index> degenerate_faces;
+  };
+
+  /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
+  void number_components(const Indexed_triangles& triangles, unsigned number_of_threads)
+  {
+    Concurrent_sets joined(triangles.points.size());
+    const auto number_of_faces = Index(triangles.faces.size());
+    for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) {
+        const std::array<Index, 3>& face = triangles.faces[f];
+        joined.join(face[0], face[1]);
+        joined.join(face[0], face[2]);
+      }
+    });
+    component.resize(number_of_faces);
+    for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
+      for (Index f = begin; f < end; ++f) {
+        component[f] = joined.find(triangles.faces[f][0]);
+      }
+    });
     std::vector<Index> number_of_set(triangles.points.size(), no_index);
-    component.reserve(triangles.faces.size());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      Index& number_of_face = number_of_set[joined.find(face[0])];
+    for (Index& set_of_face : component) {
+      Index& number_of_face = number_of_set[set_of_face];
       if (number_of_face == no_index) {
         number_of_face = number();
         measures.emplace_back();
       }
-      component.push_back(number_of_face);
+      set_of_face = number_of_face;
     }
   }
 
-  void measure(const Indexed_triangles& triangles)
+  /// Sums up ranges of faces, and then what they have found: so the number of threads does not matter.
+  void measure(const Indexed_triangles& triangles, unsigned number_of_threads)
   {
-    std::vector<Vector_3> center_sum(number(), Vector_3::Zero());
-    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-      const std::array<Index, 3>& face = triangles.faces[f];
-      const Vector_3& a = triangles.points[face[0]];
-      const Vector_3& b = triangles.points[face[1]];
-      const Vector_3& c = triangles.points[face[2]];
-      const Vector_3 vector = triangle_vector(a, b, c);
-      const double doubled_area = f < triangles.first_hole_filling_face ? vector.norm() : 0.;
-      const double area = doubled_area / 2;
-      const Vector_3 center = (a + b + c) / 3;
-      const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-      const bool is_degenerate = f < triangles.first_hole_filling_face && !(doubled_area > degenerate_height * longest);
-      if (is_degenerate) {
-        degenerate_faces.push_back(Index(f));
+    const auto number_of_faces = Index(triangles.faces.size());
+    std::vector<Partial_measures> ranges;
+    if (number() > max_components_of_range) {
+      ranges.push_back(measure_range(triangles, 0, number_of_faces));
+    } else {
+      ranges.resize(number_of_faces / range_size + 1);
+      for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
+        ranges[begin / range_size] = measure_range(triangles, begin, end);
+      });
+    }
+    for (const Partial_measures& range : ranges) {
+      degenerate_faces.insert(degenerate_faces.end(), range.degenerate_faces.begin(), range.degenerate_faces.end());
+      for (std::size_t i = 0; i < range.measures.size(); ++i) {
+        add(range.measures[i], measures[i]);
       }
-      Measure& result = measures[component[f]];
-      result.max_squared_length = std::max(result.max_squared_length, longest);
-      result.area += area;
-      result.volume += a.dot(vector) / 6;
-      result.centroid += area * center;
-      center_sum[component[f]] += center;
-      ++result.number_of_faces;
-      result.number_of_long_faces += longest >= long_ratio * doubled_area ? 1 : 0;
     }
+    std::vector<Vector_3> center_sum;
     for (Index i = 0; i < number(); ++i) {
-      Measure& result = measures[i];
-      result.centroid = result.area > 0 ? Vector_3(result.centroid / result.area)
-                                        : Vector_3(center_sum[i] / double(result.number_of_faces));
+      if (!(measures[i].area > 0) && center_sum.empty()) {
+        center_sum = sums_of_centers(triangles);
+      }
+      measures[i].centroid = measures[i].area > 0 ? Vector_3(measures[i].centroid / measures[i].area)
+                                                  : Vector_3(center_sum[i] / double(measures[i].number_of_faces));
     }
+  }
+
+  static void add(const Measure& part, Measure& sum)
+  {
+    sum.max_squared_length = std::max(sum.max_squared_length, part.max_squared_length);
+    sum.area += part.area;
+    sum.volume += part.volume;
+    sum.centroid += part.centroid;
+    sum.number_of_faces += part.number_of_faces;
+    sum.number_of_long_faces += part.number_of_long_faces;
+  }
+
+  Partial_measures measure_range(const Indexed_triangles& triangles, Index begin, Index end) const
+  {
+    Partial_measures result;
+    result.measures.resize(number());
+    for (Index f = begin; f < end; ++f) {
+#ifdef __GNUC__
+      if (f + prefetch_distance < end) {
+        for (const Index corner : triangles.faces[f + prefetch_distance]) {
+          __builtin_prefetch(&triangles.points[corner]);
+        }
+      }
+#endif
+      const bool is_hole_filling = f >= triangles.first_hole_filling_face;
+      if (add_face(triangles, f, is_hole_filling, result.measures[component[f]]) && !is_hole_filling) {
+        result.degenerate_faces.push_back(f);
+      }
+    }
+    return result;
+  }
+
+  /// \return whether the face has (nearly) no area for its longest side, or is hole-filling
+  static bool add_face(const Indexed_triangles& triangles, Index f, bool is_hole_filling, Measure& sum)
+  {
+    const std::array<Index, 3>& face = triangles.faces[f];
+    const Vector_3& a = triangles.points[face[0]];
+    const Vector_3& b = triangles.points[face[1]];
+    const Vector_3& c = triangles.points[face[2]];
+    const Vector_3 vector = triangle_vector(a, b, c);
+    const double doubled_area = is_hole_filling ? 0. : vector.norm();
+    const double longest = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    sum.max_squared_length = std::max(sum.max_squared_length, longest);
+    sum.area += doubled_area / 2;
+    sum.volume += a.dot(vector) / 6;
+    sum.centroid += doubled_area / 2 * center(a, b, c);
+    ++sum.number_of_faces;
+    sum.number_of_long_faces += longest >= long_ratio * doubled_area ? 1 : 0;
+    return !(doubled_area > degenerate_height * longest);
+  }
+
+  static Vector_3 center(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+  {
+    return (a + b + c) / 3;
+  }
+
+  /// Of every component.
+  std::vector<Vector_3> sums_of_centers(const Indexed_triangles& triangles) const
+  {
+    std::vector<Vector_3> result(number(), Vector_3::Zero());
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      const auto& [a, b, c] = triangles.faces[f];
+      result[component[f]] += center(triangles.points[a], triangles.points[b], triangles.points[c]);
+    }
+    return result;
   }
 };
 

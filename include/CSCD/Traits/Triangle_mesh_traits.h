@@ -15,6 +15,7 @@
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/Parallel_clock.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
@@ -114,6 +115,7 @@ public:
     report.number_of_input_vertices = m_descriptors.size();
     report.number_of_isolated_vertices = m_number_of_isolated_vertices;
     report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
+    report.parallel_seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_parallel_seconds;
     m_surface->describe(report);
     m_surface->warn(report);
   }
@@ -124,6 +126,7 @@ private:
   void compile(const Collect& collect, Border_treatment treatment, unsigned number_of_threads)
   {
     const auto start = std::chrono::steady_clock::now();
+    const double parallel_start = internal::Parallel_clock::seconds();
     auto collected = collect();
     m_descriptors = std::move(collected.descriptors);
     m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
@@ -132,6 +135,7 @@ private:
       sort_descriptors();
     }
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    m_parallel_seconds = internal::Parallel_clock::seconds() - parallel_start;
   }
 
   /// Sorts the vertices of the input by the vertices of the surface to which they belong.
@@ -155,6 +159,7 @@ private:
   std::optional<Triangulated_solid> m_surface;
   std::size_t m_number_of_isolated_vertices = 0;
   double m_seconds = 0;
+  double m_parallel_seconds = 0;
 };
 
 } // namespace CSCD

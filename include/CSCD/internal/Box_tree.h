@@ -7,6 +7,7 @@
 #define CSCD_INTERNAL_BOX_TREE_H
 
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -59,7 +60,8 @@ public:
   Box_tree() = default;
   /// O(n log n).
   /// \param boxes those of the objects
-  explicit Box_tree(const std::vector<Bounding_box>& boxes)
+  /// \param number_of_threads 0 for as many as TBB allows; the tree is the same for any number
+  explicit Box_tree(const std::vector<Bounding_box>& boxes, [[maybe_unused]] unsigned number_of_threads = 1)
   {
     std::vector<Entry> entries;
     entries.reserve(boxes.size());
@@ -67,9 +69,15 @@ public:
       entries.push_back({(boxes[i].min() + boxes[i].max()) / 2, i});
     }
     if (!boxes.empty()) {
-      m_boxes.reserve(boxes.size() - 1);
-      m_children.reserve(boxes.size() - 1);
-      m_root = build(boxes, entries, 0, Index(boxes.size()));
+      m_boxes.resize(boxes.size() - 1);
+      m_children.resize(boxes.size() - 1);
+      const Range all{0, Index(boxes.size()), 0};
+      if constexpr (has_threads) {
+        build_in_parts(boxes, entries, all, number_of_threads);
+      } else {
+        build(boxes, entries, all);
+      }
+      m_root = root_of(entries, all);
     }
   }
 
@@ -148,28 +156,82 @@ private:
     return int(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
-  /// Builds the tree over a range of `entries`, which is halved at the median center along the longest side of their
-  /// box.
-  /// \return its root, a node or an object
-  Index build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, Index begin, Index end)
+  /// Consecutive entries. The tree over n of them has n - 1 nodes, each behind those below it.
+  struct Range
   {
-    if (end - begin == 1) {
-      return first_object + entries[begin].object;
+    Index size() const { return end - begin; }
+    Index middle() const { return begin + (size() + (size() == 3 ? 1 : 0)) / 2; }
+    Range lower() const { return {begin, middle(), first_node}; }
+    Range upper() const { return {middle(), end, first_node + middle() - begin - 1}; }
+
+    Index begin;
+    Index end;
+    Index first_node;
+  };
+
+  /// Ranges are halved one after the other down to this size, those of the same length at the same time; the trees over
+  /// them are built at the same time.
+  static constexpr Index part_size = 2048;
+
+  /// The root of the tree over `range`, a node or an object.
+  static Index root_of(const std::vector<Entry>& entries, const Range& range)
+  {
+    return range.size() == 1 ? first_object + entries[range.begin].object : range.first_node + range.size() - 2;
+  }
+
+  void build_in_parts(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, const Range& all,
+                      unsigned number_of_threads)
+  {
+    std::vector<Range> halved;
+    std::vector<Range> parts{all};
+    while (parts.front().size() > part_size) {
+      for_each_part(Index(parts.size()), number_of_threads, [&](Index i) { halve(entries, parts[i]); });
+      halved.insert(halved.end(), parts.begin(), parts.end());
+      std::vector<Range> halves;
+      for (const Range& range : parts) {
+        halves.push_back(range.lower());
+        halves.push_back(range.upper());
+      }
+      parts.swap(halves);
     }
-    const Index middle = begin + (end - begin + (end - begin == 3 ? 1 : 0)) / 2;
-    if (end - begin > 2) {
-      const int axis = longest_side(entries, begin, end);
-      std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
+    for_each_part(Index(parts.size()), number_of_threads, [&](Index i) { build(boxes, entries, parts[i]); });
+    for (auto range = halved.rbegin(); range != halved.rend(); ++range) {
+      join_halves(boxes, entries, *range);
+    }
+  }
+
+  /// Sorts a range into halves at the median center along the longest side of their box.
+  static void halve(std::vector<Entry>& entries, const Range& range)
+  {
+    if (range.size() > 2) {
+      const int axis = longest_side(entries, range.begin, range.end);
+      std::nth_element(entries.begin() + range.begin, entries.begin() + range.middle(), entries.begin() + range.end,
                        [axis](const Entry& a, const Entry& b) { return a.center[axis] < b.center[axis]; });
     }
-    const Index lower = build(boxes, entries, begin, middle);
-    const Index upper = build(boxes, entries, middle, end);
+  }
+
+  /// Builds the tree over a range.
+  void build(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, const Range& range)
+  {
+    if (range.size() > 1) {
+      halve(entries, range);
+      build(boxes, entries, range.lower());
+      build(boxes, entries, range.upper());
+      join_halves(boxes, entries, range);
+    }
+  }
+
+  /// Makes the root of the trees over the halves of a range.
+  void join_halves(const std::vector<Bounding_box>& boxes, const std::vector<Entry>& entries, const Range& range)
+  {
+    const Index lower = root_of(entries, range.lower());
+    const Index upper = root_of(entries, range.upper());
     const auto box_of = [&](Index child) { return is_node(child) ? m_boxes[child] : boxes[child - first_object]; };
     Bounding_box box = box_of(lower);
     box.extend(box_of(upper));
-    m_boxes.push_back(box);
-    m_children.push_back({lower, upper});
-    return Index(m_boxes.size()) - 1;
+    const Index root = root_of(entries, range);
+    m_boxes[root] = box;
+    m_children[root] = {lower, upper};
   }
 
   std::vector<Bounding_box> m_boxes; // of the inner nodes

@@ -7,6 +7,7 @@
 #define CSCD_INTERNAL_COMPRESSED_ROWS_H
 
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Parallel_clock.h>
 #include <CSCD/internal/for_each_range.h>
 
 #include <CGAL/Iterator_range.h>
@@ -87,7 +88,9 @@ private:
   template <class ForEachValue, class Use>
   void for_each_value_of_rows(const ForEachValue& for_each_value, unsigned number_of_threads, const Use& use) const
   {
-    if (number_of_threads == 1) {
+    const bool is_worth_threads = number_of_rows() > range_size;
+    if (number_of_threads == 1 || !is_worth_threads) {
+      const Parallel_clock::Loop measured(is_worth_threads);
       for_each_value(use);
       return;
     }

@@ -14,6 +14,7 @@
 #include <boost/endian/conversion.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -40,34 +41,108 @@ inline std::uint64_t hash_point(const Vector_3& point)
   return hash;
 }
 
+/// Makes points of exactly equal coordinates one, the first of them. Open addressing in one array, at most half full:
+/// the nodes of std::unordered_map take five times as long. The array grows with the number of different points: the
+/// smaller it is, the more of it is in the cache.
+class Point_merger
+{
+public:
+  /// \param expected the number of points that will be added
+  explicit Point_merger(std::size_t expected) : m_places(first_size, no_index) { m_indices.reserve(expected); }
+
+  /// Adds a finite point.
+  void add(const Vector_3& point)
+  {
+    Pending& pending = m_pending[m_number % m_pending.size()];
+    if (m_number >= m_pending.size()) {
+      insert(pending);
+    }
+    pending = {point, hash_point(point)};
+#ifdef __GNUC__
+    __builtin_prefetch(&m_places[place_of(pending.hash)]);
+#endif
+    ++m_number;
+  }
+
+  /// Hands over the different points, in the order in which they were added first, and for each point that was added,
+  /// which of these it is. To be called once, at the end.
+  void move_to(std::vector<Vector_3>& points, std::vector<Index>& indices)
+  {
+    for (std::size_t i = m_number - std::min(m_number, m_pending.size()); i < m_number; ++i) {
+      insert(m_pending[i % m_pending.size()]);
+    }
+    points = std::move(m_points);
+    indices = std::move(m_indices);
+  }
+
+private:
+  /// A point that waits for the memory that its place needs.
+  struct Pending
+  {
+    Vector_3 point;
+    std::uint64_t hash;
+  };
+
+  static constexpr std::size_t first_size = 1024; // a power of 2, as all sizes
+  static constexpr std::size_t number_of_pending = 16;
+
+  std::size_t place_of(std::uint64_t hash) const
+  {
+    return std::size_t(hash) & (m_places.size() - 1);
+  }
+
+  /// The place of a point, or a free one.
+  std::size_t find_place(const Pending& pending) const
+  {
+    std::size_t place = place_of(pending.hash);
+    while (m_places[place] != no_index && m_points[m_places[place]] != pending.point) {
+      place = place_of(place + 1);
+    }
+    return place;
+  }
+
+  void insert(const Pending& pending)
+  {
+    std::size_t place = find_place(pending);
+    if (m_places[place] == no_index) {
+      if (2 * (m_points.size() + 1) > m_places.size()) {
+        grow();
+        place = find_place(pending);
+      }
+      m_places[place] = Index(m_points.size());
+      m_points.push_back(pending.point);
+    }
+    m_indices.push_back(m_places[place]);
+  }
+
+  void grow()
+  {
+    m_places.assign(4 * m_places.size(), no_index);
+    for (Index point = 0; point < m_points.size(); ++point) {
+      m_places[find_place({m_points[point], hash_point(m_points[point])})] = point;
+    }
+  }
+
+  std::vector<Index> m_places; // by hash
+  std::vector<Vector_3> m_points;
+  std::vector<Index> m_indices;
+  std::array<Pending, number_of_pending> m_pending;
+  std::size_t m_number = 0; // of points that were added
+};
+
 /// Merges points of exactly equal coordinates into the first of them; the others keep their order. Linear.
 /// \param[out] new_index for each old point, its new index
 /// \return the number of points that vanished
 /// \pre the points are finite
 inline std::size_t merge_equal_points(std::vector<Vector_3>& points, std::vector<Index>& new_index)
 {
-  // Open addressing in one array, at most half full: the nodes of std::unordered_map take five times as long.
-  std::size_t table_size = 1;
-  while (table_size < 2 * points.size()) {
-    table_size *= 2;
+  const std::size_t size = points.size();
+  Point_merger merger(size);
+  for (const Vector_3& point : points) {
+    merger.add(point);
   }
-  std::vector<Index> table(table_size, no_index);
-  new_index.resize(points.size());
-  Index size = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    std::size_t place = std::size_t(hash_point(points[i])) & (table_size - 1);
-    while (table[place] != no_index && points[table[place]] != points[i]) {
-      place = (place + 1) & (table_size - 1);
-    }
-    if (table[place] == no_index) {
-      table[place] = size;
-      points[size++] = points[i];
-    }
-    new_index[i] = table[place];
-  }
-  const std::size_t number_of_merged_points = points.size() - size;
-  points.resize(size);
-  return number_of_merged_points;
+  merger.move_to(points, new_index);
+  return size - points.size();
 }
 
 /// Reads OFF, ASCII line by line or binary; colors and texture coordinates are passed over.
@@ -408,7 +483,6 @@ public:
     } else {
       read_text();
     }
-    check_number_of_points(m_points.size(), m_filename);
     return soup();
   }
 
@@ -445,11 +519,12 @@ private:
                        std::to_string(scanner.remaining() / triangle_size) +
                        "; check the ending of the file name, or fetch the file again");
     }
-    m_points.reserve(3 * number_of_triangles);
+    check_number_of_points(3 * number_of_triangles, m_filename);
+    m_points = Point_merger(3 * number_of_triangles);
     for (std::size_t i = 0; i < number_of_triangles; ++i) {
       scanner.skip(normal_size);
       for (int corner = 0; corner < 3; ++corner) {
-        m_points.push_back(next_point(scanner, i));
+        m_points.add(next_point(scanner, i));
       }
       scanner.skip(attribute_size);
     }
@@ -493,13 +568,14 @@ private:
 
   void read_facet(Text_scanner& scanner)
   {
-    const std::size_t first = m_points.size();
+    int number_of_vertices = 0;
     while (scanner.skip_blanks()) {
       const std::string_view word = scanner.word();
       if (word == "vertex") {
         read_vertex(scanner);
+        ++number_of_vertices;
       } else if (word == "endfacet") {
-        if (m_points.size() != first + 3) {
+        if (number_of_vertices != 3) {
           scanner.fail("a facet does not have three vertices", "correct it or write the file again");
         }
         return;
@@ -517,21 +593,21 @@ private:
       }
       coordinate = scanner.coordinate();
     }
-    m_points.push_back(point);
+    m_points.add(point);
   }
 
   Polygon_soup soup()
   {
     Polygon_soup result;
-    merge_equal_points(m_points, result.corners);
-    result.points = std::move(m_points);
+    m_points.move_to(result.points, result.corners);
+    check_number_of_points(result.corners.size(), m_filename);
     result.first_corner = Corner_offsets(result.corners.size() / 3);
     return result;
   }
 
   std::string_view m_content;
   std::string m_filename;
-  std::vector<Vector_3> m_points;
+  Point_merger m_points{0};
 };
 
 /// Reads `content`, that of an STL file.
