@@ -721,6 +721,13 @@ TEST(Read_triangle_mesh, refuses_malformed_stl)
   }
 }
 
+TEST(Read_triangle_mesh, reads_stl_that_ends_in_two_words)
+{
+  std::string text = ascii_stl(cube());
+  text.replace(text.find("endsolid"), 8, "end solid");
+  expect_cube(read(text, CSCD::Mesh_format::stl).mesh);
+}
+
 TEST(Read_triangle_mesh, reads_compressed_vtp)
 {
   // By zlib, in blocks of 32 bytes, as vtkXMLPolyDataWriter does in larger ones.

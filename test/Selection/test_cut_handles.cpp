@@ -386,6 +386,35 @@ TEST(cut_handles, keeps_the_separators_that_are_there)
   expect_cuts_all_handles(solid, separators, 2, packing, shape);
 }
 
+TEST(cut_handles, finds_handles_that_no_path_joins_to_the_first_vertex)
+{
+  // Around each neighbor of the first vertex there is a separator: all edges of that vertex are crossed.
+  const Shape shape = CSCD::test::torus(3, 1, 24);
+  const Shape_solid solid(shape);
+  const Triangulated_surface& surface = solid.surface();
+  std::vector<Separator> separators;
+  for (const Index to_neighbor : surface.outgoing(0)) {
+    Separator separator;
+    const Index first = surface.twin(to_neighbor);
+    Index h = first;
+    do {
+      separator.crossings.push_back({h, 0.25});
+      h = surface.previous_around_origin(h);
+    } while (h != first);
+    ASSERT_TRUE(CSCD::test::is_closed_curve(surface, separator.crossings));
+    std::vector<CSCD::Vector_3> points;
+    CSCD::internal::crossing_points(surface, separator.crossings, points);
+    CSCD::internal::set_measures(separator, points);
+    separators.push_back(separator);
+  }
+  const std::size_t number = separators.size();
+  Separator_packing packing(surface, separators, std::vector<double>(number));
+  ASSERT_EQ(packing.packed().size(), number);
+  ASSERT_EQ(genus(packing.cut_graph()), 1u);
+  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 1u);
+  expect_cuts_all_handles(solid, separators, number, packing, shape);
+}
+
 TEST(cut_handles, leaves_a_body_without_handles_alone)
 {
   const Shape_solid solid(CSCD::test::y_tube(0.25));

@@ -66,6 +66,9 @@ public:
     return loops;
   }
 
+  /// Whether a path leads from the last root to `vertex`.
+  bool has_reached(Index vertex) const { return m_front.is_reached(vertex); }
+
 private:
   struct Cotree_edge
   {

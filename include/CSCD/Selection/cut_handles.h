@@ -130,16 +130,9 @@ private:
   std::vector<Candidate> find_candidates(Index piece) const
   {
     Handle_loops handle_loops(m_solid.levels().finest(), m_packing.arrangement());
-    Index root = 0;
-    while (root < m_surface.number_of_vertices() && m_packing.cut_graph().piece_of_vertex(root) != piece) {
-      ++root;
-    }
-    if (root == m_surface.number_of_vertices()) {
-      return {};
-    }
     // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
-    const std::vector<Vertex_loop> rough_loops = handle_loops(root);
     const std::size_t max_roots = max_visits / m_surface.number_of_vertices();
+    const std::vector<Vertex_loop> rough_loops = find_rough_loops(piece, max_roots, handle_loops);
     std::vector<Candidate> candidates;
     for (std::size_t i = 0; i < rough_loops.size(); ++i) {
       candidates.push_back(measure(rough_loops[i]));
@@ -152,6 +145,28 @@ private:
       }
     }
     return candidates;
+  }
+
+  /// The loops from the first vertex of the piece from which there are any: where separators are as dense as vertices,
+  /// no path leads from some of them to the handles.
+  std::vector<Vertex_loop> find_rough_loops(Index piece, std::size_t max_roots, Handle_loops& handle_loops) const
+  {
+    std::vector<Vertex_loop> loops;
+    std::vector<char> is_passed(m_surface.number_of_vertices(), 0);
+    std::size_t number_of_roots = 0;
+    for (Index root = 0; root < m_surface.number_of_vertices() && loops.empty(); ++root) {
+      if (is_passed[root] != 0 || m_packing.cut_graph().piece_of_vertex(root) != piece) {
+        continue;
+      }
+      loops = handle_loops(root);
+      if (++number_of_roots > max_roots) {
+        break;
+      }
+      for (Index vertex = root; vertex < m_surface.number_of_vertices(); ++vertex) {
+        is_passed[vertex] |= handle_loops.has_reached(vertex) ? 1 : 0;
+      }
+    }
+    return loops;
   }
 
   Candidate measure(const Vertex_loop& loop) const

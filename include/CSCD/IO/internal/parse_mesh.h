@@ -556,8 +556,8 @@ private:
       if (word == "facet") {
         read_facet(scanner);
       }
-      is_complete = word == "endsolid";
-      if (word == "solid" || word == "endsolid") {
+      is_complete = word == "endsolid" || word == "end"; // some write "end solid"
+      if (word == "solid" || is_complete) {
         scanner.skip_line(); // the name of the solid
       }
     }
