@@ -285,6 +285,25 @@ TEST(Inside_repair, leads_an_edge_along_the_surface)
   EXPECT_EQ(CSCD::internal::Inside_repair(*solid, builder).number_of_edges_outside(), 0u);
 }
 
+TEST(Inside_repair, leads_an_edge_around_a_mouth_without_going_deep_into_the_body)
+{
+  // A bar with a slit in its end, of which the back looks along the whole bar.
+  const Shape_solid solid(CSCD::test::midpoint_subdivided(
+      CSCD::test::prism(
+          "bar with a slit",
+          {{0, 0, 0}, {10, 0, 0}, {10, 0.45, 0}, {9, 0.45, 0}, {9, 0.55, 0}, {10, 0.55, 0}, {10, 1, 0}, {0, 1, 0}},
+          {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 7}, {4, 5, 7}, {5, 6, 7}}),
+      3));
+  const Vector_3 from = solid.at(9.8, 0.2, 0.5);
+  const Vector_3 to = solid.at(9.8, 0.8, 0.5);
+  const std::vector<Vector_3> way = CSCD::internal::Way_inside(*solid).find(from, to);
+  ASSERT_FALSE(way.empty());
+  for (const Vector_3& point : way) {
+    EXPECT_TRUE(solid->is_inside(point));
+    EXPECT_GT(point.x(), solid.at(8, 0, 0).x());
+  }
+}
+
 TEST(Inside_repair, traces_few_lines_where_many_edges_are_outside)
 {
   const Shape_solid shape(CSCD::test::capsule(6, 1, 24));

@@ -47,6 +47,7 @@ public:
       return {};
     }
     std::vector<Vector_3> way;
+    m_max_depth = (to - from).norm();
     const bool is_found = follow_surface(from, to, way);
     return is_found ? way : std::vector<Vector_3>();
   }
@@ -177,7 +178,8 @@ private:
     return false;
   }
 
-  /// The middle of the body below `start`, or as many times nearer.
+  /// The middle of the body below `start`, or a point as far away as the ends of the way are from each other, where the
+  /// body is thicker; or as many times nearer.
   std::optional<Vector_3> below(const Start& start, int halvings)
   {
     constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
@@ -190,7 +192,8 @@ private:
     if (!hit) {
       return std::nullopt;
     }
-    return Vector_3(start.point + std::ldexp(hit->distance, -1 - halvings) * start.inward);
+    const double depth = std::min(hit->distance / 2, m_max_depth);
+    return Vector_3(start.point + std::ldexp(depth, -halvings) * start.inward);
   }
 
   bool sees(const Vector_3& from, const Vector_3& to)
@@ -215,6 +218,7 @@ private:
   std::vector<Index> m_entered;    ///< for every face, the halfedge of the next one on the way
   std::vector<Start> m_starts;     ///< along the way on the surface
   std::vector<double> m_crossings; ///< working memory
+  double m_max_depth = 0;          ///< of points of the way below the surface
   std::size_t m_work_left;
 };
 
