@@ -163,7 +163,9 @@ private:
         break;
       }
       for (Index vertex = root; vertex < m_surface.number_of_vertices(); ++vertex) {
-        is_passed[vertex] |= handle_loops.has_reached(vertex) ? 1 : 0;
+        if (handle_loops.has_reached(vertex)) {
+          is_passed[vertex] = 1;
+        }
       }
     }
     return loops;
