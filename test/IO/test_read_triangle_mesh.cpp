@@ -721,6 +721,19 @@ TEST(Read_triangle_mesh, refuses_malformed_stl)
   }
 }
 
+TEST(Read_triangle_mesh, reads_off_with_faces_on_several_lines)
+{
+  std::istringstream lines(off(cube()));
+  std::string text;
+  std::size_t number = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    // Behind the keyword, the counts and eight points.
+    std::replace(line.begin(), line.end(), ' ', number < 10 ? ' ' : '\n');
+    text += line + '\n';
+  }
+  expect_cube(read(text, CSCD::Mesh_format::off).mesh);
+}
+
 TEST(Read_triangle_mesh, reads_stl_that_ends_in_two_words)
 {
   std::string text = ascii_stl(cube());

@@ -283,8 +283,8 @@ private:
 
   Index next_corner()
   {
-    if (!m_scanner.skip_blanks_in_line()) {
-      m_scanner.fail("a face has fewer vertices than it announces", "correct this line or write the file again");
+    if (!m_scanner.skip_blanks(comment)) { // some write each index on a line of its own
+      m_scanner.fail_at_end("all vertices of a face");
     }
     const std::size_t corner = m_scanner.count("the index of a vertex");
     if (corner >= m_number_of_points) {
