@@ -393,6 +393,7 @@ TEST(cut_handles, finds_handles_that_no_path_joins_to_the_first_vertex)
   const Shape_solid solid(shape);
   const Triangulated_surface& surface = solid.surface();
   std::vector<Separator> separators;
+  Separator_packing packing(surface, separators, {});
   for (const Index to_neighbor : surface.outgoing(0)) {
     Separator separator;
     const Index first = surface.twin(to_neighbor);
@@ -406,10 +407,10 @@ TEST(cut_handles, finds_handles_that_no_path_joins_to_the_first_vertex)
     CSCD::internal::crossing_points(surface, separator.crossings, points);
     CSCD::internal::set_measures(separator, points);
     separators.push_back(separator);
+    ASSERT_TRUE(packing.insert_last());
   }
+  packing.cut_again();
   const std::size_t number = separators.size();
-  Separator_packing packing(surface, separators, std::vector<double>(number));
-  ASSERT_EQ(packing.packed().size(), number);
   ASSERT_EQ(genus(packing.cut_graph()), 1u);
   EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 1u);
   expect_cuts_all_handles(solid, separators, number, packing, shape);
