@@ -414,11 +414,7 @@ void define_options(py::module_& module)
       .def_readwrite("shape", &Skeletonize_options::shape)
       .def_readwrite("borders", &Skeletonize_options::borders)
       .def_readwrite("wrap", &Skeletonize_options::wrap)
-      .def_property(
-          "max_memory", [](const Skeletonize_options& options) { return options.max_memory; },
-          [](Skeletonize_options& options, const std::string& size) {
-            options.max_memory = cscd::parse_memory_size(size, "max_memory");
-          })
+      .def_readwrite("max_memory", &Skeletonize_options::max_memory)
       .def_readwrite("domain", &Skeletonize_options::domain)
       .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)
@@ -512,5 +508,8 @@ PYBIND11_MODULE(_core, module)
       });
   module.def("classify", &classify, "descriptions"_a, "classes"_a);
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
+  module.def(
+      "parse_memory_size", [](const std::string& size) { return cscd::parse_memory_size(size, "max_memory"); },
+      "size"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

@@ -445,7 +445,7 @@ def skeletonize(
     options.detail = detail
     options.wrap = wrap
     if max_memory is not None:
-        options.max_memory = str(max_memory)
+        options.max_memory = _core.parse_memory_size(str(max_memory))
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)
     options.separators = _count("separators", separators)

@@ -22,10 +22,7 @@ class SkeletonizeOptions:
     shape: str
     borders: str
     wrap: float | None
-    @property
-    def max_memory(self) -> int: ...
-    @max_memory.setter
-    def max_memory(self, size: str) -> None: ...
+    max_memory: int
     domain: str
     neighbors: int
     root: str
@@ -82,6 +79,7 @@ def classify(
 def find_loops(
     V: npt.NDArray[np.float64], F: npt.NDArray[np.int64], seed: int, min_depth: float
 ) -> list[tuple[str, float, float, list[list[float]]]]: ...
+def parse_memory_size(size: str) -> int: ...
 def skeletonize(
     V: npt.NDArray[np.float64],
     F: npt.NDArray[np.int64] | None,
