@@ -388,6 +388,7 @@ CSCD_INLINE std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_
   report.number_of_removed_faces += soup.number_of_polygons([](std::size_t size) { return size < 3; });
   if (!soup.first_corner.are_triangles()) {
     Indexed_triangles triangles = triangulate_polygon_soup(std::move(soup));
+    soup = Polygon_soup();
     soup.points = std::move(triangles.points);
     soup.corners.reserve(3 * triangles.faces.size());
     for (const std::array<Index, 3>& face : triangles.faces) {
