@@ -13,7 +13,9 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <boost/graph/adjacency_list.hpp>
+#include <boost/math/constants/constants.hpp>
 
+#include <cmath>
 #include <cstddef>
 
 namespace CSCD::test {
@@ -35,16 +37,35 @@ struct Inside_count
   double fraction_of_length_inside() const { return length == 0 ? 1 : 1 - length_outside / length; }
 };
 
+/// How often a closed surface winds around `p`: the sum of the solid angles of its triangles (Van Oosterom and
+/// Strackee, "The solid angle of a plane triangle", 1983). Linear.
+inline double winding_number(const Shape& shape, const Triple& p)
+{
+  double sum = 0;
+  for (const Triangle& triangle : shape.triangles) {
+    const Triple a = shape.points[triangle[0]] - p;
+    const Triple b = shape.points[triangle[1]] - p;
+    const Triple c = shape.points[triangle[2]] - p;
+    const double denominator =
+        norm(a) * norm(b) * norm(c) + dot(a, b) * norm(c) + dot(b, c) * norm(a) + dot(c, a) * norm(b);
+    sum += 2 * std::atan2(dot(a, cross(b, c)), denominator);
+  }
+  return sum / (4 * boost::math::double_constants::pi);
+}
+
 /// \pre `mesh` is a closed triangle mesh
 template <class Mesh, class Skeleton>
 Inside_count count_inside(const Mesh& mesh, const Skeleton& skeleton)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Exact_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  const Exact_mesh body = to_mesh<Exact_mesh>(to_shape(mesh));
+  const Shape shape = to_shape(mesh);
+  const Exact_mesh body = to_mesh<Exact_mesh>(shape);
   const CGAL::Side_of_triangle_mesh<Exact_mesh, Kernel> side(body);
+  // CGAL goes by the parity of crossings: a point that an even number of sheets hold may still be inside.
   const auto is_outside = [&](const Triple& p) {
-    return side(Kernel::Point_3(p[0], p[1], p[2])) == CGAL::ON_UNBOUNDED_SIDE;
+    return side(Kernel::Point_3(p[0], p[1], p[2])) == CGAL::ON_UNBOUNDED_SIDE &&
+           std::fabs(winding_number(shape, p)) < 0.5;
   };
   Inside_count result;
   result.number_of_nodes = num_vertices(skeleton);
