@@ -56,9 +56,7 @@ inline std::string read_content(std::istream& in, const std::string& name, const
   }
   constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
   std::string content;
-#ifndef CSCD_LOCAL_METHOD_ONLY                      // the page that computes would be too large
   content.reserve(remaining_size(in) + block_size); // growing, it would be in memory twice
-#endif
   while (in) {
     const std::size_t size = content.size();
     content.resize(size + block_size);
