@@ -137,6 +137,18 @@ TEST(is_around_hollow, tells_the_wall_of_a_cup_from_its_handle)
   EXPECT_FALSE(is_around_hollow({-0.1, 0, 1}, {1, 0, 0}, {-0.1, 1, 1})) << "across the wall: like a bent sheet";
 }
 
+TEST(is_around_hollow, takes_an_oval_cup_for_a_cup)
+{
+  CSCD::test::Shape oval = CSCD::test::cup(0.1);
+  for (CSCD::test::Triple& point : oval.points) {
+    point[1] *= 2.2; // a roundness of 0.8
+  }
+  const Body cup(oval);
+  const Separator wall = section_separator(cup.triangulation(), {0, 0, 0.35}, {0, 0, 1}, {-1, 0, 0.35});
+  EXPECT_NEAR(wall.roundness(), 0.8, 0.03);
+  EXPECT_TRUE(CSCD::internal::is_around_hollow(cup, wall));
+}
+
 constexpr double unlimited = std::numeric_limits<double>::max();
 
 Surface_level tube_level()

@@ -31,7 +31,7 @@ void add_with_band(const Surface_levels& levels, Coverage& coverage, Index sourc
 {
   std::vector<Index> band;
   CSCD::internal::Coverage_band grow(levels);
-  grow(source, result, band);
+  grow(source, result, CSCD::internal::Coverage_band::max_failure_radius(levels), band);
   coverage.add(source, result, band);
 }
 

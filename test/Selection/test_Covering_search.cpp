@@ -131,6 +131,36 @@ TEST(Separator_search, tries_no_more_sources_than_allowed_and_the_same_ones)
   }
 }
 
+/// How many sources are tried on half of a ball, when none has a cut point and each covers `failure_radius` around it.
+std::size_t number_of_failed_sources(const Surface_levels& levels, float failure_radius)
+{
+  const auto fail = [](Index, Index, CSCD::Search_result& result) {
+    result.outcome = CSCD::Search_outcome::no_cut;
+    result.level = 0;
+  };
+  Separator_search separator_search(levels, CSCD::Search_settings(), [&fail] { return CSCD::Separator_finder(fail); });
+  separator_search.explore([&](Index vertex) { return levels.finest().surface.point(vertex).x() > 0; }, 1,
+                           [failure_radius](Index) { return failure_radius; });
+  std::vector<Separator> separators;
+  CSCD::Skeletonization_report report;
+  separator_search(no_limit, separators, report, [](double) {});
+  EXPECT_TRUE(separators.empty());
+  return report.number_of_sources;
+}
+
+TEST(Separator_search, tries_sources_without_a_cut_as_densely_as_asked_for)
+{
+  const Surface_levels levels = to_levels(CSCD::test::sphere(4));
+  const auto& points = levels.finest().surface.points();
+  const auto half = std::size_t(std::count_if(points.begin(), points.end(), [](const auto& p) { return p.x() > 0; }));
+  EXPECT_EQ(number_of_failed_sources(levels, 0), half);
+  const std::size_t dense = number_of_failed_sources(levels, 0.2F);
+  const std::size_t sparse = number_of_failed_sources(levels, 0.4F);
+  EXPECT_LT(dense, half);
+  EXPECT_LT(sparse, dense);
+  EXPECT_EQ(number_of_failed_sources(levels, 10), 1u) << "the first covers all others";
+}
+
 TEST(Separator_search, passes_on_what_the_progress_throws)
 {
   const Surface_levels levels = to_levels(CSCD::test::sphere(4));

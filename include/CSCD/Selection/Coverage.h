@@ -34,14 +34,23 @@ class Coverage_band
 {
 public:
   explicit Coverage_band(const Surface_levels& levels)
-      : m_levels(levels), m_failure_radius(failure_radius(levels)),
-        m_front(levels.finest().surface.number_of_vertices())
+      : m_levels(levels), m_front(levels.finest().surface.number_of_vertices())
   {
+  }
+
+  /// Radius of the band around a source without a cut point, as long as nothing is known of the limbs around it.
+  static float max_failure_radius(const Surface_levels& levels)
+  {
+    const Triangulated_surface& surface = levels.finest().surface;
+    const double number_of_bodies =
+        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
+    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
   }
 
   /// Writes the vertices of the band of `result`, that of the search from `source`, to `band`, as vertices of the level
   /// of `result`.
-  void operator()(Index source, const Search_result& result, std::vector<Index>& band)
+  /// \param failure_radius radius of the band if there was no cut point
+  void operator()(Index source, const Search_result& result, float failure_radius, std::vector<Index>& band)
   {
     band.clear();
     switch (result.outcome) {
@@ -53,7 +62,7 @@ public:
                          float(band_width * result.loop_length / (2 * boost::math::double_constants::pi)), band);
       break;
     case Search_outcome::no_cut:
-      grow_around_vertex(source, result.level, m_failure_radius, band);
+      grow_around_vertex(source, result.level, failure_radius, band);
       break;
     case Search_outcome::degenerate:
       break;
@@ -63,18 +72,10 @@ public:
 private:
   /// Width of the band around a separator, relative to its radius.
   static constexpr double band_width = 0.2;
-  /// Radius of the band around a source without a cut point, relative to the square root of the surface's area.
+  /// `max_failure_radius()`, relative to the square root of the surface's area.
   static constexpr double relative_failure_radius = 0.05;
   /// Vertices of a body that the failure radius suits.
   static constexpr double usual_size = 2000;
-
-  static float failure_radius(const Surface_levels& levels)
-  {
-    const Triangulated_surface& surface = levels.finest().surface;
-    const double number_of_bodies =
-        levels.needs_finest() ? std::max(surface.number_of_vertices() / usual_size, 1.) : 1.;
-    return float(relative_failure_radius * std::sqrt(surface.total_area() / number_of_bodies));
-  }
 
   void grow_around_separator(const Separator& separator, std::vector<Index>& band)
   {
@@ -109,7 +110,6 @@ private:
   }
 
   const Surface_levels& m_levels;
-  float m_failure_radius;
   Dijkstra_search m_front;
 };
 
