@@ -132,4 +132,25 @@ TEST_F(Branch_in_capsule, sharp_turns_become_blunt)
   }
 }
 
+TEST(Branch_straightening, blunts_as_far_as_the_surface_allows)
+{
+  const Shape_solid solid(CSCD::test::horned_ball(0.1));
+  Skeleton_builder builder;
+  // From horn to horn below the surface of the ball: to go half way to the line between the ends would leave it.
+  for (const Vector_3& point : {Vector_3(-0.4, 0, 3.15), Vector_3(0, 0, 2.7), Vector_3(0.4, 0, 3.15)}) {
+    builder.add_node(solid.at(point.x(), point.y(), point.z()), 0.2 / solid.unit());
+  }
+  builder.add_edge(0, 1);
+  builder.add_edge(1, 2);
+  const auto turn = [&builder] {
+    return (builder[1].position - builder[0].position).dot(builder[2].position - builder[1].position);
+  };
+  ASSERT_LT(turn(), 0);
+  CSCD::internal::Branch_straightening(*solid, builder).blunt_turns();
+  EXPECT_GE(turn(), 0);
+  std::vector<double> crossings;
+  solid->crossings(builder[0].position, builder[1].position, crossings);
+  EXPECT_TRUE(crossings.empty());
+}
+
 } // namespace

@@ -434,7 +434,8 @@ private:
   {
     const Vector_3 start = m_builder[node].position;
     const Vector_3 middle = (end(node, 0) + end(node, 1)) / 2;
-    for (const double share : {0.5, 0.75, 1.}) {
+    // Half way if that will do; less where the surface is in between.
+    for (const double share : {0.5, 0.75, 1., 0.4, 0.3, 0.2, 0.1}) {
       const Vector_3 position = (1 - share) * start + share * middle;
       if (!turns_back(node, position) && is_free(start, position) && is_free(end(node, 0), position) &&
           is_free(position, end(node, 1))) {

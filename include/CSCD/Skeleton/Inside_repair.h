@@ -287,6 +287,9 @@ private:
 
   /// Edges that are still outside after this many rounds are led along the surface.
   static constexpr int max_rounds = 4;
+  /// How far below the surface an edge is bent, relative to its length: more would be a sharp turn, as where limbs side
+  /// by side grow from a thick body.
+  static constexpr double max_relative_depth = 0.5;
   /// Shorter stretches outside are taken for rounding; relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
 
@@ -379,6 +382,16 @@ private:
     return edges.size() - std::size_t(std::count(stretches.begin(), stretches.end(), std::nullopt));
   }
 
+  /// The point on the way from `outside` to `inside` that is `max_depth` below the surface, if `inside` is farther.
+  Vector_3 at_most_below_surface(const Vector_3& outside, const Vector_3& inside, double max_depth) const
+  {
+    std::vector<double> crossings;
+    m_surface.crossings(outside, inside, crossings);
+    const double length = (inside - outside).norm();
+    const double allowed = (crossings.empty() ? 0 : crossings.back()) + max_depth;
+    return allowed < length ? Vector_3(outside + allowed / length * (inside - outside)) : inside;
+  }
+
   /// Splits those of `edges` that leave the body, by nodes behind the nearest surface. \return the parts, which may
   /// leave it again
   std::vector<Edge> repair_edges(const std::vector<Edge>& edges)
@@ -393,7 +406,8 @@ private:
         continue;
       }
       if (const std::optional<Vector_3> middle = middle_behind(*outside, a)) {
-        const Index node = split_edge(a, b, *middle);
+        const double max_depth = max_relative_depth * (m_builder[a].position - m_builder[b].position).norm();
+        const Index node = split_edge(a, b, at_most_below_surface(*outside, *middle, max_depth));
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
       } else {
