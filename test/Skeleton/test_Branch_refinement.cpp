@@ -3,6 +3,7 @@
 //
 // Nodes of branches move to the middle of the body, and branches do not fold back.
 
+#include "Skeleton/make_branch.h"
 #include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Skeleton/Branch_refinement.h>
@@ -28,14 +29,7 @@ protected:
   /// A branch over points of the shape.
   Skeleton_builder branch(const std::vector<Vector_3>& points) const
   {
-    Skeleton_builder builder;
-    for (Index i = 0; i < points.size(); ++i) {
-      builder.add_node(m_solid.at(points[i].x(), points[i].y(), points[i].z()), 1 / m_solid.unit());
-      if (i > 0) {
-        builder.add_edge(i - 1, i);
-      }
-    }
-    return builder;
+    return CSCD::test::make_branch(m_solid, points, 1);
   }
 
   /// How far `node` is from the axis, in radii.
@@ -135,13 +129,8 @@ TEST_F(Branch_in_capsule, sharp_turns_become_blunt)
 TEST(Branch_straightening, blunts_as_far_as_the_surface_allows)
 {
   const Shape_solid solid(CSCD::test::horned_ball(0.1));
-  Skeleton_builder builder;
   // From horn to horn below the surface of the ball: to go half way to the line between the ends would leave it.
-  for (const Vector_3& point : {Vector_3(-0.4, 0, 3.15), Vector_3(0, 0, 2.7), Vector_3(0.4, 0, 3.15)}) {
-    builder.add_node(solid.at(point.x(), point.y(), point.z()), 0.2 / solid.unit());
-  }
-  builder.add_edge(0, 1);
-  builder.add_edge(1, 2);
+  Skeleton_builder builder = CSCD::test::make_branch(solid, {{-0.4, 0, 3.15}, {0, 0, 2.7}, {0.4, 0, 3.15}}, 0.2);
   const auto turn = [&builder] {
     return (builder[1].position - builder[0].position).dot(builder[2].position - builder[1].position);
   };

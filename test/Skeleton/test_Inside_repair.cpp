@@ -3,22 +3,19 @@
 //
 // What is outside of the body comes back in, and does not go far below the surface for it.
 
+#include "Skeleton/make_branch.h"
 #include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Skeleton/Inside_repair.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
-
-#include <vector>
 
 namespace {
 
 using CSCD::Index;
 using CSCD::Skeleton_builder;
-using CSCD::Triangulated_solid;
 using CSCD::Vector_3;
 using CSCD::internal::Inside_repair;
 using CSCD::test::Shape_solid;
@@ -29,12 +26,7 @@ protected:
   /// An edge from one point of the shape to the other.
   Skeleton_builder edge(const Vector_3& from, const Vector_3& to) const
   {
-    Skeleton_builder builder;
-    for (const Vector_3& point : {from, to}) {
-      builder.add_node(m_solid.at(point.x(), point.y(), point.z()), 0.2 / m_solid.unit());
-    }
-    builder.add_edge(0, 1);
-    return builder;
+    return CSCD::test::make_branch(m_solid, {from, to}, 0.2);
   }
 
   Shape_solid m_solid{CSCD::test::horned_ball(0.1)};

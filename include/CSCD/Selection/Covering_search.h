@@ -186,7 +186,7 @@ private:
   /// How far a source without a cut point covers the surface there, relative to its distance from the nearest packed
   /// separator: limbs that grow from an end, as toes from a foot, are much thinner than the end is long. From 0.1 to
   /// 0.4, tips on 100 poses of people were the same but for a few; the fewest sources are tried with the largest.
-  static constexpr float relative_failure_radius = 0.3F;
+  static constexpr float failure_radius_per_distance = 0.3F;
 
   /// The separators that would be packed so far, less those of bumps.
   std::vector<Index> pack_for_trial(const std::vector<Separator>& separators, const std::vector<double>& costs) const
@@ -220,7 +220,7 @@ private:
         },
         exploration_factor,
         [this, max_radius = Coverage_band::max_failure_radius(m_levels)](Index vertex) {
-          return std::min(max_radius, relative_failure_radius * distance_from_packed(vertex));
+          return std::min(max_radius, failure_radius_per_distance * distance_from_packed(vertex));
         });
   }
 

@@ -406,7 +406,7 @@ private:
         continue;
       }
       if (const std::optional<Vector_3> middle = middle_behind(*outside, a)) {
-        const double max_depth = max_relative_depth * (m_builder[a].position - m_builder[b].position).norm();
+        const double max_depth = max_relative_depth * m_builder.edge_length(a, b);
         const Index node = split_edge(a, b, at_most_below_surface(*outside, *middle, max_depth));
         parts.emplace_back(a, node);
         parts.emplace_back(node, b);
