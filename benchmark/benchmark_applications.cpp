@@ -19,7 +19,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/compare_segmentations.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>

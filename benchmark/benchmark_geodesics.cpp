@@ -7,8 +7,8 @@
 
 #include "convert_shape.h"
 #include "swept_shapes.h"
-#include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/estimate_geodesic_distances.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>

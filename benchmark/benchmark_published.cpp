@@ -17,8 +17,8 @@
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 

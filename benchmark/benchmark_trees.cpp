@@ -13,7 +13,7 @@
 #include "support/run_benchmarks.h"
 #include <CSCD/IO/read_points.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/extract_tree_skeleton.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 

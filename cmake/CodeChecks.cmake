@@ -4,7 +4,7 @@
 # Targets that check the text of the code: format_check, format (rewrites), tidy.
 
 set(cscd_code)
-foreach(folder include src examples python test benchmark cmake)
+foreach(folder include src program examples python test benchmark cmake)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/*.cpp")
   list(APPEND cscd_code ${files})
 endforeach()

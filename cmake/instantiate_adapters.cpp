@@ -5,9 +5,9 @@
 
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/extract_curve_skeleton.h>
 #include <CSCD/extract_curve_skeleton_from_points.h>
-#include <CSCD/extract_tree_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

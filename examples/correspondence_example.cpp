@@ -5,7 +5,7 @@
 // writes it as branches.ply. Junctions belong to no branch and stay gray.
 
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 

@@ -6,12 +6,12 @@
 // Usage: cut_locus_example [mesh file [number of the vertex]]
 
 #include "three_js_source.h"
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_polylines.h>
-#include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
+#include <CSCD/Published/Cut_locus_graph.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_cut_locus.h>
 

@@ -4,8 +4,8 @@
 // How far every vertex of a mesh is from its first one along the surface: writes the mesh as distances.ply, with bands
 // of equal distance in two colors.
 
-#include <CSCD/Geodesic/estimate_geodesic_distances.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/estimate_geodesic_distances.h>
 
 #include <CGAL/IO/Color.h>
 #include <CGAL/Simple_cartesian.h>

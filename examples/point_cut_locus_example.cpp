@@ -5,10 +5,10 @@
 // ways. No surface is made of the points. Writes the curves as point_cut_locus.polylines.txt.
 // Usage: point_cut_locus_example [point file [number of the point]]
 
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_polylines.h>
+#include <CSCD/Published/Cut_locus_graph.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -4,8 +4,8 @@
 // How far every point of a set is from its first one along the surface that the points sample: writes the points as
 // point_distances.ply, with bands of equal distance in two colors.
 
-#include <CSCD/Geodesic/estimate_geodesic_distances_on_points.h>
 #include <CSCD/IO/read_points.h>
+#include <CSCD/estimate_geodesic_distances_on_points.h>
 
 #include <CGAL/Point_set_3.h>
 #include <CGAL/Point_set_3/IO.h>

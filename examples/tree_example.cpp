@@ -6,7 +6,7 @@
 
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/write_skeleton.h>
-#include <CSCD/extract_tree_skeleton.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 

@@ -22,9 +22,9 @@
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
-#include <CSCD/Skeleton/simplify_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>

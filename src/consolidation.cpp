@@ -3,4 +3,4 @@
 //
 // The consolidation of point clouds, compiled once, apart from their triangulation, which takes long to compile.
 
-#include <CSCD/Reconstruction/consolidate_points_impl.h>
+#include <CSCD/Points/consolidate_points_impl.h>

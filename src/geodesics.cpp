@@ -3,6 +3,6 @@
 //
 // Distances along surfaces and cut loci, compiled once.
 
-#include <CSCD/Cut_locus/Cut_locus_extraction_impl.h>
-#include <CSCD/Geodesic/Heat_method_impl.h>
-#include <CSCD/Geodesic/Prepared_distances_impl.h>
+#include <CSCD/Published/Cut_locus_extraction_impl.h>
+#include <CSCD/Published/Heat_method_impl.h>
+#include <CSCD/Published/Prepared_distances_impl.h>

@@ -10,4 +10,4 @@
 #include <CSCD/IO/write_html_page_impl.h>
 #include <CSCD/IO/write_rig_impl.h>
 #include <CSCD/IO/write_skeleton_impl.h>
-#include <CSCD/Surface/Voxel_surface_impl.h>
+#include <CSCD/Volume/Voxel_surface_impl.h>

@@ -3,7 +3,7 @@
 //
 // Point clouds and what is made of them, compiled once.
 
-#include <CSCD/Reconstruction/reconstruct_surface_impl.h>
-#include <CSCD/Surface/Point_cloud_impl.h>
-#include <CSCD/Surface/Point_solid_impl.h>
-#include <CSCD/Surface/Spatial_graph_impl.h>
+#include <CSCD/Graph/Spatial_graph_impl.h>
+#include <CSCD/Points/Point_cloud_impl.h>
+#include <CSCD/Points/Point_solid_impl.h>
+#include <CSCD/Points/reconstruct_surface_impl.h>

@@ -3,6 +3,6 @@
 //
 // The measures of branches and the simplification of skeletons, compiled once.
 
+#include <CSCD/Measure/Skeleton_branches_impl.h>
+#include <CSCD/Measure/simplify_skeleton_impl.h>
 #include <CSCD/Skeleton/Branch_hierarchy_impl.h>
-#include <CSCD/Skeleton/Skeleton_branches_impl.h>
-#include <CSCD/Skeleton/simplify_skeleton_impl.h>

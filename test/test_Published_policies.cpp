@@ -12,10 +12,10 @@
 #include "support/shapes.h"
 #include "support/sheet_shapes.h"
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Published/Cut_loop_finder.h>
+#include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Cut_loop_finder.h>
-#include <CSCD/Separator/Field_search_settings.h>
-#include <CSCD/Separator/Separator_shortening.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>

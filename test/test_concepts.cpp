@@ -5,18 +5,18 @@
 // no more is asked for in test_archetypes.cpp.
 
 #include <CSCD/Local_policies.h>
+#include <CSCD/Packing/Separator_cost.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Selection/Separator_cost.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/concepts.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>
 #include <CGAL/Point_set_3.h>

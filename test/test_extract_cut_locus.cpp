@@ -7,8 +7,8 @@
 #include "support/convert_shape.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
-#include <CSCD/Cut_locus/Cut_tree.h>
+#include <CSCD/Published/Cut_locus_graph.h>
+#include <CSCD/Published/Cut_tree.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus.h>
 

@@ -7,8 +7,8 @@
 #include "support/convert_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
-#include <CSCD/Cut_locus/Cut_locus_settings.h>
+#include <CSCD/Published/Cut_locus_graph.h>
+#include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

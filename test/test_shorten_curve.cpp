@@ -8,7 +8,7 @@
 #include "archetypes/Triangle_mesh_archetype.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/shorten_curve.h>
 
 #include <CGAL/Simple_cartesian.h>

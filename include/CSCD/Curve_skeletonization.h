@@ -7,7 +7,7 @@
 #define CSCD_CURVE_SKELETONIZATION_H
 
 #include <CSCD/Local_policies.h>
-#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>

@@ -6,12 +6,12 @@
 #ifndef CSCD_GRAPH_POLICIES_H
 #define CSCD_GRAPH_POLICIES_H
 
-#include <CSCD/Selection/Region_packing.h>
-#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Graph/Spatial_graph.h>
+#include <CSCD/Published/Region_packing.h>
+#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Spatial_graph.h>
 
 #include <vector>
 

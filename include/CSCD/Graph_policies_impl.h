@@ -6,10 +6,10 @@
 #ifndef CSCD_GRAPH_POLICIES_IMPL_H
 #define CSCD_GRAPH_POLICIES_IMPL_H
 
+#include <CSCD/Graph/Graph_separator_finder.h>
 #include <CSCD/Graph_policies.h>
-#include <CSCD/Selection/Separator_overlaps.h>
-#include <CSCD/Separator/Graph_separator_finder.h>
-#include <CSCD/Skeleton/build_quotient_skeleton.h>
+#include <CSCD/Published/Separator_overlaps.h>
+#include <CSCD/Published/build_quotient_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/for_each_index.h>
 

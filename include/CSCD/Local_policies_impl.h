@@ -6,12 +6,12 @@
 #ifndef CSCD_LOCAL_POLICIES_IMPL_H
 #define CSCD_LOCAL_POLICIES_IMPL_H
 
+#include <CSCD/Local/Covering_search.h>
+#include <CSCD/Local/Local_separator_finder.h>
 #include <CSCD/Local_policies.h>
-#include <CSCD/Selection/Balance_and_roundness.h>
-#include <CSCD/Selection/Covering_search.h>
-#include <CSCD/Selection/Separator_packing.h>
-#include <CSCD/Selection/cut_handles.h>
-#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Packing/Separator_packing.h>
+#include <CSCD/Packing/cut_handles.h>
+#include <CSCD/Separator/is_around_hollow.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 #include <CSCD/Surface/Surface_levels.h>
 

@@ -6,20 +6,20 @@
 #ifndef CSCD_PUBLISHED_POLICIES_H
 #define CSCD_PUBLISHED_POLICIES_H
 
-#include <CSCD/Selection/Region_packing.h>
-#include <CSCD/Selection/Sampled_search.h>
-#include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Separator/Field_search_settings.h>
+#include <CSCD/Points/Point_solid.h>
+#include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Region_packing.h>
+#include <CSCD/Published/Region_sections.h>
+#include <CSCD/Published/Sampled_search.h>
+#include <CSCD/Published/build_quotient_skeleton.h>
+#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Region_sections.h>
 #include <CSCD/Skeleton/Sheet_ends.h>
 #include <CSCD/Skeleton/Sheet_placement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
-#include <CSCD/Skeleton/build_quotient_skeleton.h>
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 

@@ -7,14 +7,14 @@
 #ifndef CSCD_CONCEPTS_H
 #define CSCD_CONCEPTS_H
 
-#include <CSCD/Selection/Search_settings.h>
+#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 #include <CSCD/internal/detection.h>
 
 #include <iterator>

@@ -7,8 +7,8 @@
 #define CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H
 
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>

@@ -8,8 +8,8 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Traits/Voxel_surface_traits.h>
+#include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/tags.h>

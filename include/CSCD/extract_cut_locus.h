@@ -6,15 +6,15 @@
 #ifndef CSCD_EXTRACT_CUT_LOCUS_H
 #define CSCD_EXTRACT_CUT_LOCUS_H
 
-#include <CSCD/Cut_locus/Cut_locus_extraction.h>
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
-#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Published/Cut_locus_extraction.h>
+#include <CSCD/Published/Cut_locus_graph.h>
+#include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/number_utils.h>

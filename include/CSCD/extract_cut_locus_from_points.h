@@ -6,15 +6,15 @@
 #ifndef CSCD_EXTRACT_CUT_LOCUS_FROM_POINTS_H
 #define CSCD_EXTRACT_CUT_LOCUS_FROM_POINTS_H
 
-#include <CSCD/Cut_locus/Cut_locus_extraction.h>
-#include <CSCD/Cut_locus/Cut_locus_graph.h>
-#include <CSCD/Cut_locus/Cut_locus_settings.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Published/Cut_locus_extraction.h>
+#include <CSCD/Published/Cut_locus_graph.h>
+#include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Traits/Input_points.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/number_utils.h>
 

@@ -7,15 +7,15 @@
 #define CSCD_SHORTEN_CURVE_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
+#include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/properties.h>

@@ -9,7 +9,7 @@
 #include "support/simple_shapes.h"
 #include "support/swept_shapes.h"
 #include <CSCD/Application/make_rig.h>
-#include <CSCD/Skeleton/Rooted_forest.h>
+#include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 

@@ -9,7 +9,7 @@
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 

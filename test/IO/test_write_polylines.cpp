@@ -7,7 +7,7 @@
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_polylines.h>
-#include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_tables.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_vtp.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>

@@ -5,8 +5,8 @@
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Local/Geodesic_polar_coordinates.h>
+#include <CSCD/Local/Nearest_meeting.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Surface_levels.h>

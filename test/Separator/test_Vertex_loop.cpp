@@ -6,8 +6,8 @@
 #include "Separator/is_closed_curve.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Cut_locus/Nearest_meeting.h>
-#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
+#include <CSCD/Local/Geodesic_polar_coordinates.h>
+#include <CSCD/Local/Nearest_meeting.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -7,7 +7,7 @@
 #include "Separator/make_separator.h"
 #include "support/Shape_solid.h"
 #include "support/shapes.h"
-#include <CSCD/Selection/Separator_packing.h>
+#include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>

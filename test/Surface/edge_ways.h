@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_SURFACE_EDGE_WAYS_H
 #define CSCD_TEST_SURFACE_EDGE_WAYS_H
 
-#include <CSCD/Surface/Point_complex.h>
+#include <CSCD/Points/Point_complex.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>

@@ -15,10 +15,10 @@
 #include "support/shapes.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Local_policies.h>
+#include <CSCD/Points/Point_complex.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published_policies.h>
-#include <CSCD/Separator/Field_search_settings.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Point_complex.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector_3.h>

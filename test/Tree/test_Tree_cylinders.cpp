@@ -4,7 +4,7 @@
 // Cylinders and measures of drawn trees, and their table.
 
 #include <CSCD/IO/write_tables.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>

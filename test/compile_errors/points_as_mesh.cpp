@@ -4,7 +4,7 @@
 // A range of points is no mesh: the refusal is one sentence of ours, not an error inside Boost.
 // expected error: CSCD: TriangleMesh requires faces(g), as CGAL's FaceListGraph
 
-#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

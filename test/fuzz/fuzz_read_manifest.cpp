@@ -4,8 +4,8 @@
 // Fuzz target: any bytes, as the manifest of a batch that is resumed. What it was opened with and a row more are there
 // when it is opened again, or it is refused by name; everything else is a bug and aborts.
 
-#include "../../examples/cscd/Batch_manifest.h"
-#include "../../examples/cscd/commands.h"
+#include "../../program/Batch_manifest.h"
+#include "../../program/commands.h"
 #include "support/Temporary_folder.h"
 #include <CSCD/exceptions.h>
 

@@ -11,7 +11,7 @@
 #include "support/invariants.h"
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Skeleton/simplify_skeleton.h>
+#include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 

@@ -10,10 +10,10 @@ import re
 import sys
 
 # The order in which data flows; doc/architecture.md has a paragraph for each.
-FOLDERS = ["internal", "Surface", "Reconstruction", "Traits", "Geodesic", "Cut_locus", "Separator", "Selection",
-           "Skeleton", "Tree", "Measure", "Application", "IO", ""]
+FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "Points", "Volume", "Graph", "Published",
+           "Traits", "", "Measure", "Tree", "Application", "IO"]
 # Headers of the top level that every folder may include. They include nothing but each other and `internal`.
-LEAVES = {"Named_parameters.h", "Skeleton_graph.h", "Skeletonization_report.h", "Skeletonization_visitor.h",
+LEAVES = {"input_concepts.h", "Named_parameters.h", "Skeleton_graph.h", "Skeletonization_report.h", "Skeletonization_visitor.h",
           "Vector_3.h", "exceptions.h", "version.h"}
 INCLUDE = re.compile(r"^#\s*include <CSCD/([\w/.]+)>", re.MULTILINE)
 

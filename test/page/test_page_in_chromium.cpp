@@ -8,9 +8,9 @@
 #include "support/Temporary_folder.h"
 #include "support/fork_in_box.h"
 #include <CSCD/IO/write_html_page.h>
+#include <CSCD/Measure/simplify_skeleton.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Skeleton/simplify_skeleton.h>
-#include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
 
 #include <CGAL/Mean_curvature_flow_skeletonization.h>

@@ -10,7 +10,7 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
+#include <CSCD/input_concepts.h>
 
 #include <cstddef>
 #include <limits>

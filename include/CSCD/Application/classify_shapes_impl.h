@@ -9,8 +9,8 @@
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>

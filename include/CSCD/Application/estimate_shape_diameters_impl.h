@@ -8,8 +8,8 @@
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 

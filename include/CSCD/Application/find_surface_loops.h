@@ -11,8 +11,8 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 
 #include <boost/property_map/property_map.hpp>
 

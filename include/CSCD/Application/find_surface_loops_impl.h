@@ -8,17 +8,17 @@
 
 #include <CSCD/Application/Loop_classes.h>
 #include <CSCD/Application/find_surface_loops.h>
-#include <CSCD/Selection/Covering_search.h>
-#include <CSCD/Selection/Handle_loops.h>
-#include <CSCD/Selection/Search_settings.h>
-#include <CSCD/Selection/Separator_arrangement.h>
-#include <CSCD/Selection/Separator_cost.h>
+#include <CSCD/Local/Covering_search.h>
+#include <CSCD/Local/Local_separator_finder.h>
+#include <CSCD/Measure/distance_to_edges.h>
+#include <CSCD/Packing/Handle_loops.h>
+#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Packing/Separator_cost.h>
+#include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Separator/Detail.h>
-#include <CSCD/Separator/Edge_flip_shortening.h>
-#include <CSCD/Separator/Local_separator_finder.h>
+#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>

@@ -6,12 +6,12 @@
 #ifndef CSCD_APPLICATION_MAKE_RIG_H
 #define CSCD_APPLICATION_MAKE_RIG_H
 
+#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Rooted_forest.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 
 #include <array>
 #include <cstddef>

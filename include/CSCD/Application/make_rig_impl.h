@@ -7,10 +7,10 @@
 #define CSCD_APPLICATION_MAKE_RIG_IMPL_H
 
 #include <CSCD/Application/make_rig.h>
+#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Rooted_forest.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/config.h>

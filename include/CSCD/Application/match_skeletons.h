@@ -10,8 +10,8 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>
 

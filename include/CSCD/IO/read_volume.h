@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_READ_VOLUME_H
 #define CSCD_IO_READ_VOLUME_H
 
-#include <CSCD/Surface/Voxel_surface.h>
+#include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/internal/config.h>
 
 #include <cstdint>

@@ -10,8 +10,8 @@
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/decode_bytes.h>
 #include <CSCD/IO/read_volume.h>
-#include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 

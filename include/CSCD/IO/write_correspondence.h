@@ -8,13 +8,13 @@
 
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>

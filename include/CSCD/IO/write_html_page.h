@@ -6,8 +6,8 @@
 #ifndef CSCD_IO_WRITE_HTML_PAGE_H
 #define CSCD_IO_WRITE_HTML_PAGE_H
 
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 

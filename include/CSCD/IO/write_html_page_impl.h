@@ -9,8 +9,8 @@
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/internal/html_page_template.h>
 #include <CSCD/IO/write_html_page.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_JSON_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Vector_3.h>
 
 #include <nlohmann/json.hpp>

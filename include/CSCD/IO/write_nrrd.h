@@ -7,8 +7,8 @@
 #define CSCD_IO_WRITE_NRRD_H
 
 #include <CSCD/IO/read_volume.h>
-#include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/internal/Box_tree.h>
 
 #include <CGAL/assertions.h>

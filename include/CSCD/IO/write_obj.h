@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_OBJ_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Skeleton/split_into_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Vector_3.h>
 
 #include <ostream>

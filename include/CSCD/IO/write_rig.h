@@ -7,10 +7,10 @@
 #define CSCD_IO_WRITE_RIG_H
 
 #include <CSCD/Application/make_rig.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 
 #include <boost/graph/graph_traits.hpp>
 

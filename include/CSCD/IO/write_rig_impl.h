@@ -10,7 +10,7 @@
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_rig.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>

@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_SWC_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Skeleton/Rooted_forest.h>
+#include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

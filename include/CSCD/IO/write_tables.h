@@ -7,7 +7,7 @@
 #define CSCD_IO_WRITE_TABLES_H
 
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>

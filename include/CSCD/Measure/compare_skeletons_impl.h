@@ -10,9 +10,9 @@
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Segment_bvh.h>
 #include <CSCD/Measure/compare_skeletons.h>
+#include <CSCD/Measure/distance_to_edges.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/distance_to_edges.h>
-#include <CSCD/Skeleton/split_into_branches.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -13,8 +13,8 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/collect_triangles.h>
-#include <CSCD/Traits/input_concepts.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
 
 #include <cstddef>
 #include <utility>

@@ -6,7 +6,6 @@
 #ifndef CSCD_SEPARATOR_VERTEX_LOOP_H
 #define CSCD_SEPARATOR_VERTEX_LOOP_H
 
-#include <CSCD/Geodesic/Geodesic_polar_coordinates.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -34,29 +33,6 @@ struct Surface_path
 inline bool is_vertex(const Edge_crossing& point)
 {
   return point.position == 0;
-}
-
-/// Writes to `loop` the closed curve from the source of `front` to `first`, across the edge to `second`, and back.
-/// Where both arms leave the source by the same path, that path is left out.
-inline void trace_loop(const Geodesic_polar_coordinates& front, Index first, Index second, Vertex_loop& loop)
-{
-  loop.clear();
-  for (Index vertex = first; vertex != no_index; vertex = front.parent(vertex)) {
-    loop.push_back(vertex);
-  }
-  std::reverse(loop.begin(), loop.end());
-  const std::size_t size_of_first_arm = loop.size();
-  for (Index vertex = second; vertex != no_index; vertex = front.parent(vertex)) {
-    loop.push_back(vertex);
-  }
-  // Both arms end at the source: drop the second source, then the common stem.
-  loop.pop_back();
-  std::size_t stem = 0;
-  while (stem + 1 < size_of_first_arm && loop.size() > size_of_first_arm && loop.back() == loop[stem + 1]) {
-    loop.pop_back();
-    ++stem;
-  }
-  loop.erase(loop.begin(), loop.begin() + std::ptrdiff_t(stem));
 }
 
 /// Writes to `crossings` the edges that `loop` crosses when it is pushed a little to its left.

@@ -6,7 +6,7 @@
 #ifndef CSCD_SKELETON_BRIDGED_BORDERS_H
 #define CSCD_SKELETON_BRIDGED_BORDERS_H
 
-#include <CSCD/Selection/Cut_graph.h>
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

@@ -6,8 +6,8 @@
 #ifndef CSCD_SKELETON_NODE_PLACEMENT_H
 #define CSCD_SKELETON_NODE_PLACEMENT_H
 
-#include <CSCD/Selection/Cut_graph.h>
-#include <CSCD/Selection/Surface_regions.h>
+#include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Surface_regions.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Bridged_borders.h>

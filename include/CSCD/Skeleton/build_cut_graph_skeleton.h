@@ -6,8 +6,8 @@
 #ifndef CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 #define CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 
-#include <CSCD/Selection/Cut_graph.h>
-#include <CSCD/Selection/Separator_arrangement.h>
+#include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>

@@ -7,7 +7,7 @@
 #define CSCD_TRAITS_INPUT_POINTS_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Compressed_rows.h>

@@ -6,11 +6,11 @@
 #ifndef CSCD_TRAITS_POINT_SET_TRAITS_H
 #define CSCD_TRAITS_POINT_SET_TRAITS_H
 
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Point_solid.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Point_cloud.h>
-#include <CSCD/Surface/Point_solid.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 

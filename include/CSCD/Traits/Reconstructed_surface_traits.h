@@ -6,12 +6,12 @@
 #ifndef CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 #define CSCD_TRAITS_RECONSTRUCTED_SURFACE_TRAITS_H
 
-#include <CSCD/Reconstruction/consolidate_points.h>
-#include <CSCD/Reconstruction/reconstruct_surface.h>
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/consolidate_points.h>
+#include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>

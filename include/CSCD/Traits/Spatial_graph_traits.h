@@ -6,10 +6,10 @@
 #ifndef CSCD_TRAITS_SPATIAL_GRAPH_TRAITS_H
 #define CSCD_TRAITS_SPATIAL_GRAPH_TRAITS_H
 
+#include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Spatial_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Compressed_rows.h>

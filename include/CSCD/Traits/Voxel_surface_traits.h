@@ -12,8 +12,8 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Surface/Voxel_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/Volume/Voxel_surface.h>
 
 #include <CGAL/Iterator_range.h>
 

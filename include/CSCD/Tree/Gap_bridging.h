@@ -6,10 +6,10 @@
 #ifndef CSCD_TREE_GAP_BRIDGING_H
 #define CSCD_TREE_GAP_BRIDGING_H
 
+#include <CSCD/Points/insert_points.h>
 #include <CSCD/Tree/Neighbor_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/insert_points.h>
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_NEIGHBOR_GRAPH_H
 #define CSCD_TREE_NEIGHBOR_GRAPH_H
 
-#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>

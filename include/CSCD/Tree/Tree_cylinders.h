@@ -6,8 +6,8 @@
 #ifndef CSCD_TREE_TREE_CYLINDERS_H
 #define CSCD_TREE_TREE_CYLINDERS_H
 
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Skeleton/Skeleton_branches.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_TREE_TREE_SKELETONIZATION_H
 #define CSCD_TREE_TREE_SKELETONIZATION_H
 
-#include <CSCD/Surface/Point_cloud.h>
+#include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 

@@ -6,11 +6,11 @@
 #ifndef CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
 #define CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
 
-#include <CSCD/Reconstruction/Point_grid.h>
-#include <CSCD/Surface/Cloud_sampling.h>
-#include <CSCD/Surface/Neighbor_table.h>
+#include <CSCD/Points/Cloud_sampling.h>
+#include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Point_grid.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Point_cloud.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Limb_finder.h>
 #include <CSCD/Tree/Neighbor_graph.h>

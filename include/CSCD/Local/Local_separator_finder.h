@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Finds the local separator of a source, touching only the surface around it.
+
+#ifndef CSCD_LOCAL_LOCAL_SEPARATOR_FINDER_H
+#define CSCD_LOCAL_LOCAL_SEPARATOR_FINDER_H
+
+#include <CSCD/Local/Geodesic_polar_coordinates.h>
+#include <CSCD/Local/Nearest_meeting.h>
+#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Enclosed_area_test.h>
+#include <CSCD/Separator/Loop_projection.h>
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Straightening.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// The default model of `SeparatorFinder`: polar front, stopped early, on the level of detail that suits the limb;
+/// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
+///
+/// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
+/// source; the work for a source is a few hundred visited vertices, whatever the size of the surface.
+class Local_separator_finder
+{
+public:
+  /// Prepares the working memory; `levels` is referred to and must outlive this object.
+  /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
+  /// \param side_of_sheet tells of vertices of the finest level on which side of a doubled sheet they are, 1 or 2, or 0;
+  ///        without it, there are no sheets
+  explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
+                                  std::function<int(Index)> side_of_sheet = nullptr)
+      : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
+        m_workspaces(m_levels.size()), m_projection(m_levels), m_section(m_levels.finest().surface),
+        m_straightening(m_levels.finest().surface)
+  {
+  }
+
+  /// Seeks the separator of `source`, a vertex of the finest level, and starts on the level `level_hint`.
+  void operator()(Index source, Index level_hint, Search_result& result)
+  {
+    result.separator.crossings.clear();
+    result.is_section = false;
+    result.loop_length = 0;
+    result.outcome = trace_on_best_level(source, level_hint, result.level);
+    if (result.outcome != Search_outcome::found) {
+      return;
+    }
+    measure_vertex_loop(result);
+    Workspace& workspace = workspace_of(result.level);
+    const double min_area_ratio = (side_of_sheet(source) != 0 ? internal::open_area_factor : 1) * m_min_area_ratio;
+    if (workspace.bump_test.area_ratio(m_loop, bump_limit * min_area_ratio) < min_area_ratio) {
+      result.outcome = Search_outcome::bump;
+      return;
+    }
+    shorten(source, result);
+  }
+
+private:
+  /// A loop of fewer edges than this is too coarse to decide on: the next finer level is tried. Of 12 to 16, found on
+  /// 190 odd-numbered Princeton meshes: skeletons are as good as with 16, and with 12 nodes are less central.
+  static constexpr std::size_t min_loop_size = 15;
+  /// A loop of fewer edges encloses nothing.
+  static constexpr std::size_t min_simple_loop_size = 3;
+  /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `min_loop_size` edges
+  /// is about its square; found by experiment on 27 meshes.
+  static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
+  /// Where the measurement of the area on the smaller side may stop, relative to the least area.
+  static constexpr double bump_limit = 1.01;
+  /// A section is accepted if its length is within these bounds, relative to the loop's ...
+  static constexpr double min_section_length = 0.5;
+  static constexpr double max_section_length = 1.35;
+  /// ... and if its center has moved by less than this, relative to the loop's length.
+  static constexpr double max_center_shift = 0.12;
+  /// The same on a sheet, where that is half of the width: sections that are turned perpendicular to the borders are
+  /// turned about the source, which may be near one of them.
+  static constexpr double max_shift_on_sheet = 0.25;
+  /// How often the plane is turned perpendicular to the limb's axis and the section taken again.
+  static constexpr int number_of_axis_steps = 2;
+  /// Sweeps of straightening where no section is accepted: few, so that the loop stays where it is.
+  static constexpr int number_of_straightening_passes = 15;
+
+  struct Workspace
+  {
+    explicit Workspace(const Surface_level& level)
+        : front(level.corners(), level.surface.number_of_vertices()), bump_test(level.surface)
+    {
+    }
+    internal::Geodesic_polar_coordinates front;
+    internal::Enclosed_area_test bump_test;
+  };
+
+  int side_of_sheet(Index vertex) const { return m_side_of_sheet ? m_side_of_sheet(vertex) : 0; }
+
+  /// Tells of the vertices of `level` whether they are on the other side of the sheet than `source`; nothing where that
+  /// is on none. The sides are so near to each other that directions from one to the other tell nothing.
+  std::function<bool(Index)> across_sheet(const Surface_level& level, Index source) const
+  {
+    const int side = side_of_sheet(source);
+    if (side == 0) {
+      return nullptr;
+    }
+    return [this, &level, side](Index vertex) { return side_of_sheet(level.to_finest(vertex)) != side; };
+  }
+
+  Workspace& workspace_of(Index level)
+  {
+    if (!m_workspaces[level]) {
+      m_workspaces[level] = std::make_unique<Workspace>(m_levels[level]);
+    }
+    return *m_workspaces[level];
+  }
+
+  /// Grows fronts on neighboring levels until one finds a loop of a suitable number of edges; leaves the loop in
+  /// `m_loop` and its level in `level`.
+  Search_outcome trace_on_best_level(Index source, Index level_hint, Index& level)
+  {
+    enum class Direction
+    {
+      none,
+      finer,
+      coarser
+    };
+    Direction direction = Direction::none;
+    for (level = std::min(level_hint, m_levels.top());;) {
+      const bool is_capped = direction != Direction::finer && level < m_levels.top();
+      const internal::Front_end end =
+          trace(source, level, is_capped ? max_visits : std::numeric_limits<std::size_t>::max());
+      if (end == internal::Front_end::capped) {
+        ++level;
+        direction = Direction::coarser;
+        continue;
+      }
+      const bool is_last = level == 0 || direction == Direction::coarser;
+      if (!m_loop.empty()) {
+        if (is_last || m_loop.size() >= min_loop_size) {
+          return m_loop.size() >= min_simple_loop_size ? Search_outcome::found : Search_outcome::degenerate;
+        }
+      } else if (is_last || workspace_of(level).front.number_of_visits() > 2 * max_visits) {
+        return Search_outcome::no_cut;
+      }
+      --level;
+      direction = Direction::finer;
+    }
+  }
+
+  /// Grows a front on `level` and traces the loop of the nearest meeting, if there is one.
+  internal::Front_end trace(Index source, Index level, std::size_t visits)
+  {
+    const Surface_level& surface_level = m_levels[level];
+    internal::Geodesic_polar_coordinates& front = workspace_of(level).front;
+    const Index level_source = surface_level.from_finest(source);
+    internal::Nearest_meeting meeting(surface_level.surface, front, level_source,
+                                      across_sheet(surface_level, surface_level.to_finest(level_source)));
+    const internal::Front_end end = front.grow(level_source, visits, meeting);
+    m_loop.clear();
+    if (meeting.has_found()) {
+      internal::trace_loop(front, meeting.first(), meeting.second(), m_loop);
+    }
+    return end;
+  }
+
+  void measure_vertex_loop(Search_result& result)
+  {
+    const Triangulated_surface& surface = m_levels[result.level].surface;
+    m_points.clear();
+    for (Index vertex : m_loop) {
+      m_points.push_back(surface.point(vertex));
+    }
+    internal::set_measures(result.separator, m_points);
+    result.loop_length = result.separator.length;
+  }
+
+  void shorten(Index source, Search_result& result)
+  {
+    // The loop starts at the coarse source, which stands for several fine vertices.
+    const Surface_level& level = m_levels[result.level];
+    result.separator.source = level.to_finest(level.from_finest(source));
+    result.separator.level = result.level;
+    result.is_section = shorten_by_section(result.separator);
+    if (!result.is_section && !shorten_by_straightening(level, result.separator)) {
+      result.outcome = Search_outcome::degenerate;
+    }
+  }
+
+  /// Replaces the vertex loop, whose measures `separator` has, by the shortest of a few plane sections around it.
+  bool shorten_by_section(Separator& separator)
+  {
+    const double loop_length = separator.length;
+    const Vector_3 loop_center = separator.center;
+    const bool is_on_sheet = side_of_sheet(separator.source) != 0;
+    const Vector_3 loop_normal = is_on_sheet ? border_axis_at_loop(separator) : separator.normal;
+    const double max_shift = is_on_sheet ? max_shift_on_sheet : max_center_shift;
+    Vector_3 axis = loop_normal;
+    double best_length = std::numeric_limits<double>::max();
+    for (int step = 0; step <= number_of_axis_steps; ++step) {
+      if (axis.dot(loop_normal) < 0) {
+        axis = -axis;
+      }
+      if (!m_section.cut_at_vertex(separator.source, axis, max_section_length * loop_length)) {
+        if (step == 0) {
+          break;
+        }
+        // Half way back to where a section was found.
+        axis = (axis + loop_normal).normalized();
+        continue;
+      }
+      const internal::Polygon_measures measures = internal::measure_polygon(m_section.points());
+      if (measures.length >= max_section_length * loop_length || measures.length <= min_section_length * loop_length ||
+          (measures.center - loop_center).norm() >= max_shift * loop_length) {
+        break;
+      }
+      if (measures.length < best_length) {
+        best_length = measures.length;
+        separator.crossings = m_section.crossings();
+        internal::set_measures(separator, measures);
+      }
+      if (step < number_of_axis_steps) {
+        axis = is_on_sheet ? border_axis() : m_section.symmetry_axis();
+      }
+    }
+    return best_length < std::numeric_limits<double>::max();
+  }
+
+  /// The mean direction of the borders of a sheet where the vertex loop crosses them. The area that the loop encloses
+  /// between the two sides is too small for a normal.
+  Vector_3 border_axis_at_loop(const Separator& separator) const
+  {
+    const Surface_level& level = m_levels[separator.level];
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < m_loop.size(); ++i) {
+      const Index next = m_loop[i + 1 < m_loop.size() ? i + 1 : 0];
+      if (side_of_sheet(level.to_finest(m_loop[i])) != side_of_sheet(level.to_finest(next))) {
+        const Vector_3 direction = border_direction(level, m_loop[i]);
+        sum += direction.dot(sum) < 0 ? Vector_3(-direction) : direction;
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : separator.normal;
+  }
+
+  /// From one neighbor of `vertex` along the border to the other.
+  Vector_3 border_direction(const Surface_level& level, Index vertex) const
+  {
+    const Triangulated_surface& surface = level.surface;
+    const auto side = [&](Index v) { return side_of_sheet(level.to_finest(v)); };
+    Vector_3 sum = Vector_3::Zero();
+    for (const Index h : surface.outgoing(vertex)) {
+      const Index neighbor = surface.target(h);
+      const bool is_left = side(surface.opposite_vertex(h)) != side(vertex);
+      const bool is_right = side(surface.opposite_vertex(surface.twin(h))) != side(vertex);
+      if (side(neighbor) == side(vertex) && is_left != is_right) {
+        const Vector_3 edge = (surface.point(neighbor) - surface.point(vertex)).normalized();
+        sum += is_left ? edge : Vector_3(-edge);
+      }
+    }
+    return sum;
+  }
+
+  /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
+  /// meets both at about a right angle. The normals of a flat sheet tell no axis.
+  Vector_3 border_axis() const
+  {
+    const Triangulated_surface& surface = m_levels.finest().surface;
+    const std::vector<Edge_crossing>& crossings = m_section.crossings();
+    const auto is_on_rim = [&](std::size_t i) {
+      const Index h = crossings[i % crossings.size()].halfedge;
+      return side_of_sheet(surface.origin(h)) != side_of_sheet(surface.target(h));
+    };
+    Vector_3 sum = Vector_3::Zero();
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (!is_on_rim(i) && (is_on_rim(i + 1) || is_on_rim(i + crossings.size() - 1))) {
+        const Index h = crossings[i].halfedge; // an edge of the border, from above the plane to below
+        sum += (surface.point(surface.origin(h)) - surface.point(surface.target(h))).normalized();
+      }
+    }
+    return sum.norm() > 0 ? Vector_3(sum.normalized()) : m_section.symmetry_axis();
+  }
+
+  bool shorten_by_straightening(const Surface_level& level, Separator& separator)
+  {
+    if (!level.finest_vertex.empty()) {
+      if (!m_projection(level, m_loop, m_fine_loop)) {
+        return false;
+      }
+      std::swap(m_loop, m_fine_loop);
+    }
+    const Triangulated_surface& finest = m_levels.finest().surface;
+    if (!internal::push_off(finest, m_loop, separator.crossings)) {
+      return false;
+    }
+    m_straightening(separator.crossings, number_of_straightening_passes);
+    internal::crossing_points(finest, separator.crossings, m_points);
+    internal::set_measures(separator, m_points);
+    return separator.crossings.size() >= min_simple_loop_size;
+  }
+
+  const Surface_levels& m_levels;
+  double m_min_area_ratio;
+  std::function<int(Index)> m_side_of_sheet;
+  std::vector<std::unique_ptr<Workspace>> m_workspaces;
+  internal::Loop_projection m_projection;
+  internal::Plane_section m_section;
+  internal::Straightening m_straightening;
+  Vertex_loop m_loop;
+  Vertex_loop m_fine_loop;
+  std::vector<Vector_3> m_points;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_LOCAL_LOCAL_SEPARATOR_FINDER_H

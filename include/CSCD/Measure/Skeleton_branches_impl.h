@@ -1,0 +1,562 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Skeleton_branches.h.
+
+#ifndef CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H
+#define CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H
+
+#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/assertions.h>
+#include <CGAL/squared_distance_3.h>
+
+#include <boost/math/constants/constants.hpp>
+#include <boost/unordered_map.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Measures one branch after the other.
+class Branch_measurement
+{
+public:
+  explicit Branch_measurement(const Indexed_skeleton& skeleton)
+      : m_skeleton(skeleton), m_degree(skeleton.number_of_nodes(), 0)
+  {
+    for (const auto& [u, v] : skeleton.edges) {
+      ++m_degree[u];
+      ++m_degree[v];
+    }
+    const std::vector<double> significances = edge_significances(skeleton);
+    for (std::size_t e = 0; e < significances.size(); ++e) {
+      m_significance.emplace(std::minmax(skeleton.edges[e][0], skeleton.edges[e][1]), significances[e]);
+    }
+  }
+
+  Skeleton_branch operator()(std::vector<Index>&& nodes) const
+  {
+    Skeleton_branch branch;
+    branch.nodes = std::move(nodes);
+    const std::array<Index, 2> ends{branch.nodes.front(), branch.nodes.back()};
+    branch.ends = {kind(ends[0]), kind(ends[1])};
+    branch.chord = m_skeleton.length(ends);
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      branch.length += m_skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
+    }
+    if (m_skeleton.has_radii()) {
+      branch.end_radii = {m_skeleton.radii[ends[0]], m_skeleton.radii[ends[1]]};
+      measure_radii(branch);
+      if (branch.nodes.size() > 1) { // parallel edges are all infinitely significant
+        branch.significance = m_significance.at(std::minmax(branch.nodes[0], branch.nodes[1]));
+      }
+    }
+    return branch;
+  }
+
+private:
+  Branch_end kind(Index node) const
+  {
+    const bool is_opening = !m_skeleton.is_opening.empty() && m_skeleton.is_opening[node] != 0;
+    return m_degree[node] > 2    ? Branch_end::junction
+           : m_degree[node] == 2 ? Branch_end::closed
+           : m_degree[node] == 0 ? Branch_end::isolated
+           : is_opening          ? Branch_end::opening
+                                 : Branch_end::tip;
+  }
+
+  void measure_radii(Skeleton_branch& branch) const
+  {
+    using boost::math::double_constants::pi;
+    branch.min_radius = branch.max_radius = branch.end_radii[0];
+    branch.cone_area = branch.cone_volume = 0;
+    double integral = 0; // of the radius over the length
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      const double r = m_skeleton.radii[branch.nodes[i - 1]];
+      const double s = m_skeleton.radii[branch.nodes[i]];
+      const double length = m_skeleton.length({branch.nodes[i - 1], branch.nodes[i]});
+      branch.min_radius = std::min(branch.min_radius, s);
+      branch.max_radius = std::max(branch.max_radius, s);
+      integral += length * (r + s) / 2;
+      branch.cone_area += pi * (r + s) * std::hypot(length, r - s);
+      branch.cone_volume += pi * length * (r * r + r * s + s * s) / 3;
+    }
+    branch.mean_radius = branch.length > 0 ? integral / branch.length : branch.end_radii[0];
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  std::vector<std::size_t> m_degree;
+  boost::unordered_map<std::pair<Index, Index>, double> m_significance;
+};
+
+/// A junction belongs to the branch of the greatest mean radius, the first of several.
+inline std::vector<Index> branches_of_nodes(const std::vector<Skeleton_branch>& branches, std::size_t number_of_nodes)
+{
+  std::vector<Index> result(number_of_nodes, no_index);
+  for (Index b = 0; b < branches.size(); ++b) {
+    for (const Index node : branches[b].nodes) {
+      if (result[node] == no_index || branches[b].mean_radius > branches[result[node]].mean_radius) {
+        result[node] = b;
+      }
+    }
+  }
+  return result;
+}
+
+/// Gives branches their parents and orders.
+class Branch_order
+{
+public:
+  Branch_order(const Rooted_forest& forest, std::vector<Skeleton_branch>& branches)
+      : m_forest(forest), m_branches(branches), m_branch_of_inner_node(forest.order().size(), no_index),
+        m_branch_before(forest.order().size(), no_index)
+  {
+    for (Index b = 0; b < branches.size(); ++b) {
+      const std::vector<Index>& nodes = branches[b].nodes;
+      for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
+        m_branch_of_inner_node[nodes[i]] = b;
+      }
+      if (nodes.size() == 2) {
+        m_branch_of_edge.emplace(std::minmax(nodes[0], nodes[1]), b);
+      } else if (branches[b].ends[0] == Branch_end::closed) {
+        m_branch_of_inner_node[nodes[0]] = b;
+      }
+    }
+  }
+
+  void assign()
+  {
+    for (const Index node : m_forest.order()) {
+      if (!m_forest.is_root(node)) {
+        m_branch_before[node] = branch_between(m_forest.parent(node), node);
+        enter(m_branch_before[node], m_forest.parent(node));
+      }
+    }
+    // What the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
+    for (Index b = 0; b < m_branches.size(); ++b) {
+      if (!m_branches[b].order) {
+        enter(b, m_branches[b].nodes.front());
+        enter(b, m_branches[b].nodes.back());
+      }
+    }
+  }
+
+private:
+  Index branch_between(Index u, Index v) const
+  {
+    if (m_branch_of_inner_node[v] != no_index) {
+      return m_branch_of_inner_node[v];
+    }
+    return m_branch_of_inner_node[u] != no_index ? m_branch_of_inner_node[u] : m_branch_of_edge.at(std::minmax(u, v));
+  }
+
+  /// A branch that is entered at both ends, as a cycle is cut in it, keeps the lesser order.
+  void enter(Index b, Index node)
+  {
+    const Index before = m_branch_before[node];
+    if (before == b) {
+      return;
+    }
+    const std::size_t order = before == no_index ? 0 : *m_branches[before].order + 1;
+    Skeleton_branch& branch = m_branches[b];
+    if (!branch.order || order < *branch.order) {
+      branch.order = order;
+      branch.parent = before == no_index ? std::nullopt : std::optional<std::size_t>(before);
+    }
+  }
+
+  const Rooted_forest& m_forest;
+  std::vector<Skeleton_branch>& m_branches;
+  std::vector<Index> m_branch_of_inner_node; ///< for nodes between the ends of a branch
+  std::vector<Index> m_branch_before;        ///< of the edge to the parent; of roots none
+  boost::unordered_map<std::pair<Index, Index>, Index> m_branch_of_edge;
+};
+
+/// The node of two corners of each triangle, or the least of three different ones; `no_index` if no corner has any.
+inline std::vector<Index> nodes_of_faces(const Assigned_surface& surface)
+{
+  std::vector<Index> result;
+  result.reserve(surface.triangles.size());
+  for (const std::array<Index, 3>& triangle : surface.triangles) {
+    std::array<Index, 3> nodes{surface.node_of_vertex[triangle[0]], surface.node_of_vertex[triangle[1]],
+                               surface.node_of_vertex[triangle[2]]};
+    std::sort(nodes.begin(), nodes.end()); // those without a node come last
+    result.push_back(nodes[1] == nodes[2] && nodes[1] != no_index ? nodes[1] : nodes[0]);
+  }
+  return result;
+}
+
+/// Adds up area and volume of the faces of each branch, and of the cones that close them.
+class Surface_part_measurement
+{
+public:
+  Surface_part_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
+                           Skeleton_branches& branches)
+      : m_skeleton(skeleton), m_surface(surface), m_branches(branches.branches),
+        m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
+        m_node_of_face(nodes_of_faces(surface))
+  {
+    for (const Vector_3& point : surface.points) {
+      m_origin += point / double(surface.points.size());
+    }
+    find_anchors();
+    find_middles_of_borders();
+  }
+
+  void measure()
+  {
+    for (Skeleton_branch& branch : m_branches) {
+      branch.surface_area = branch.volume = 0;
+    }
+    double total = 0;
+    for (std::size_t f = 0; f < m_node_of_face.size(); ++f) {
+      if (m_node_of_face[f] != no_index) {
+        total += add_face(f);
+      }
+    }
+    if (total < 0) { // the surface faces inwards
+      for (Skeleton_branch& branch : m_branches) {
+        branch.volume = -branch.volume;
+      }
+    }
+  }
+
+private:
+  /// The anchor of a node is the nearer junction at an end of its branch, of a junction itself: the apex of cones.
+  void find_anchors()
+  {
+    m_anchor.assign(m_skeleton.number_of_nodes(), no_index);
+    for (const Skeleton_branch& branch : m_branches) {
+      const bool has_first = branch.ends[0] == Branch_end::junction;
+      const bool has_last = branch.ends[1] == Branch_end::junction;
+      for (std::size_t i = 0; i < branch.nodes.size(); ++i) {
+        const bool is_first_nearer = 2 * i < branch.nodes.size();
+        m_anchor[branch.nodes[i]] = has_first && (is_first_nearer || !has_last) ? branch.nodes.front()
+                                    : has_last                                  ? branch.nodes.back()
+                                                                                : branch.nodes[i];
+      }
+    }
+  }
+
+  void find_middles_of_borders()
+  {
+    if (!m_pairing.has_border()) {
+      return;
+    }
+    m_borders = Disjoint_sets(m_surface.points.size());
+    m_middle.assign(m_surface.points.size(), Vector_3::Zero());
+    std::vector<double> number(m_surface.points.size(), 0);
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      if (m_pairing.twin(h) == no_index) {
+        m_borders.join(origin(h), origin(Halfedge_pairing::next(h)));
+      }
+    }
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      if (m_pairing.twin(h) == no_index) {
+        m_middle[m_borders.find(origin(h))] += m_surface.points[origin(h)];
+        ++number[m_borders.find(origin(h))];
+      }
+    }
+    for (std::size_t v = 0; v < number.size(); ++v) {
+      m_middle[v] /= std::max(number[v], 1.);
+    }
+  }
+
+  Index origin(Index halfedge) const { return m_surface.triangles[halfedge / 3][halfedge % 3]; }
+
+  double tetrahedron(const Vector_3& a, const Vector_3& b, const Vector_3& c) const
+  {
+    return (a - m_origin).cross(b - m_origin).dot(c - m_origin) / 6;
+  }
+
+  /// \return the volume that is added
+  double add_face(std::size_t face)
+  {
+    const auto& [a, b, c] = m_surface.triangles[face];
+    const std::array<Vector_3, 3> corners{m_surface.points[a], m_surface.points[b], m_surface.points[c]};
+    Skeleton_branch& branch = m_branches[m_branch_of_node[m_node_of_face[face]]];
+    branch.surface_area += triangle_area(corners[0], corners[1], corners[2]);
+    double volume = tetrahedron(corners[0], corners[1], corners[2]);
+    for (Index side = 0; side < 3; ++side) {
+      if (const std::optional<Vector_3> apex = apex_behind(Index(3 * face + side))) {
+        volume += tetrahedron(corners[(side + 1) % 3], corners[side], *apex);
+      }
+    }
+    branch.volume += volume;
+    return volume;
+  }
+
+  /// The apex of the cone that closes the part of a face at one of its sides; nothing if the part goes on there.
+  std::optional<Vector_3> apex_behind(Index halfedge)
+  {
+    const Index node = m_node_of_face[halfedge / 3];
+    const Index twin = m_pairing.twin(halfedge);
+    if (twin == no_index) {
+      return m_middle[m_borders.find(origin(halfedge))];
+    }
+    const Index other = m_node_of_face[twin / 3];
+    if (other == no_index) {
+      return m_skeleton.points[m_anchor[node]];
+    }
+    if (m_branch_of_node[node] == m_branch_of_node[other]) {
+      return std::nullopt;
+    }
+    return (m_skeleton.points[m_anchor[node]] + m_skeleton.points[m_anchor[other]]) / 2;
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  const Assigned_surface& m_surface;
+  std::vector<Skeleton_branch>& m_branches;
+  const std::vector<Index>& m_branch_of_node;
+  Halfedge_pairing m_pairing;
+  std::vector<Index> m_node_of_face;
+  Vector_3 m_origin = Vector_3::Zero(); ///< near the surface, so that volumes do not cancel
+  std::vector<Index> m_anchor;          ///< of each node
+  Disjoint_sets m_borders;              ///< of vertices
+  std::vector<Vector_3> m_middle;
+};
+
+/// The section of faces by a plane: segments, which are joined to curves where they meet on an edge of the surface.
+class Face_section
+{
+public:
+  /// The plane through `center` perpendicular to `normal`, of unit length.
+  Face_section(const Assigned_surface& surface, const Vector_3& center, const Vector_3& normal)
+      : m_surface(surface), m_center(center), m_normal(normal)
+  {
+  }
+
+  void add(Index face)
+  {
+    const std::array<Index, 3>& corners = m_surface.triangles[face];
+    std::array<Index, 2> ends{no_index, no_index}; // where the boundary of the face goes below the plane, and above
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Index from = corners[i];
+      const Index to = corners[(i + 1) % 3];
+      if (is_above(from) != is_above(to)) {
+        ends[is_above(to) ? 1 : 0] = crossing(from, to);
+      }
+    }
+    if (ends[0] != no_index) {
+      m_segments.push_back(ends);
+      m_curves.join(ends[0], ends[1]);
+    }
+  }
+
+  /// The area within the closed curve that winds around the center, the least of several; not a number if there is
+  /// none.
+  double area()
+  {
+    std::vector<Curve> curves(m_places.size());
+    for (const auto& [source, target] : m_segments) {
+      Curve& curve = curves[m_curves.find(source)];
+      const Vector_3& p = m_places[source];
+      const Vector_3& q = m_places[target];
+      const double twice_area = p.cross(q).dot(m_normal);
+      curve.area += twice_area / 2;
+      curve.angle += std::atan2(twice_area, p.dot(q));
+      ++curve.number_of_segments;
+    }
+    for (Index place = 0; place < m_places.size(); ++place) {
+      ++curves[m_curves.find(place)].number_of_places;
+    }
+    double least = Skeleton_branch::unknown;
+    for (const Curve& curve : curves) {
+      constexpr double half_turn = boost::math::double_constants::pi; // that of a closed curve is a multiple of a turn
+      const bool is_closed = curve.number_of_segments > 0 && curve.number_of_segments == curve.number_of_places;
+      if (is_closed && std::abs(curve.angle) > half_turn && !(std::abs(curve.area) >= least)) {
+        least = std::abs(curve.area);
+      }
+    }
+    return least;
+  }
+
+private:
+  struct Curve
+  {
+    double area = 0;
+    double angle = 0;
+    std::size_t number_of_segments = 0;
+    std::size_t number_of_places = 0;
+  };
+
+  double height(Index vertex) const { return (m_surface.points[vertex] - m_center).dot(m_normal); }
+  bool is_above(Index vertex) const { return height(vertex) > 0; }
+
+  /// The place where an edge crosses the plane, relative to the center.
+  Index crossing(Index from, Index to)
+  {
+    const auto [place, is_new] = m_place_on_edge.emplace(std::minmax(from, to), Index(m_places.size()));
+    if (is_new) {
+      const double t = height(from) / (height(from) - height(to));
+      m_places.push_back((1 - t) * m_surface.points[from] + t * m_surface.points[to] - m_center);
+      m_curves.add();
+    }
+    return place->second;
+  }
+
+  const Assigned_surface& m_surface;
+  Vector_3 m_center;
+  Vector_3 m_normal;
+  boost::unordered_map<std::pair<Index, Index>, Index> m_place_on_edge;
+  std::vector<Vector_3> m_places;
+  std::vector<std::array<Index, 2>> m_segments;
+  Disjoint_sets m_curves; ///< of places
+};
+
+/// Measures the surface around one node after the other.
+class Node_measurement
+{
+public:
+  Node_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+      : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
+        m_faces(skeleton.number_of_nodes()), m_is_near(skeleton.number_of_nodes(), 0),
+        m_last_node(surface.triangles.size(), no_index)
+  {
+    for (Index face = 0; face < surface.triangles.size(); ++face) {
+      for (const Index corner : surface.triangles[face]) {
+        if (surface.node_of_vertex[corner] != no_index) {
+          m_faces[surface.node_of_vertex[corner]].push_back(face);
+        }
+      }
+    }
+  }
+
+  Node_measures operator()(Index node)
+  {
+    find_near_nodes(node);
+    const Vector_3& center = m_skeleton.points[node];
+    const Vector_3 direction = direction_at(node);
+    Face_section section(m_surface, center, direction);
+    double least = std::numeric_limits<double>::infinity(); // squared distance
+    for (const Index near : m_near) {
+      for (const Index face : m_faces[near]) {
+        if (std::exchange(m_last_node[face], node) == node) {
+          continue;
+        }
+        least = std::min(least, squared_distance(center, face));
+        if (direction != Vector_3::Zero()) {
+          section.add(face);
+        }
+      }
+    }
+    Node_measures result;
+    result.inscribed_radius = std::isfinite(least) ? std::sqrt(least) : result.inscribed_radius;
+    result.section_area = section.area();
+    return result;
+  }
+
+private:
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  /// The nodes up to two radii away along the skeleton.
+  void find_near_nodes(Index node)
+  {
+    constexpr double max_distance = 2; // in radii: a section stays within one radius of an even limb
+    const double radius = m_skeleton.radii[node];
+    m_near.assign(1, node);
+    std::vector<double> distance{0};
+    m_is_near[node] = 1;
+    for (std::size_t i = 0; i < m_near.size(); ++i) {
+      for (const Index neighbor : m_neighbors[m_near[i]]) {
+        const double its_distance = distance[i] + m_skeleton.length({m_near[i], neighbor});
+        // The next nodes always belong to it, however thin the limb is for the spacing of the nodes.
+        if (m_is_near[neighbor] == 0 && (i == 0 || its_distance <= max_distance * radius)) {
+          m_is_near[neighbor] = 1;
+          m_near.push_back(neighbor);
+          distance.push_back(its_distance);
+        }
+      }
+    }
+    for (const Index near : m_near) {
+      m_is_near[near] = 0;
+    }
+  }
+
+  /// Along the skeleton, unit length; zero at junctions and isolated nodes.
+  Vector_3 direction_at(Index node) const
+  {
+    const std::vector<Index>& neighbors = m_neighbors[node];
+    if (neighbors.empty() || neighbors.size() > 2) {
+      return Vector_3::Zero();
+    }
+    const Vector_3& from = neighbors.size() == 2 ? m_skeleton.points[neighbors[1]] : m_skeleton.points[node];
+    return (m_skeleton.points[neighbors[0]] - from).normalized();
+  }
+
+  double squared_distance(const Vector_3& point, Index face) const
+  {
+    const auto to_point = [](const Vector_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); };
+    const auto& [a, b, c] = m_surface.triangles[face];
+    const Kernel::Triangle_3 triangle(to_point(m_surface.points[a]), to_point(m_surface.points[b]),
+                                      to_point(m_surface.points[c]));
+    return CGAL::squared_distance(to_point(point), triangle);
+  }
+
+  const Indexed_skeleton& m_skeleton;
+  const Assigned_surface& m_surface;
+  std::vector<std::vector<Index>> m_neighbors;
+  std::vector<std::vector<Index>> m_faces; ///< with a vertex of each node
+  std::vector<char> m_is_near;
+  std::vector<Index> m_near;
+  std::vector<Index> m_last_node; ///< for which each face was looked at
+};
+
+CSCD_INLINE std::vector<double> edge_significances(const Indexed_skeleton& skeleton)
+{
+  return skeleton.has_radii() ? significance_levels(skeleton) : std::vector<double>();
+}
+
+CSCD_INLINE Skeleton_branches measure_branches(const Indexed_skeleton& skeleton, const std::vector<Index>& roots)
+{
+  Skeleton_branches result;
+  const Branch_measurement measure(skeleton);
+  for (std::vector<Index>& nodes : split_into_branches(node_neighbors(skeleton))) {
+    result.branches.push_back(measure(std::move(nodes)));
+  }
+  result.branch_of_node = branches_of_nodes(result.branches, skeleton.number_of_nodes());
+  if (!roots.empty()) {
+    const Rooted_forest forest(skeleton, roots);
+    Branch_order(forest, result.branches).assign();
+  }
+  return result;
+}
+
+CSCD_INLINE void measure_surface_parts(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
+                                       Skeleton_branches& branches)
+{
+  Surface_part_measurement(skeleton, surface, branches).measure();
+}
+
+CSCD_INLINE std::vector<Node_measures> measure_nodes(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+{
+  CGAL_precondition(skeleton.has_radii());
+  Node_measurement measure(skeleton, surface);
+  std::vector<Node_measures> result;
+  result.reserve(skeleton.number_of_nodes());
+  for (Index node = 0; node < skeleton.number_of_nodes(); ++node) {
+    result.push_back(measure(node));
+  }
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H

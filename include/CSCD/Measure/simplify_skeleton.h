@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Simplification of finished skeletons.
+
+#ifndef CSCD_MEASURE_SIMPLIFY_SKELETON_H
+#define CSCD_MEASURE_SIMPLIFY_SKELETON_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/input_concepts.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CSCD {
+
+/// What a simplification did, and what is left.
+struct Simplification_report
+{
+  std::size_t number_of_removed_components = 0; ///< components that were too small
+  std::size_t number_of_removed_vertices = 0;   ///< vertices or points of the input that belong to no node any more
+  std::size_t number_of_removed_nodes = 0;      ///< nodes of branches that were pruned
+  std::size_t number_of_merged_branches = 0;    ///< short branches between junctions that became one node
+  std::size_t number_of_joined_edges = 0;       ///< edges that were added to join components
+  std::size_t number_of_nodes = 0;              ///< vertices of the graph that is left
+  std::size_t number_of_edges = 0;              ///< edges of it
+  std::size_t number_of_components = 0;         ///< connected components of it
+  std::size_t betti_number = 0;                 ///< first Betti number: edges - nodes + components
+  std::size_t number_of_tips = 0;               ///< nodes of degree 1
+  std::size_t number_of_junctions = 0;          ///< nodes of degree 3 or more
+};
+
+namespace internal {
+
+/// What to do; a length of 0, and a number of 0, is for what is not to be done.
+struct Simplification_parameters
+{
+  std::size_t min_component_size = 0; ///< in vertices of the input, or in nodes if these have none
+  double min_significance = 0;
+  double min_length = 0;
+  double min_length_over_radius = 0;
+  double junction_distance = 0; ///< in radii
+  bool joins_components = false;
+  double spacing = 0;
+  double spacing_over_radius = 0;
+  std::size_t number_of_smoothing_steps = 0;
+};
+
+/// A simplified skeleton and where it comes from.
+struct Simplified_skeleton
+{
+  Indexed_skeleton skeleton;
+  std::vector<Index> origin; ///< of each node: the node that it was, or `no_index` for a new one
+  std::vector<Index> heir;   ///< of each node that was: which node its vertices go to; `no_index` if to none
+  Simplification_report report;
+};
+
+/// \param number_of_vertices of the input, that belong to each node
+/// \param solid the body, or null if it is not known
+Simplified_skeleton simplify_skeleton(Indexed_skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
+                                      const Simplification_parameters& parameters, const Triangulated_solid* solid);
+
+template <class NamedParameters>
+Simplification_parameters simplification_parameters(const NamedParameters& np)
+{
+  check_named_parameters<NamedParameters, internal_np::minimum_component_size_t, internal_np::minimum_significance_t,
+                         internal_np::minimum_branch_length_t, internal_np::minimum_length_over_radius_t,
+                         internal_np::junction_distance_t, internal_np::join_components_t, internal_np::spacing_t,
+                         internal_np::spacing_over_radius_t, internal_np::number_of_smoothing_steps_t,
+                         CGAL::internal_np::vertex_point_t>();
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Simplification_parameters result;
+  const auto read = [&](auto& value, const auto& tag) {
+    value = std::decay_t<decltype(value)>(choose_parameter(get_parameter(np, tag), value));
+  };
+  read(result.min_component_size, internal_np::minimum_component_size);
+  read(result.min_significance, internal_np::minimum_significance);
+  read(result.min_length, internal_np::minimum_branch_length);
+  read(result.min_length_over_radius, internal_np::minimum_length_over_radius);
+  read(result.junction_distance, internal_np::junction_distance);
+  read(result.joins_components, internal_np::join_components);
+  read(result.spacing, internal_np::spacing);
+  read(result.spacing_over_radius, internal_np::spacing_over_radius);
+  read(result.number_of_smoothing_steps, internal_np::number_of_smoothing_steps);
+  return result;
+}
+
+/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with whatever else they carry.
+template <class Skeleton>
+Skeleton to_simplified_graph(const Skeleton& skeleton, const Indexed_skeleton& before,
+                             const Simplified_skeleton& simplified)
+{
+  const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> old_nodes(vertices(skeleton).first,
+                                                                                         vertices(skeleton).second);
+  Skeleton result;
+  std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
+  for (Index v = 0; v < simplified.skeleton.number_of_nodes(); ++v) {
+    nodes.push_back(add_vertex(result));
+    auto& node = result[nodes.back()];
+    const Index origin = simplified.origin[v];
+    const Vector_3& point = simplified.skeleton.points[v];
+    if (origin != no_index) {
+      node = skeleton[old_nodes[origin]];
+      node.vertices.clear();
+    }
+    if (origin == no_index || point != before.points[origin]) {
+      node.point = make_point<std::decay_t<decltype(node.point)>>(point);
+    }
+    if constexpr (has_radius_v<Skeleton>) {
+      node.radius = simplified.skeleton.radii[v];
+    }
+  }
+  for (std::size_t v = 0; v < old_nodes.size(); ++v) {
+    if (simplified.heir[v] != no_index) {
+      for (const auto& descriptor : skeleton[old_nodes[v]].vertices) {
+        result[nodes[simplified.heir[v]]].vertices.push_back(descriptor);
+      }
+    }
+  }
+  for (std::size_t e = 0; e < simplified.skeleton.edges.size(); ++e) {
+    const auto& [source, target] = simplified.skeleton.edges[e];
+    [[maybe_unused]] const auto edge = add_edge(nodes[source], nodes[target], result).first;
+    if constexpr (has_is_joined_v<Skeleton>) {
+      result[edge].is_joined = simplified.skeleton.is_joined[e] != 0;
+    }
+  }
+  compute_significance(result);
+  return result;
+}
+
+template <class Skeleton, class NamedParameters>
+Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_solid* solid, const NamedParameters& np)
+{
+  check_curve_skeleton_graph<Skeleton>();
+  const Simplification_parameters parameters = simplification_parameters(np);
+  std::vector<std::size_t> number_of_vertices;
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    const auto& sites = skeleton[node].vertices;
+    number_of_vertices.push_back(std::size_t(std::distance(std::begin(sites), std::end(sites))));
+  }
+  const Indexed_skeleton before = index_skeleton(skeleton);
+  const Simplified_skeleton simplified =
+      internal::simplify_skeleton(Indexed_skeleton(before), number_of_vertices, parameters, solid);
+  skeleton = to_simplified_graph(skeleton, before, simplified);
+  return simplified.report;
+}
+
+} // namespace internal
+
+/// simplifies a finished skeleton of any origin.
+///
+/// What is asked for is done in this order; without parameters nothing changes.
+/// -# Small components are removed, but for the largest.
+/// -# Branches are pruned that are less significant than asked, then short ones, then short ones in radii: the least
+///    first, and where two branches are then alone at a junction they count as one. See `compute_significance()`. The
+///    last branch of a tree stays.
+/// -# Short branches between two junctions become one junction, at their middle. Where that would give a cycle of less
+///    than three nodes, they stay.
+/// -# Components are joined by straight edges into one, by the minimum spanning tree over the distances from the tips
+/// of
+///    one (all nodes, if there are none) to the nodes of the other. Such edges have `is_joined`.
+/// -# Branches are sampled anew: tips, junctions and the ends of joined edges stay, the nodes between are replaced by
+///    equidistant ones on the branch. Cycles keep at least three nodes, and radii are interpolated.
+/// -# Branches are smoothed: each step moves the nodes of degree 2 halfway to the middle of their neighbors.
+///
+/// Handles are never cut: the Betti number stays. The vertices of the input that belong to nodes which are gone belong
+/// to the nearest node along the skeleton that is left; those of removed components to none. Significances are computed
+/// anew. Each of the steps up to the fourth, alone, changes nothing when it is repeated. O(n log n) for n nodes.
+///
+/// \tparam Skeleton a model of `CurveSkeletonGraph`, its points constructible from three coordinates
+/// \param skeleton is replaced; if the function throws, it is as it was
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{minimum_component_size}
+///     \cgalParamDescription{components to which fewer vertices or points of the input belong are removed; if none
+///       belong to the skeleton at all, those of fewer nodes}
+///     \cgalParamType{std::size_t}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_significance}
+///     \cgalParamDescription{branches that are less significant are pruned}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_branch_length}
+///     \cgalParamDescription{branches that end in a tip and are shorter are pruned}
+///     \cgalParamType{double, in the unit of the skeleton}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{minimum_length_over_radius}
+///     \cgalParamDescription{those that are shorter, in mean radii of the branch, are pruned}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{junction_distance}
+///     \cgalParamDescription{branches between two junctions that are shorter, in mean radii of both, become one node}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{join_components}
+///     \cgalParamDescription{whether components are joined}
+///     \cgalParamType{bool}
+///     \cgalParamDefault{`false`}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{spacing}
+///     \cgalParamDescription{the distance of nodes along branches, 0 to leave them as they are}
+///     \cgalParamType{double, in the unit of the skeleton}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{spacing_over_radius}
+///     \cgalParamDescription{the same in local radii; not with `spacing`}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+///   \cgalParamNBegin{number_of_smoothing_steps}
+///     \cgalParamDescription{how often branches are smoothed}
+///     \cgalParamType{std::size_t}
+///     \cgalParamDefault{0}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
+/// \return what was done, and counts of what is left
+/// \throw Input_error if a coordinate, radius or parameter is not finite or negative where it must not be; if radii are
+///        needed and the skeleton has none; or if a spacing asks for more nodes than there can be
+template <class Skeleton, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<!is_triangle_mesh_v<NamedParameters>, int> = 0>
+Simplification_report simplify_skeleton(Skeleton& skeleton, const NamedParameters& np = parameters::default_values())
+{
+  return internal::simplify_skeleton(skeleton, nullptr, np);
+}
+
+/// simplifies the skeleton of a mesh; what is inside of the mesh stays inside. See the function without a mesh.
+///
+/// A junction is only merged and a node only smoothed if the edges there that are inside stay inside, and where an edge
+/// of a branch that is sampled anew would leave the mesh, the branch is sampled more closely.
+/// \param mesh an oriented manifold of triangles; borders are bridged
+/// \param np as of the other function, and `vertex_point_map`, the points of the vertices of `mesh`
+/// \throw Input_error as the other function, and if `mesh` cannot be skeletonized
+template <class Skeleton, class TriangleMesh, class NamedParameters = parameters::Default_named_parameters,
+          std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
+Simplification_report simplify_skeleton(Skeleton& skeleton, const TriangleMesh& mesh,
+                                        const NamedParameters& np = parameters::default_values())
+{
+  check_triangle_mesh<TriangleMesh>();
+  const auto point_map = internal::vertex_point_map(mesh, np);
+  const Triangle_mesh_traits<TriangleMesh, std::decay_t<decltype(point_map)>> traits(mesh, point_map);
+  return internal::simplify_skeleton(skeleton, &traits.surface(), np);
+}
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Measure/simplify_skeleton_impl.h>
+#endif
+
+#endif // CSCD_MEASURE_SIMPLIFY_SKELETON_H

@@ -1,0 +1,473 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The pieces into which packed separators cut a surface.
+
+#ifndef CSCD_PACKING_CUT_GRAPH_H
+#define CSCD_PACKING_CUT_GRAPH_H
+
+#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Concurrent_sets.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/for_each_range.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The surface cut along disjoint separators: a graph whose vertices are the pieces and whose edges are the separators.
+/// Its first Betti number is at most the genus of the surface, and equal to it if no piece has a handle.
+class Cut_graph
+{
+public:
+  /// A piece of the surface.
+  struct Piece
+  {
+    std::vector<Index>
+        separators; ///< positions of the separators around it; one that it has on both sides stands twice
+    double area = 0;
+    int euler = 0; ///< Euler number of the piece with its boundary
+
+    /// Handles that no separator cuts.
+    int genus() const { return (2 - euler - int(separators.size())) / 2; }
+  };
+
+  /// The pieces on the two sides of a separator, in no particular order; the same one twice where the separator does
+  /// not disconnect anything.
+  struct Sides
+  {
+    Index first;
+    Index second;
+    Index other(Index piece) const { return first == piece ? second : first; }
+  };
+
+  /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+            unsigned number_of_threads = 1)
+      : Cut_graph(surface, number_of_threads)
+  {
+    for (const Separator& separator : separators) {
+      for (const Edge_crossing& crossing : separator.crossings) {
+        m_crossed_edge[surface.edge(crossing.halfedge)] = 1;
+      }
+    }
+    gather();
+  }
+
+  /// Prepares to cut `surface` along those in `arrangement` alone.
+  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement,
+            unsigned number_of_threads = 1)
+      : Cut_graph(surface, number_of_threads)
+  {
+    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
+      m_crossed_edge[point.edge] = 1;
+    }
+    gather();
+  }
+
+  /// Cuts along the separators in `arrangement`; their positions are those in the order of insertion.
+  /// Linear in the number of edges that any separator crosses, and O(m log m) in the number m of crossings.
+  void cut(const Separator_arrangement& arrangement)
+  {
+    m_sets = Disjoint_sets(m_clusters.size());
+    split_edges(arrangement);
+    join_remaining_edges();
+    split_faces(arrangement);
+    label_pieces();
+    measure_pieces(arrangement);
+    find_sides(arrangement);
+  }
+
+  const std::vector<Piece>& pieces() const { return m_pieces; }
+  /// The pieces beside the packed separator at position `i`.
+  const Sides& sides(Index i) const { return m_sides[i]; }
+  Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
+
+private:
+  Cut_graph(const Triangulated_surface& surface, unsigned number_of_threads)
+      : m_surface(surface), m_number_of_threads(number_of_threads), m_crossed_edge(surface.number_of_halfedges(), 0)
+  {
+  }
+
+  /// A part of a face between chords, while the boundary of the face is walked.
+  struct Open_chord
+  {
+    Index chord;
+    Index interval;       ///< the set of the boundary just before the chord begins
+    double taken_outside; ///< part of the face that chords before this one have cut off from the same region
+    double begin_place;   ///< where the chord begins, in the order around the face
+  };
+
+  /// Vertices that are joined whatever is cut, and what lies between them.
+  struct Cluster
+  {
+    int euler; ///< its vertices, edges and faces, counted as for the Euler number
+    double area;
+  };
+
+  /// What consecutive faces have.
+  struct Gathered_faces
+  {
+    std::vector<Index> crossable_edges;
+    std::vector<Index> crossable_faces;
+    std::vector<std::pair<Index, Cluster>> sums; ///< of clusters by their number, which may stand several times
+  };
+
+  /// Joins what cannot be cut to clusters, and sums it up. In the order of memory, so that it does not wait for that.
+  void gather()
+  {
+    Concurrent_sets joined(m_surface.number_of_vertices());
+    const Index number_of_faces = m_surface.number_of_faces();
+    std::vector<Gathered_faces> ranges(number_of_faces / range_size + 1);
+    for_each_range(number_of_faces, m_number_of_threads,
+                   [&](Index begin, Index end) { join_faces(begin, end, joined, ranges[begin / range_size]); });
+    number_clusters(joined);
+    for_each_range(number_of_faces, m_number_of_threads, [&](Index begin, Index end) {
+      for (Index face = begin; face < end; ++face) {
+        gather_face(face, ranges[begin / range_size]);
+      }
+    });
+    for (const Gathered_faces& range : ranges) {
+      m_crossable_edges.insert(m_crossable_edges.end(), range.crossable_edges.begin(), range.crossable_edges.end());
+      m_crossable_faces.insert(m_crossable_faces.end(), range.crossable_faces.begin(), range.crossable_faces.end());
+      for (const auto& [cluster, sum] : range.sums) {
+        m_clusters[cluster].euler += sum.euler;
+        m_clusters[cluster].area += sum.area;
+      }
+    }
+  }
+
+  /// Joins the ends of the edges that cannot be cut, of those that have their first face in a range.
+  void join_faces(Index begin, Index end, Concurrent_sets& joined, Gathered_faces& gathered) const
+  {
+    for (Index h = 3 * begin; h < 3 * end; ++h) {
+      if (m_surface.edge(h) != h) {
+        continue;
+      }
+      if (m_crossed_edge[h] != 0) {
+        gathered.crossable_edges.push_back(h);
+      } else {
+        joined.join(m_surface.origin(h), m_surface.target(h));
+      }
+    }
+  }
+
+  /// Numbers the clusters by their first vertex, and counts their vertices.
+  void number_clusters(Concurrent_sets& joined)
+  {
+    m_cluster.resize(joined.size());
+    for_each_range(joined.size(), m_number_of_threads, [&](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        m_cluster[vertex] = joined.find(vertex);
+      }
+    });
+    for (Index vertex = 0; vertex < m_cluster.size(); ++vertex) {
+      const Index first = m_cluster[vertex];
+      if (first == vertex) {
+        m_clusters.push_back({0, 0});
+      }
+      m_cluster[vertex] = first == vertex ? Index(m_clusters.size() - 1) : m_cluster[first];
+      ++m_clusters[m_cluster[vertex]].euler;
+    }
+  }
+
+  /// Counts those edges of `face` that have it as their first face, and `face` itself unless it can be cut.
+  void gather_face(Index face, Gathered_faces& gathered) const
+  {
+    const auto sum_of = [&](Index vertex) -> Cluster& {
+      if (gathered.sums.empty() || gathered.sums.back().first != m_cluster[vertex]) {
+        gathered.sums.push_back({m_cluster[vertex], {0, 0}});
+      }
+      return gathered.sums.back().second;
+    };
+    bool is_crossable = false;
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      const Index edge = m_surface.edge(h);
+      if (m_crossed_edge[edge] != 0) {
+        is_crossable = true;
+      } else if (edge == h) {
+        --sum_of(m_surface.origin(h)).euler;
+      }
+    }
+    if (is_crossable) {
+      gathered.crossable_faces.push_back(face);
+    } else {
+      Cluster& home = sum_of(m_surface.origin(3 * face));
+      ++home.euler;
+      home.area += double(m_surface.face_area(face));
+    }
+  }
+
+  /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
+  void split_edges(const Separator_arrangement& arrangement)
+  {
+    m_is_cut.assign(m_crossable_edges.size(), 0);
+    auto crossable = m_crossable_edges.begin();
+    const std::vector<Separator_arrangement::Edge_point>& points = arrangement.points();
+    m_sorted_points.resize(points.size());
+    std::iota(m_sorted_points.begin(), m_sorted_points.end(), Index(0));
+    std::sort(m_sorted_points.begin(), m_sorted_points.end(), [&](Index a, Index b) {
+      return points[a].edge != points[b].edge ? points[a].edge < points[b].edge
+                                              : Separator_arrangement::is_before_on_edge(points[a], points[b]);
+    });
+    m_intervals.clear();
+    m_interval_before.resize(points.size());
+    m_order.resize(points.size());
+    for (std::size_t i = 0; i < m_sorted_points.size(); ++i) {
+      m_order[m_sorted_points[i]] = Index(i);
+      const Index edge = points[m_sorted_points[i]].edge;
+      const bool is_first = i == 0 || points[m_sorted_points[i - 1]].edge != edge;
+      if (is_first) {
+        crossable = std::lower_bound(crossable, m_crossable_edges.end(), edge); // both are in ascending order
+        m_is_cut[std::size_t(crossable - m_crossable_edges.begin())] = 1;
+        m_intervals.push_back(m_cluster[m_surface.origin(edge)]);
+      }
+      m_interval_before[m_sorted_points[i]] = Index(m_intervals.size() - 1);
+      const bool is_last = i + 1 == m_sorted_points.size() || points[m_sorted_points[i + 1]].edge != edge;
+      if (is_last) {
+        m_intervals.push_back(m_cluster[m_surface.target(edge)]);
+      } else {
+        m_intervals.push_back(m_sets.add());
+      }
+    }
+  }
+
+  void join_remaining_edges()
+  {
+    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
+      if (m_is_cut[i] == 0) {
+        const Index edge = m_crossable_edges[i];
+        m_sets.join(m_cluster[m_surface.origin(edge)], m_cluster[m_surface.target(edge)]);
+      }
+    }
+  }
+
+  /// The set of the part of the edge before (`is_after` false) or after point `point`, going around `face`.
+  Index interval_beside(const Separator_arrangement& arrangement, Index point, Index face, bool is_after) const
+  {
+    const bool is_reversed = Triangulated_surface::face(arrangement.points()[point].edge) != face;
+    return m_intervals[m_interval_before[point] + (is_after != is_reversed ? 1 : 0)];
+  }
+
+  struct Chord_end
+  {
+    std::uint64_t place; ///< in the order around the face
+    Index point;
+    Index chord;
+  };
+
+  /// A part of a face between chords.
+  struct Part
+  {
+    Index interval; ///< the set of a part of an edge beside it
+    double area;
+  };
+
+  /// What the faces of consecutive chords are split into.
+  struct Split_faces
+  {
+    std::vector<Part> parts;
+    std::vector<std::pair<Index, Index>> joined; ///< sets that are connected
+    std::vector<Chord_end> ends;                 ///< working memory
+    std::vector<Open_chord> open;                ///< working memory
+  };
+
+  /// Chords that one thread treats at once.
+  static constexpr Index number_of_chords_at_once = 1024;
+
+  /// Splits every face that is cut into its parts, and joins what each part connects.
+  void split_faces(const Separator_arrangement& arrangement)
+  {
+    const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
+    std::vector<Split_faces> all(chords.size() / number_of_chords_at_once + 1);
+    for_each_part(Index(all.size()), m_number_of_threads, [&](Index i) {
+      const auto end = std::min(Index(chords.size()), (i + 1) * number_of_chords_at_once);
+      for (Index chord = i * number_of_chords_at_once; chord < end; ++chord) {
+        // Each face once: at the chord that its list begins with.
+        if (arrangement.first_chord(chords[chord].face) == chord) {
+          split_face(arrangement, chords[chord].face, all[i]);
+        }
+      }
+    });
+    m_parts.clear();
+    for (const Split_faces& split : all) {
+      m_parts.insert(m_parts.end(), split.parts.begin(), split.parts.end());
+      for (const auto& [a, b] : split.joined) {
+        m_sets.join(a, b);
+      }
+    }
+  }
+
+  /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
+  /// just after it ends.
+  void split_face(const Separator_arrangement& arrangement, Index face, Split_faces& split) const
+  {
+    std::vector<Open_chord>& open = split.open;
+    collect_ends(arrangement, face, split.ends);
+    const double area = double(m_surface.face_area(face));
+    open.clear();
+    double taken = 0;
+    for (const Chord_end& end : split.ends) {
+      const double place = boundary_place(arrangement, end.point, face);
+      const Index interval_before = interval_beside(arrangement, end.point, face, false);
+      if (open.empty() || open.back().chord != end.chord) {
+        open.push_back({end.chord, interval_before, taken, place});
+        taken = 0;
+        continue;
+      }
+      const double part = cut_off_part(open.back().begin_place, place);
+      split.parts.push_back({interval_before, (part - taken) * area});
+      split.joined.emplace_back(open.back().interval, interval_beside(arrangement, end.point, face, true));
+      taken = open.back().taken_outside + part;
+      open.pop_back();
+    }
+    split.parts.push_back({interval_beside(arrangement, split.ends.front().point, face, false), (1 - taken) * area});
+  }
+
+  /// Collects the ends of the chords of `face` in their order around it, that of `Separator_arrangement::is_before()`.
+  void collect_ends(const Separator_arrangement& arrangement, Index face, std::vector<Chord_end>& ends) const
+  {
+    ends.clear();
+    const auto place = [&](Index point) {
+      const Index edge = arrangement.points()[point].edge;
+      const bool is_reversed = Triangulated_surface::face(edge) != face;
+      const auto size = std::uint64_t(m_order.size());
+      return arrangement.side(edge, face) * size + (is_reversed ? size - 1 - m_order[point] : m_order[point]);
+    };
+    for (Index chord = arrangement.first_chord(face); chord != no_index; chord = arrangement.chords()[chord].next) {
+      const Index begin = arrangement.chords()[chord].begin;
+      const Index end = arrangement.chords()[chord].end;
+      ends.push_back({place(begin), begin, chord});
+      ends.push_back({place(end), end, chord});
+    }
+    std::sort(ends.begin(), ends.end(), [](const Chord_end& a, const Chord_end& b) { return a.place < b.place; });
+  }
+
+  /// The place of an edge point in the order around `face`, in [0, 3): side plus position along it.
+  double boundary_place(const Separator_arrangement& arrangement, Index point, Index face) const
+  {
+    const Separator_arrangement::Edge_point& edge_point = arrangement.points()[point];
+    const bool is_reversed = Triangulated_surface::face(edge_point.edge) != face;
+    return arrangement.side(edge_point.edge, face) + (is_reversed ? 1 - edge_point.position : edge_point.position);
+  }
+
+  /// The part of a face's area that a chord between places `low` < `high` cuts off on the side of the boundary from
+  /// `low` to `high`: the polygon of the two points and the corners between them, in barycentric coordinates.
+  static double cut_off_part(double low, double high)
+  {
+    const auto barycentric = [](double place) {
+      const int side = std::min(int(place), 2);
+      const double along = place - side;
+      std::array<double, 3> result{};
+      result[std::size_t(side)] = 1 - along;
+      result[std::size_t((side + 1) % 3)] = along;
+      return result;
+    };
+    double doubled = 0;
+    std::array<double, 3> last = barycentric(low);
+    const auto go_to = [&](double place) {
+      const std::array<double, 3> next = barycentric(place);
+      doubled += last[1] * next[2] - last[2] * next[1];
+      last = next;
+    };
+    for (int corner = int(low) + 1; corner <= int(high); ++corner) {
+      go_to(corner);
+    }
+    go_to(high);
+    go_to(low);
+    return std::abs(doubled);
+  }
+
+  /// Numbers the pieces by their first vertex, and labels all sets.
+  void label_pieces()
+  {
+    m_label.assign(m_sets.size(), no_index);
+    Index number_of_pieces = 0;
+    for (Index element = 0; element < m_sets.size(); ++element) {
+      const Index root = m_sets.find(element);
+      if (m_label[root] == no_index) {
+        m_label[root] = number_of_pieces++;
+      }
+      m_label[element] = m_label[root];
+    }
+    m_pieces.assign(number_of_pieces, Piece());
+  }
+
+  /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
+  /// the Euler number; what counts is vertices, parts of edges and parts of faces.
+  void measure_pieces(const Separator_arrangement& arrangement)
+  {
+    for (Index cluster = 0; cluster < m_clusters.size(); ++cluster) {
+      Piece& piece = m_pieces[m_label[cluster]];
+      piece.euler += m_clusters[cluster].euler;
+      piece.area += m_clusters[cluster].area;
+    }
+    for (std::size_t i = 0; i < m_crossable_edges.size(); ++i) {
+      if (m_is_cut[i] == 0) {
+        --m_pieces[piece_of_vertex(m_surface.origin(m_crossable_edges[i]))].euler;
+      }
+    }
+    for (Index interval : m_intervals) {
+      --m_pieces[m_label[interval]].euler;
+    }
+    for (Index face : m_crossable_faces) {
+      if (arrangement.first_chord(face) == no_index) {
+        Piece& piece = m_pieces[piece_of_vertex(m_surface.origin(3 * face))];
+        ++piece.euler;
+        piece.area += double(m_surface.face_area(face));
+      }
+    }
+    for (const Part& part : m_parts) {
+      Piece& piece = m_pieces[m_label[part.interval]];
+      ++piece.euler;
+      piece.area += part.area;
+    }
+  }
+
+  void find_sides(const Separator_arrangement& arrangement)
+  {
+    m_sides.clear();
+    for (Index point = 0; point < arrangement.points().size(); ++point) {
+      if (arrangement.points()[point].rank == 0) {
+        m_sides.push_back(
+            {m_label[m_intervals[m_interval_before[point]]], m_label[m_intervals[m_interval_before[point] + 1]]});
+      }
+    }
+    for (Index i = 0; i < m_sides.size(); ++i) {
+      m_pieces[m_sides[i].first].separators.push_back(i);
+      m_pieces[m_sides[i].second].separators.push_back(i);
+    }
+  }
+
+  const Triangulated_surface& m_surface;
+  unsigned m_number_of_threads;
+  std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
+  std::vector<Index> m_crossable_edges;     ///< in ascending order, as the next
+  std::vector<Index> m_crossable_faces;
+  std::vector<Cluster> m_clusters;
+  std::vector<std::uint8_t> m_is_cut; ///< of every crossable edge, whether a separator of the arrangement cuts it
+  std::vector<Index> m_cluster;       ///< of every vertex
+  Disjoint_sets m_sets;               ///< of clusters and of inner parts of edges
+  std::vector<Index> m_label;         ///< the piece of each of them
+  std::vector<Index> m_sorted_points;
+  std::vector<Index> m_order; ///< of every point among the sorted ones
+  std::vector<Index> m_intervals;
+  std::vector<Index> m_interval_before;
+  std::vector<Part> m_parts;
+  std::vector<Piece> m_pieces;
+  std::vector<Sides> m_sides;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PACKING_CUT_GRAPH_H

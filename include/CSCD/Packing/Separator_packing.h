@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From many separators to few: packs disjoint ones and prunes branches that are only bumps.
+
+#ifndef CSCD_PACKING_SEPARATOR_PACKING_H
+#define CSCD_PACKING_SEPARATOR_PACKING_H
+
+#include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Packing/Spurious_branches.h>
+#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Greedy weighted set packing of separators (section 3.2.3): the cheaper one of two that overlap is kept.
+class Disjoint_separators
+{
+public:
+  /// Prepares to pack `separators`, whose costs are `costs`; both the surface and the separators are referred to.
+  Disjoint_separators(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                      const std::vector<double>& costs)
+      : m_separators(separators), m_arrangement(surface), m_order(separators.size())
+  {
+    std::iota(m_order.begin(), m_order.end(), Index(0));
+    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return costs[a] < costs[b]; });
+  }
+
+  /// Packs anew, of those for which `is_allowed(separator)` holds.
+  template <class Predicate>
+  void pack(const Predicate& is_allowed)
+  {
+    m_packed.clear();
+    m_arrangement.clear();
+    for (Index separator : m_order) {
+      if (is_allowed(separator) && is_spaced(separator)) {
+        insert(separator);
+      }
+    }
+  }
+
+  /// Unpacks those for which `is_allowed(separator)` does not hold, and packs none in their place.
+  template <class Predicate>
+  void reduce(const Predicate& is_allowed)
+  {
+    std::vector<Index> packed;
+    packed.swap(m_packed);
+    m_arrangement.clear();
+    for (Index separator : packed) {
+      if (is_allowed(separator)) {
+        insert(separator);
+      }
+    }
+  }
+
+  /// Packs `separator` too if it crosses none of those that are packed and itself neither. \return whether it does not
+  bool insert(Index separator)
+  {
+    const bool is_inserted = m_arrangement.insert(separator, m_separators[separator].crossings);
+    if (is_inserted) {
+      m_packed.push_back(separator);
+    }
+    return is_inserted;
+  }
+
+  /// The packed separators, as positions in the list of all separators, in the order in which they were packed.
+  const std::vector<Index>& packed() const { return m_packed; }
+  const Separator_arrangement& arrangement() const { return m_arrangement; }
+
+private:
+  /// The centers of packed separators keep this distance, relative to the radius of the shorter one.
+  static constexpr double min_spacing = 0.3;
+
+  bool is_spaced(Index candidate) const
+  {
+    const Separator& a = m_separators[candidate];
+    return std::none_of(m_packed.begin(), m_packed.end(), [&](Index packed) {
+      const Separator& b = m_separators[packed];
+      const double distance = min_spacing * std::min(a.radius(), b.radius());
+      return (a.center - b.center).squaredNorm() < distance * distance;
+    });
+  }
+
+  const std::vector<Separator>& m_separators;
+  Separator_arrangement m_arrangement;
+  std::vector<Index> m_order;
+  std::vector<Index> m_packed;
+};
+
+/// Greedy weighted set packing of separators (section 3.2.3), followed by pruning: the separators of a branch that no
+/// limb stands on are banned, and what remains is packed again.
+class Separator_packing
+{
+public:
+  /// Packs `separators`, whose costs are `costs`: the cheaper one of two that overlap is kept.
+  /// \param min_branch_area_ratio see `Spurious_branches`
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+  Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
+                    const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio(),
+                    unsigned number_of_threads = 1)
+      : m_surface(surface), m_separators(separators), m_number_of_threads(number_of_threads),
+        m_disjoint(surface, separators, costs)
+  {
+    m_cut_graph.emplace(surface, separators, number_of_threads);
+    std::vector<std::uint8_t> is_banned(separators.size(), 0);
+    const auto is_allowed = [&](Index separator) { return is_banned[separator] == 0; };
+    for (int round = 0;; ++round) {
+      if (round < max_packings) {
+        m_disjoint.pack(is_allowed);
+      } else {
+        m_disjoint.reduce(is_allowed);
+      }
+      m_cut_graph->cut(m_disjoint.arrangement());
+      const Spurious_branches bumps(*m_cut_graph, separators, packed(), min_branch_area_ratio);
+      if (bumps.separators().empty()) {
+        break;
+      }
+      for (Index separator : bumps.separators()) {
+        is_banned[separator] = 1;
+      }
+    }
+  }
+
+  /// The packed separators, as positions in the list of all separators, by increasing cost.
+  const std::vector<Index>& packed() const { return m_disjoint.packed(); }
+  /// The surface cut along them.
+  const Cut_graph& cut_graph() const { return *m_cut_graph; }
+  const Separator_arrangement& arrangement() const { return m_disjoint.arrangement(); }
+
+  /// Packs the last separator of the list, which was appended after the others had been packed, if it crosses none of
+  /// them and itself neither. The cut graph stays as it is until `cut_again()`. \return whether it was packed
+  bool insert_last() { return m_disjoint.insert(Index(m_separators.size() - 1)); }
+
+  /// Cuts the surface along all packed separators, those inserted last included.
+  void cut_again()
+  {
+    m_cut_graph.emplace(m_surface, m_separators, m_number_of_threads);
+    m_cut_graph->cut(m_disjoint.arrangement());
+  }
+
+private:
+  /// What takes the place of pruned separators may have to be pruned again. After this many packings, nothing takes
+  /// their place any more, so that pruning comes to an end.
+  static constexpr int max_packings = 3;
+
+  const Triangulated_surface& m_surface;
+  const std::vector<Separator>& m_separators;
+  unsigned m_number_of_threads;
+  Disjoint_separators m_disjoint;
+  std::optional<Cut_graph> m_cut_graph;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PACKING_SEPARATOR_PACKING_H

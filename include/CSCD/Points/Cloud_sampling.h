@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spacing, noise and outliers of a point cloud, by local fits of quadrics.
+
+#ifndef CSCD_POINTS_CLOUD_SAMPLING_H
+#define CSCD_POINTS_CLOUD_SAMPLING_H
+
+#include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/principal_axes.h>
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A vector with coordinates in [-1, 1] that depends on the number of the point alone.
+inline Vector_3 pseudo_random_vector(Index point)
+{
+  std::minstd_rand random(point + 1);
+  random.discard(2); // the first numbers of neighboring seeds are alike
+  Vector_3 result = Vector_3::Zero();
+  for (double& coordinate : result) {
+    coordinate = 2 * double(random()) / double(std::minstd_rand::max()) - 1;
+  }
+  return result;
+}
+
+/// What a quadratic height field, fitted by least squares over the plane of a neighborhood, says of its central point.
+struct Quadric_fit
+{
+  Vector_3 normal = Vector_3::Zero();         ///< of the plane: of unit length and either orientation
+  Vector_3 projection = Vector_3::Zero();     ///< the point, moved along the normal to the fitted surface
+  Vector_3 surface_normal = Vector_3::Zero(); ///< of the fitted surface next to the point, to the side of `normal`
+  double deviation = 0; ///< root mean square distance of the points from that surface, free of bias; 0 if undetermined
+};
+
+/// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
+/// \param unit what offsets are measured in
+template <class Neighbors>
+std::array<Vector_3, 3> principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
+                                       double unit)
+{
+  const double size = double(neighbors.size()) + 1;
+  Vector_3 mean = Vector_3::Zero();
+  Moment_matrix moments;
+  for (const Index neighbor : neighbors) {
+    const Vector_3 offset = (points[neighbor] - points[point]) / unit;
+    mean += offset / size;
+    moments += Moment_matrix::product(offset, offset) / size;
+  }
+  return principal_axes(moments - Moment_matrix::product(mean, mean)).vectors;
+}
+
+/// Fits the plane and the height field through `point` and `neighbors`.
+/// \param neighbors a range of indices of points, none of them `point`
+/// \param reach the distance of the farthest of them
+template <class Neighbors>
+Quadric_fit fit_quadric(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors, double reach)
+{
+  using Coefficients = Eigen::Matrix<double, 6, 1>;
+  constexpr std::size_t number_of_coefficients = 6;
+  // Relative to the point and the reach, so that nothing is lost by cancellation.
+  const double unit = reach;
+  const std::array<Vector_3, 3> axes = principal_axes(points, point, neighbors, unit);
+  Quadric_fit result;
+  result.normal = axes[0];
+  result.surface_normal = result.normal;
+  result.projection = points[point];
+  if (neighbors.size() < 2 * number_of_coefficients) {
+    return result;
+  }
+  Eigen::Matrix<double, 6, 6> normal_matrix = Eigen::Matrix<double, 6, 6>::Zero();
+  Coefficients right_side = Coefficients::Zero();
+  double squared_heights = 0;
+  const auto add = [&](const Vector_3& offset) {
+    const double x = offset.dot(axes[1]);
+    const double y = offset.dot(axes[2]);
+    const double height = offset.dot(result.normal);
+    Coefficients row;
+    row << 1, x, y, x * x, x * y, y * y;
+    normal_matrix += row * row.transpose();
+    right_side += height * row;
+    squared_heights += height * height;
+  };
+  add(Vector_3::Zero());
+  for (const Index neighbor : neighbors) {
+    add((points[neighbor] - points[point]) / unit);
+  }
+  const Coefficients coefficients = normal_matrix.ldlt().solve(right_side);
+  const double squared_error = squared_heights - coefficients.dot(right_side);
+  if (std::isfinite(squared_error) && std::abs(coefficients[0]) <= 1) {
+    result.projection += unit * coefficients[0] * result.normal;
+    result.surface_normal = (result.normal - coefficients[1] * axes[1] - coefficients[2] * axes[2]).normalized();
+    const double size = double(neighbors.size()) + 1;
+    result.deviation = unit * std::sqrt(std::max(0., squared_error) / (size - double(number_of_coefficients)));
+  }
+  return result;
+}
+
+/// Fits a quadric around each of `points`; linear in the number of neighbors.
+inline std::vector<Quadric_fit> fit_quadrics(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
+{
+  std::vector<Quadric_fit> result;
+  result.reserve(points.size());
+  for (Index point = 0; point < points.size(); ++point) {
+    result.push_back(fit_quadric(points, point, neighbors.neighbors(point), neighbors.reach(point)));
+  }
+  return result;
+}
+
+/// The value that the part `fraction` of `values` does not exceed; linear.
+/// \pre there are values, and `fraction` is less than 1
+inline double quantile(std::vector<double> values, double fraction)
+{
+  const auto place = values.begin() + std::ptrdiff_t(fraction * double(values.size()));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// Measures of the sampling of a surface by points: their spacing and noise, which of them are outliers, and where the
+/// points would be without noise.
+class Cloud_sampling
+{
+public:
+  /// The size of neighborhoods that the measures are made for: fewer points do not show the direction of a surface that
+  /// is sampled at random, more reach over to the next limb.
+  static constexpr Index number_of_neighbors = 16;
+
+  /// Measures `points`, linear in the number of neighbors.
+  /// \param neighbors `number_of_neighbors` of every point, or as many as there are; at least one
+  Cloud_sampling(const std::vector<Vector_3>& points, const Neighbor_table& neighbors)
+      : m_points(points), m_fits(fit_quadrics(points, neighbors))
+  {
+    measure_spacing(neighbors);
+    reduce_noise();
+    find_outliers(neighbors);
+  }
+
+  /// The median over the points of the mean distance to the nearest six, in the unit of the points.
+  double spacing() const { return m_spacing; }
+  /// The deviation of the points from a smooth surface, relative to the spacing.
+  double noise() const { return m_noise; }
+  /// Whether the noise is so large that triangles between the points would fold.
+  bool is_smoothed() const { return m_noise > max_noise; }
+  /// The points; those on the fitted surfaces if the noise is large.
+  const std::vector<Vector_3>& points() const { return m_points; }
+  /// The surfaces fitted to the neighborhoods of the points.
+  /// Whether a point is far from all others, compared with how far those are from each other.
+  bool is_outlier(Index point) const { return m_is_outlier[point] != 0; }
+  std::size_t number_of_outliers() const
+  {
+    return std::size_t(std::count(m_is_outlier.begin(), m_is_outlier.end(), char(1)));
+  }
+
+private:
+  /// The neighbors of which the mean distance is the spacing at a point: about as many as an even sampling has around.
+  static constexpr Index spacing_neighbors = 6;
+  /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
+  static constexpr double outlier_reach = 4;
+  /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
+  static constexpr double noise_quantile = 0.25;
+  /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
+  /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
+  static constexpr double max_noise = 0.19;
+
+  void measure_spacing(const Neighbor_table& neighbors)
+  {
+    const Index number = std::min(spacing_neighbors, neighbors.number());
+    std::vector<double> spacing;
+    spacing.reserve(m_points.size());
+    for (Index point = 0; point < m_points.size(); ++point) {
+      const double* first = neighbors.distances(point).begin();
+      spacing.push_back(std::accumulate(first, first + number, 0.) / number);
+    }
+    m_spacing = quantile(std::move(spacing), 0.5);
+  }
+
+  /// Estimates the noise, and takes it out of the points if it is large.
+  void reduce_noise()
+  {
+    std::vector<double> deviations;
+    deviations.reserve(m_fits.size());
+    for (const Quadric_fit& fit : m_fits) {
+      deviations.push_back(fit.deviation);
+    }
+    m_noise = quantile(std::move(deviations), noise_quantile) / m_spacing;
+    if (is_smoothed()) {
+      for (Index point = 0; point < m_points.size(); ++point) {
+        m_points[point] = m_fits[point].projection;
+      }
+    }
+  }
+
+  void find_outliers(const Neighbor_table& neighbors)
+  {
+    m_is_outlier.assign(m_points.size(), 0);
+    std::vector<double> reaches;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      reaches.clear();
+      for (Index neighbor : neighbors.neighbors(point)) {
+        reaches.push_back(neighbors.reach(neighbor));
+      }
+      if (neighbors.reach(point) > outlier_reach * quantile(reaches, 0.5)) {
+        m_is_outlier[point] = 1;
+      }
+    }
+  }
+
+  std::vector<Vector_3> m_points;
+  std::vector<Quadric_fit> m_fits;
+  std::vector<char> m_is_outlier; // of every point
+  double m_spacing = 0;
+  double m_noise = 0;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINTS_CLOUD_SAMPLING_H

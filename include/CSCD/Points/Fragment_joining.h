@@ -1,0 +1,483 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Joins the fragments of one body.
+
+#ifndef CSCD_POINTS_FRAGMENT_JOINING_H
+#define CSCD_POINTS_FRAGMENT_JOINING_H
+
+#include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/Disjoint_sets.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A gap between two fragments that was bridged.
+struct Joined_gap
+{
+  Vector_3 center;
+  double width;
+};
+
+/// Orients the fragments of a surface with borders outwards and joins those of which borders come near each other. A
+/// join is a band of two triangles from border to border: the two borders become one, which can then be closed as any
+/// other.
+class Fragment_joining
+{
+public:
+  Fragment_joining(Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+      : m_triangles(triangles), m_pairing(pairing), m_next(triangles.points.size(), no_index),
+        m_previous(triangles.points.size(), no_index)
+  {
+    find_fragments();
+    find_borders();
+    measure_fragments();
+  }
+
+  /// Orients and joins. \return the gaps, in the order in which they were bridged
+  /// \post the pairing is no longer valid
+  std::vector<Joined_gap> operator()()
+  {
+    std::vector<Joined_gap> result;
+    if (m_number_of_fragments > 1) {
+      const auto add = [&](const Candidate& candidate) {
+        result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
+      };
+      const Neighbor_table neighbors(m_triangles.points, near_neighbors);
+      m_reach.resize(m_triangles.points.size());
+      for (Index vertex = 0; vertex < m_reach.size(); ++vertex) {
+        m_reach[vertex] = neighbors.reach(vertex);
+      }
+      for (const Candidate& candidate : find_near_candidates(neighbors)) {
+        if (join_near(candidate.a, candidate.b)) {
+          add(candidate);
+        }
+      }
+      for (const Candidate& candidate : find_far_candidates()) {
+        if (join_near(candidate.a, candidate.b)) {
+          add(candidate);
+        }
+      }
+      for (const Candidate& candidate : find_wide_candidates()) {
+        if (join_wide(candidate.a, candidate.b)) {
+          add(candidate);
+        }
+      }
+    }
+    Index kept = 0;
+    for (Index f = 0; f < m_triangles.faces.size(); ++f) {
+      if (!m_is_removed[f]) {
+        m_triangles.faces[kept++] = m_triangles.faces[f];
+      }
+    }
+    m_triangles.faces.resize(kept);
+    m_triangles.faces.insert(m_triangles.faces.end(), m_bands.begin(), m_bands.end());
+    turn_faces();
+    m_triangles.first_hole_filling_face = m_triangles.faces.size();
+    return result;
+  }
+
+private:
+  /// A vertex that is among so many nearest neighbors of one in another fragment belongs to the same body ...
+  static constexpr Index near_neighbors = 16;
+  /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
+  static constexpr double max_near_part = 0.15;
+  /// The widest gap over which fragments are joined, relative to how far those neighbors reach: about nine spacings of
+  /// points. Only missing data explain such gaps.
+  static constexpr double widest_gap = 4;
+  /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
+  static constexpr Index far_neighbors = 256;
+  /// Fragments of at most so many faces are no bodies of their own: with a border ...
+  static constexpr std::size_t max_open_debris = 800;
+  /// ... and without, when they look whole.
+  static constexpr std::size_t max_closed_debris = 100;
+  /// The minimal length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
+  static constexpr double min_border = 3;
+  /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
+  static constexpr double min_border_in_reaches = 4;
+  /// Border vertices among which the other end of such a gap is sought.
+  static constexpr Index border_neighbors = 48;
+  /// Volumes below this, relative to the area to the power 3/2, do not show which side is outside: a half ball has
+  /// 0.13.
+  static constexpr double reliable_volume = 0.02;
+
+  struct Candidate
+  {
+    double gap;
+    Index a;
+    Index b;
+    bool operator<(const Candidate& other) const { return std::tie(gap, a, b) < std::tie(other.gap, other.a, other.b); }
+  };
+
+  Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
+  Index target(Index h) const { return m_triangles.faces[h / 3][(h + 1) % 3]; }
+  double distance(Index a, Index b) const { return (m_triangles.points[a] - m_triangles.points[b]).norm(); }
+  Index group(Index vertex) { return m_groups.find(m_fragment[vertex]); }
+
+  void find_fragments()
+  {
+    Disjoint_sets sets(m_triangles.points.size());
+    for (const std::array<Index, 3>& face : m_triangles.faces) {
+      sets.join(face[0], face[1]);
+      sets.join(face[0], face[2]);
+    }
+    m_fragment = sets.numbers(m_number_of_fragments);
+    m_groups = Disjoint_sets(m_number_of_fragments);
+    m_members.resize(m_number_of_fragments);
+    for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {
+      m_members[fragment].push_back(fragment);
+    }
+    m_is_turned.assign(m_number_of_fragments, 0);
+    m_is_removed.assign(m_triangles.faces.size(), 0);
+    m_faces_of_vertex = Compressed_rows<Index>(m_triangles.points.size(), [this](const auto& add) {
+      for (Index f = 0; f < m_triangles.faces.size(); ++f) {
+        for (const Index corner : m_triangles.faces[f]) {
+          add(corner, f);
+        }
+      }
+    });
+  }
+
+  /// Borders run so that the faces that close them lie to their left.
+  void find_borders()
+  {
+    m_border_vertices.resize(m_number_of_fragments);
+    m_has_border.assign(m_number_of_fragments, 0);
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      if (m_pairing.twin(h) == no_index) {
+        m_next[target(h)] = origin(h);
+        m_previous[origin(h)] = target(h);
+        m_border_vertices[m_fragment[origin(h)]].push_back(origin(h));
+        m_has_border[m_fragment[origin(h)]] = 1;
+      }
+    }
+  }
+
+  /// Measures area, volume and normals; turns fragments with a negative volume that is beyond doubt.
+  void measure_fragments()
+  {
+    std::vector<double> area(m_number_of_fragments, 0.);
+    std::vector<double> volume(m_number_of_fragments, 0.);
+    m_size.assign(m_number_of_fragments, 0);
+    std::vector<Vector_3> reference(m_number_of_fragments, Vector_3::Zero());
+    m_normal.assign(m_triangles.points.size(), Vector_3::Zero());
+    std::vector<char> has_reference(m_number_of_fragments, 0);
+    const auto add_volume = [&](Index fragment, const Vector_3& a, const Vector_3& b, const Vector_3& c) {
+      const Vector_3& o = reference[fragment];
+      volume[fragment] += (a - o).dot((b - o).cross(c - o)) / 6;
+    };
+    for (const std::array<Index, 3>& face : m_triangles.faces) {
+      const Index fragment = m_fragment[face[0]];
+      const Vector_3& a = m_triangles.points[face[0]];
+      if (!has_reference[fragment]) {
+        has_reference[fragment] = 1;
+        reference[fragment] = a;
+      }
+      const Vector_3& b = m_triangles.points[face[1]];
+      const Vector_3& c = m_triangles.points[face[2]];
+      const Vector_3 vector = triangle_vector(a, b, c);
+      area[fragment] += vector.norm() / 2;
+      add_volume(fragment, a, b, c);
+      ++m_size[fragment];
+      for (Index corner : face) {
+        m_normal[corner] += vector;
+      }
+    }
+    for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {
+      close_volume(fragment, add_volume);
+      const double relative_volume = volume[fragment] / (area[fragment] * std::sqrt(area[fragment]));
+      m_is_sure.push_back(std::abs(relative_volume) > reliable_volume);
+      if (relative_volume < 0 && m_is_sure.back()) {
+        turn(fragment);
+      }
+    }
+  }
+
+  /// Adds the fans from the centers of the borders.
+  template <class AddVolume>
+  void close_volume(Index fragment, const AddVolume& add_volume)
+  {
+    std::vector<char>& is_visited = m_is_visited;
+    is_visited.resize(m_triangles.points.size(), 0);
+    for (Index start : m_border_vertices[fragment]) {
+      if (is_visited[start]) {
+        continue;
+      }
+      Vector_3 center = Vector_3::Zero();
+      double size = 0;
+      for (Index v = start; !is_visited[v]; v = m_next[v]) {
+        is_visited[v] = 1;
+        center += m_triangles.points[v];
+        ++size;
+      }
+      center /= size;
+      Index v = start;
+      do {
+        add_volume(fragment, m_triangles.points[v], m_triangles.points[m_next[v]], center);
+        v = m_next[v];
+      } while (v != start);
+    }
+  }
+
+  void turn(Index fragment)
+  {
+    m_is_turned[fragment] ^= 1;
+    for (Index vertex = 0; vertex < m_fragment.size(); ++vertex) {
+      if (m_fragment[vertex] == fragment) {
+        std::swap(m_next[vertex], m_previous[vertex]);
+        m_normal[vertex] = -m_normal[vertex];
+      }
+    }
+  }
+
+  /// Pairs of vertices of different fragments, one of which is among the nearest neighbors of the other.
+  std::vector<Candidate> find_near_candidates(const Neighbor_table& neighbors) const
+  {
+    std::vector<Candidate> result;
+    for (Index a = 0; a < m_fragment.size(); ++a) {
+      for (Index b : neighbors.neighbors(a)) {
+        if (m_fragment[a] != m_fragment[b]) {
+          result.push_back({distance(a, b), std::min(a, b), std::max(a, b)});
+        }
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  /// Pairs of vertices of a small group and of another one, across a wider gap.
+  std::vector<Candidate> find_far_candidates()
+  {
+    std::vector<Candidate> result;
+    const Point_tree tree(m_triangles.points);
+    for (Index a = 0; a < m_fragment.size(); ++a) {
+      if (!is_debris(group(a))) {
+        continue;
+      }
+      tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index b, double squared_distance) {
+        const double gap = std::sqrt(squared_distance);
+        if (group(a) != group(b) && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
+          result.push_back({gap, std::min(a, b), std::max(a, b)});
+        }
+      });
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool is_debris(Index group) const
+  {
+    const bool is_open = std::any_of(m_members[group].begin(), m_members[group].end(),
+                                     [this](Index fragment) { return m_has_border[fragment] != 0; });
+    return m_size[group] <= (is_open ? max_open_debris : max_closed_debris);
+  }
+
+  /// Pairs of border vertices of different fragments.
+  std::vector<Candidate> find_wide_candidates() const
+  {
+    std::vector<Index> vertices;
+    std::vector<Vector_3> points;
+    for (Index vertex = 0; vertex < m_next.size(); ++vertex) {
+      if (m_next[vertex] != no_index) {
+        vertices.push_back(vertex);
+        points.push_back(m_triangles.points[vertex]);
+      }
+    }
+    std::vector<Candidate> result;
+    const Neighbor_table neighbors(points, border_neighbors);
+    for (Index i = 0; i < vertices.size(); ++i) {
+      for (Index j : neighbors.neighbors(i)) {
+        const Index a = vertices[i];
+        const Index b = vertices[j];
+        const double gap = distance(a, b);
+        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
+          result.push_back({gap, std::min(a, b), std::max(a, b)});
+        }
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool has_border_of(Index vertex, double length) const
+  {
+    double sum = 0;
+    Index v = vertex;
+    do {
+      sum += distance(v, m_next[v]);
+      v = m_next[v];
+    } while (v != vertex && sum < length);
+    return sum >= length;
+  }
+
+  bool join_near(Index a, Index b)
+  {
+    const Index group_a = group(a);
+    const Index group_b = group(b);
+    if (group_a == group_b) {
+      return false;
+    }
+    if (double(std::min(m_size[group_a], m_size[group_b])) > max_near_part * double(m_triangles.faces.size())) {
+      return false;
+    }
+    unite(group_a, group_b, a, b);
+    const Vector_3 gap = m_triangles.points[b] - m_triangles.points[a];
+    const Index end_a = open(a, gap);
+    const Index end_b = open(b, -gap);
+    add_band(end_a, end_b);
+    return true;
+  }
+
+  bool join_wide(Index a, Index b)
+  {
+    const Index group_a = group(a);
+    const Index group_b = group(b);
+    const double border =
+        std::max(min_border * distance(a, b), min_border_in_reaches * std::max(m_reach[a], m_reach[b]));
+    if (group_a == group_b || !has_border_of(a, border) || !has_border_of(b, border)) {
+      return false;
+    }
+    unite(group_a, group_b, a, b);
+    add_band(a, b);
+    return true;
+  }
+
+  /// Makes sure that there is a border at or next to `vertex`, by opening a face that looks along `direction`.
+  /// \return a vertex on the border
+  Index open(Index vertex, const Vector_3& direction)
+  {
+    if (m_next[vertex] != no_index) {
+      return vertex;
+    }
+    Index best = no_index;
+    double greatest = 0;
+    Index on_border = no_index;
+    for (const Index f : m_faces_of_vertex[vertex]) {
+      const std::array<Index, 3> face = oriented(f);
+      const auto border = std::find_if(face.begin(), face.end(), [this](Index v) { return m_next[v] != no_index; });
+      if (border != face.end()) {
+        on_border = *border;
+        continue;
+      }
+      const Vector_3& p = m_triangles.points[face[0]];
+      const double cosine =
+          (m_triangles.points[face[1]] - p).cross(m_triangles.points[face[2]] - p).normalized().dot(direction);
+      if (best == no_index || cosine > greatest) {
+        best = f;
+        greatest = cosine;
+      }
+    }
+    if (best == no_index) {
+      return on_border;
+    }
+    m_is_removed[best] = 1;
+    const std::array<Index, 3> face = oriented(best);
+    for (std::size_t i = 0; i < 3; ++i) {
+      m_next[face[i]] = face[(i + 1) % 3];
+      m_previous[face[(i + 1) % 3]] = face[i];
+    }
+    return vertex;
+  }
+
+  std::array<Index, 3> oriented(Index f) const
+  {
+    const std::array<Index, 3>& face = m_triangles.faces[f];
+    return m_is_turned[m_fragment[face[0]]] ? std::array<Index, 3>{face[0], face[2], face[1]} : face;
+  }
+
+  /// Makes one group of two, which meet at `a` and `b`, oriented alike.
+  void unite(Index group_a, Index group_b, Index a, Index b)
+  {
+    if (!m_is_sure[group_a] || !m_is_sure[group_b]) {
+      // The one of which the orientation is not sure, or the smaller one, follows the other.
+      const auto rank = [this](Index group) { return std::make_pair(m_is_sure[group], m_size[group]); };
+      if (m_normal[a].dot(m_normal[b]) < 0) {
+        for (Index fragment : m_members[rank(group_a) < rank(group_b) ? group_a : group_b]) {
+          turn(fragment);
+        }
+      }
+    }
+    m_groups.join(group_a, group_b);
+    const Index joined = m_groups.find(group_a);
+    const Index other = joined == group_a ? group_b : group_a;
+    m_members[joined].insert(m_members[joined].end(), m_members[other].begin(), m_members[other].end());
+    m_is_sure[joined] = char(m_is_sure[joined] | m_is_sure[other]);
+    m_size[joined] += m_size[other];
+  }
+
+  /// Bridges the gap between `a` and `b` by a quadrangle with an edge of either border.
+  void add_band(Index a, Index b)
+  {
+    const double behind = distance(m_next[a], m_previous[b]);
+    const double before = distance(m_previous[a], m_next[b]);
+    // The quadrangle p, after p, q, after q: either a is p and b after q, or a is after p and b is q.
+    const Index p = behind <= before ? a : m_previous[a];
+    const Index q = behind <= before ? m_previous[b] : b;
+    const Index after_p = m_next[p];
+    const Index after_q = m_next[q];
+    if (distance(p, q) < distance(after_p, after_q)) {
+      add_face({p, after_p, q});
+      add_face({p, q, after_q});
+    } else {
+      add_face({p, after_p, after_q});
+      add_face({after_p, q, after_q});
+    }
+    m_next[p] = after_q;
+    m_previous[after_q] = p;
+    m_next[q] = after_p;
+    m_previous[after_p] = q;
+  }
+
+  /// Adds a face that will be turned along with the fragment of its first vertex.
+  void add_face(std::array<Index, 3> face)
+  {
+    if (m_is_turned[m_fragment[face[0]]]) {
+      std::swap(face[1], face[2]);
+    }
+    m_bands.push_back(face);
+  }
+
+  void turn_faces()
+  {
+    for (std::array<Index, 3>& face : m_triangles.faces) {
+      if (m_is_turned[m_fragment[face[0]]]) {
+        std::swap(face[1], face[2]);
+      }
+    }
+  }
+
+  Indexed_triangles& m_triangles;
+  const Halfedge_pairing& m_pairing;
+  std::vector<Index> m_fragment;                     // of every vertex
+  std::vector<Index> m_next;                         // of the vertices on borders
+  std::vector<Index> m_previous;                     // likewise
+  std::vector<double> m_reach;                       // how far the neighbors of every vertex reach
+  std::vector<Vector_3> m_normal;                    // of every vertex
+  std::vector<std::vector<Index>> m_border_vertices; // of every fragment
+  Index m_number_of_fragments = 0;
+  Disjoint_sets m_groups;                    // of fragments that are joined
+  std::vector<std::vector<Index>> m_members; // of the groups
+  std::vector<std::size_t> m_size;           // faces of the groups
+  std::vector<char> m_is_sure;               // whether the orientation of a group is beyond doubt
+  std::vector<char> m_has_border;            // of every fragment, before any face was opened
+  std::vector<char> m_is_turned;             // of every fragment
+  std::vector<char> m_is_visited;
+  std::vector<char> m_is_removed; // of every face
+  Compressed_rows<Index> m_faces_of_vertex;
+  std::vector<std::array<Index, 3>> m_bands;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINTS_FRAGMENT_JOINING_H

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Point_cloud.h.
+
+#ifndef CSCD_POINTS_POINT_CLOUD_IMPL_H
+#define CSCD_POINTS_POINT_CLOUD_IMPL_H
+
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_3.h>
+#include <CGAL/hilbert_sort.h>
+
+#include <Eigen/Eigenvalues>
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+CSCD_INLINE void sort_canonically(Point_cloud& cloud)
+{
+  using Kernel = CGAL::Simple_cartesian<double>;
+  cloud.pose = Canonical_pose(cloud.points);
+  std::vector<Kernel::Point_3> posed;
+  posed.reserve(cloud.points.size());
+  for (const Vector_3& point : cloud.points) {
+    const Vector_3 in_pose = cloud.pose(point);
+    posed.emplace_back(in_pose.x(), in_pose.y(), in_pose.z());
+  }
+  std::vector<Index> order(cloud.points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(), [&posed](Index i, Index j) { return posed[i] < posed[j]; });
+  const auto point_map = boost::make_iterator_property_map(posed.cbegin(), boost::typed_identity_property_map<Index>());
+  CGAL::hilbert_sort(order.begin(), order.end(),
+                     CGAL::Spatial_sort_traits_adapter_3<Kernel, std::decay_t<decltype(point_map)>>(point_map));
+  std::vector<Index> number(order.size());
+  std::vector<Vector_3> points;
+  std::vector<Vector_3> normals;
+  for (Index i = 0; i < order.size(); ++i) {
+    number[order[i]] = i;
+    points.push_back(cloud.points[order[i]]);
+    if (!cloud.normals.empty()) {
+      normals.push_back(cloud.normals[order[i]]);
+    }
+  }
+  for (Index& point : cloud.input_point) {
+    point = number[point];
+  }
+  cloud.points = std::move(points);
+  cloud.normals = std::move(normals);
+}
+
+CSCD_INLINE void merge_and_sort(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals, Point_cloud& cloud)
+{
+  std::vector<Index> order(points.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  std::sort(order.begin(), order.end(),
+            [&points](Index i, Index j) { return is_lexicographically_less(points[i], points[j]); });
+  cloud.points.reserve(points.size());
+  cloud.input_point.resize(points.size());
+  for (Index i : order) {
+    if (cloud.points.empty() || cloud.points.back() != points[i]) {
+      cloud.points.push_back(points[i]);
+      if (!normals.empty()) {
+        cloud.normals.push_back(Vector_3::Zero());
+      }
+    }
+    cloud.input_point[i] = Index(cloud.points.size() - 1);
+    if (!normals.empty()) {
+      cloud.normals.back() += normals[i];
+    }
+  }
+  for (Vector_3& normal : cloud.normals) {
+    normal.normalize();
+  }
+}
+
+} // namespace CSCD::internal
+
+namespace CSCD {
+
+CSCD_INLINE Canonical_pose::Canonical_pose(const std::vector<Vector_3>& points)
+{
+  const double size = double(points.size());
+  for (const Vector_3& point : points) {
+    m_centroid += point / size;
+  }
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  for (const Vector_3& point : points) {
+    const Eigen::Vector3d offset = internal::to_eigen(point - m_centroid);
+    moments += offset * offset.transpose() / size;
+  }
+  // The iterative solver is exact to rounding, unlike the direct one.
+  m_rotation = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().transpose();
+  m_scale = 1 / std::sqrt(moments.trace());
+  Vector_3 third_moments = Vector_3::Zero();
+  for (const Vector_3& point : points) {
+    const Vector_3 place = (*this)(point);
+    third_moments +=
+        {place.x() * place.x() * place.x(), place.y() * place.y() * place.y(), place.z() * place.z() * place.z()};
+  }
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    if (third_moments[axis] < 0) {
+      m_rotation.row(axis) *= -1;
+    }
+  }
+  if (m_rotation.determinant() < 0) {
+    m_rotation.row(2) *= -1; // a turn, not a reflection
+  }
+}
+
+CSCD_INLINE void check_extent(const Point_cloud& cloud)
+{
+  const std::vector<Vector_3>& points = cloud.points;
+  if (points.size() == 1) {
+    throw Input_error("all points are at the same place: a surface needs points around a body; check how the input was "
+                      "written");
+  }
+  // Relative to the extent: farther off the line than rounding alone can be.
+  constexpr double min_thickness = 1e-9;
+  if (points.size() < minimum_number_of_points) {
+    throw Input_error("the point set has " + std::to_string(points.size()) +
+                      " different points: a surface needs at least " + std::to_string(minimum_number_of_points) +
+                      "; check how the input was written");
+  }
+  const auto farthest_from = [&points](const Vector_3& p) {
+    return *std::max_element(points.begin(), points.end(), [&p](const Vector_3& a, const Vector_3& b) {
+      return (a - p).squaredNorm() < (b - p).squaredNorm();
+    });
+  };
+  const Vector_3 first = farthest_from(points.front());
+  const Vector_3 axis = (farthest_from(first) - first).normalized();
+  const bool is_line = std::all_of(points.begin(), points.end(),
+                                   [&](const Vector_3& p) { return (p - first).cross(axis).norm() <= min_thickness; });
+  if (is_line) {
+    throw Input_error("all points are on one line: a surface needs points around a body; check how the input was "
+                      "written");
+  }
+}
+
+CSCD_INLINE Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals)
+{
+  if (points.empty()) {
+    throw Input_error("the point set is empty: there is nothing to skeletonize");
+  }
+  if (points.size() > maximum_number_of_points) {
+    throw Input_error("the point set has more than 2^26 points: thin it out first, for instance by "
+                      "CGAL::grid_simplify_point_set");
+  }
+  Point_cloud cloud;
+  if (std::all_of(points.begin(), points.end(), [&](const Vector_3& p) { return p == points.front(); })) {
+    cloud.normalization = {points.front(), 1};
+    std::fill(points.begin(), points.end(), Vector_3::Zero());
+    internal::merge_and_sort(std::move(points), std::move(normals), cloud);
+    return cloud;
+  }
+  cloud.normalization = normalize_extent(points);
+  internal::merge_and_sort(std::move(points), std::move(normals), cloud);
+  internal::sort_canonically(cloud);
+  return cloud;
+}
+
+} // namespace CSCD
+
+#endif // CSCD_POINTS_POINT_CLOUD_IMPL_H

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A body whose surface points sample: the surface of the pipeline for point clouds.
+
+#ifndef CSCD_POINTS_POINT_SOLID_H
+#define CSCD_POINTS_POINT_SOLID_H
+
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Point_complex.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace CSCD {
+
+namespace internal {
+class Point_solid_queries;
+}
+
+/// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose, by
+/// the winding number of the points with their normals and areas. The model of `SkeletonizationSurface` for point
+/// clouds of which no surface is made.
+///
+/// Triangles are Delaunay in the tangent planes (supplement, appendix G.2); neighborhoods do not lead over to another
+/// sheet. They are nearly a surface, and need not be one: only gaps of a few edges are closed, no handle is cut. All
+/// members are const and may be called by several threads at once.
+class Point_solid
+{
+public:
+  /// Joins the points of `cloud` with their neighbors, and leaves out small fragments; O(n log n).
+  /// \throw Input_error if none of the points are connected
+  explicit Point_solid(const Point_cloud& cloud);
+  Point_solid(Point_solid&&) = delete;
+  ~Point_solid();
+
+  /// The triangles between the points, in the coordinates of the cloud.
+  const Point_complex& triangulation() const { return m_complex; }
+  /// The number of connected components.
+  std::size_t number_of_components() const { return m_complex.number_of_components(); }
+  /// For every point of the cloud its vertex, or that of the nearest point that has one.
+  const std::vector<Index>& vertex_of_point() const { return m_vertex_of_point; }
+
+  /// \name Body
+  /// @{
+
+  /// Whether the winding number of the points around `point` is more than a half.
+  bool is_inside(const Vector_3& point) const;
+  /// The middle of the body behind the vertex nearest to `point`, if there is one.
+  std::optional<Vector_3> middle_behind(const Vector_3& point) const;
+  /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
+  /// What it crosses twice within half the spacing of the points may be missed.
+  void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
+  /// @}
+
+private:
+  std::vector<Index> m_vertex_of_point;
+  Point_complex m_complex;
+  std::unique_ptr<const internal::Point_solid_queries> m_queries; // refers to the complex
+};
+
+} // namespace CSCD
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Points/Point_solid_impl.h>
+#endif
+
+#endif // CSCD_POINTS_POINT_SOLID_H

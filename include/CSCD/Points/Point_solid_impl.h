@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Point_solid.h.
+
+#ifndef CSCD_POINTS_POINT_SOLID_IMPL_H
+#define CSCD_POINTS_POINT_SOLID_IMPL_H
+
+#include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Points/Point_solid.h>
+#include <CSCD/Points/Point_solid_queries.h>
+#include <CSCD/Points/build_point_complex.h>
+
+namespace CSCD {
+
+CSCD_INLINE Point_solid::Point_solid(const Point_cloud& cloud)
+    : m_complex(drop_fragments(internal::build_point_complex(cloud), m_vertex_of_point)),
+      m_queries(std::make_unique<const internal::Point_solid_queries>(m_complex))
+{
+  internal::assign_to_nearest(cloud.points, m_vertex_of_point);
+}
+
+CSCD_INLINE Point_solid::~Point_solid() = default;
+
+CSCD_INLINE bool Point_solid::is_inside(const Vector_3& point) const
+{
+  return m_queries->is_inside(point);
+}
+
+CSCD_INLINE std::optional<Vector_3> Point_solid::middle_behind(const Vector_3& point) const
+{
+  return m_queries->middle_behind(point);
+}
+
+CSCD_INLINE void Point_solid::crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
+{
+  m_queries->crossings(from, to, distances);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_POINTS_POINT_SOLID_IMPL_H

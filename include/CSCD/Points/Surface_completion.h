@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From triangles with fragments, holes and false handles to a closed surface.
+
+#ifndef CSCD_POINTS_SURFACE_COMPLETION_H
+#define CSCD_POINTS_SURFACE_COMPLETION_H
+
+#include <CSCD/Points/Fragment_joining.h>
+#include <CSCD/Points/Handle_repair.h>
+#include <CSCD/Points/Reconstructed_surface.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Closes the triangles between points. What is done to them is added to the report, in the coordinates of the input.
+class Surface_completion
+{
+public:
+  /// \param surface its triangles are oriented, no two have a side in the same direction, and their vertices are the
+  ///        points; referred to
+  /// \param normalization of the points
+  Surface_completion(Reconstructed_surface& surface, const Normalization& normalization)
+      : m_surface(surface), m_normalization(normalization)
+  {
+  }
+
+  /// Splits vertices in which several fans meet, counts border edges, and drops points without faces.
+  void prepare()
+  {
+    const auto number_of_points = Index(m_surface.triangles.points.size());
+    pair();
+    split_pinched_vertices(m_surface.triangles, m_surface.pairing);
+    // Copies come after all points: they are of no point.
+    for (Index point = 0; point < number_of_points; ++point) {
+      m_surface.point_of_vertex.push_back(point);
+    }
+    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+    for (Index h = 0; h < m_surface.pairing.number_of_halfedges(); ++h) {
+      m_surface.report.number_of_border_edges += m_surface.pairing.twin(h) == no_index ? 1 : 0;
+    }
+    compact();
+  }
+
+  /// Joins fragments, closes holes, turns components outwards, and cuts false handles. \pre the triangles are prepared
+  void operator()()
+  {
+    join_fragments();
+    close();
+    remove_false_handles();
+  }
+
+private:
+  /// Removes vertices without faces, and pairs the halfedges again.
+  void compact()
+  {
+    Indexed_triangles& triangles = m_surface.triangles;
+    const std::vector<Index> old_number = compact_numbers(triangles.faces, triangles.points.size());
+    for (Index vertex = 0; vertex < old_number.size(); ++vertex) {
+      triangles.points[vertex] = triangles.points[old_number[vertex]];
+      m_surface.point_of_vertex[vertex] = m_surface.point_of_vertex[old_number[vertex]];
+    }
+    triangles.points.resize(old_number.size());
+    m_surface.point_of_vertex.resize(old_number.size());
+    triangles.first_hole_filling_face = triangles.faces.size();
+    pair();
+  }
+
+  void pair()
+  {
+    m_surface.pairing = Halfedge_pairing(m_surface.triangles.faces, m_surface.triangles.points.size());
+    CGAL_assertion(m_surface.pairing.conflict() == no_index);
+  }
+
+  void join_fragments()
+  {
+    Fragment_joining joining(m_surface.triangles, m_surface.pairing);
+    for (const Joined_gap& gap : joining()) {
+      m_surface.report.joined_gaps.push_back(repair(gap.center, gap.width));
+    }
+    pair();
+  }
+
+  Reconstruction_repair repair(const Vector_3& center, double length) const
+  {
+    const Vector_3 input = m_normalization.to_input(center);
+    return {{input.x(), input.y(), input.z()}, length * m_normalization.unit};
+  }
+
+  /// Closes all holes and orients the surface.
+  void close()
+  {
+    m_surface.report.number_of_holes = bridge_borders(m_surface.triangles, m_surface.pairing);
+    m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+    pair();
+    Surface_components components(m_surface.triangles);
+    orient_outwards(m_surface.triangles, m_surface.pairing, components);
+    m_number_of_components = components.number();
+  }
+
+  std::size_t genus() const
+  {
+    return genus_of_closed_surface(m_number_of_components, m_surface.triangles.points.size(),
+                                   m_surface.triangles.faces.size());
+  }
+
+  /// Cuts small handles, round by round: loops of one round have no vertex in common.
+  void remove_false_handles()
+  {
+    while (genus() > 0) {
+      // What is cut must not depend on the numbering.
+      renumber_canonically();
+      const Triangulated_surface whole{Indexed_triangles(m_surface.triangles)};
+      const std::vector<Vertex_loop> loops = Handle_repair(whole)();
+      if (loops.empty()) {
+        return;
+      }
+      for (const Vertex_loop& loop : loops) {
+        report_cut(loop);
+      }
+      cut_along_loops(m_surface.triangles, whole, loops);
+      pair();
+      bridge_borders(m_surface.triangles, m_surface.pairing);
+      m_surface.point_of_vertex.resize(m_surface.triangles.points.size(), no_index);
+      pair();
+    }
+  }
+
+  void renumber_canonically()
+  {
+    const Surface_components components(m_surface.triangles);
+    const Canonical_order order = canonical_order(m_surface.triangles, m_surface.pairing, components);
+    renumber(m_surface.triangles, order.vertices);
+    pair();
+    std::vector<Index> point_of_vertex;
+    point_of_vertex.reserve(order.vertices.size());
+    for (Index old_number : order.vertices) {
+      point_of_vertex.push_back(m_surface.point_of_vertex[old_number]);
+    }
+    m_surface.point_of_vertex = std::move(point_of_vertex);
+  }
+
+  void report_cut(const Vertex_loop& loop)
+  {
+    const std::vector<Vector_3>& points = m_surface.triangles.points;
+    double length = 0;
+    Vector_3 center = Vector_3::Zero();
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      length += (points[loop[(i + 1) % loop.size()]] - points[loop[i]]).norm();
+      center += points[loop[i]] / double(loop.size());
+    }
+    m_surface.report.cut_handles.push_back(repair(center, length));
+  }
+
+  Reconstructed_surface& m_surface;
+  const Normalization m_normalization;
+  std::size_t m_number_of_components = 0;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINTS_SURFACE_COMPLETION_H

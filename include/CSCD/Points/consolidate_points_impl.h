@@ -1,0 +1,439 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of consolidate_points.h.
+
+#ifndef CSCD_POINTS_CONSOLIDATE_POINTS_IMPL_H
+#define CSCD_POINTS_CONSOLIDATE_POINTS_IMPL_H
+
+#include <CSCD/Points/Cloud_sampling.h>
+#include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Point_grid.h>
+#include <CSCD/Points/consolidate_points.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// How far points deviate from quadrics that are fitted within twice a radius, relative to the radius, at some places.
+struct Cloud_probe
+{
+  double noise = 0;     ///< what most places show: the lower quartile
+  double bend = 0;      ///< what the most bent places show beyond noise: the quantile of 95 %
+  bool is_known = true; ///< whether there are points enough to tell
+};
+
+/// Finds out how much a cloud can be thinned, and thins it.
+class Point_consolidation
+{
+public:
+  explicit Point_consolidation(Point_cloud&& cloud) : m_cloud(std::move(cloud)) {}
+
+  Point_cloud operator()()
+  {
+    // By chance some are near each other; once the others are gone, they stand out.
+    for (int round = 0; round < max_number_of_rounds && leave_out(outliers()); ++round) {
+    }
+    choose_radius();
+    std::vector<Index> kept = thin(m_cloud.points, m_radius);
+    if (double(kept.size()) > largest_part * double(m_cloud.points.size())) {
+      return std::move(m_cloud);
+    }
+    std::vector<Vector_3> points;
+    points.reserve(kept.size());
+    for (Index point : kept) {
+      points.push_back(m_cloud.points[point]);
+    }
+    const bool is_averaged = m_noise > max_noise;
+    if (is_averaged) {
+      average(points);
+      average(points);
+      // What noise had spread through a layer is now in one place.
+      const std::vector<Index> chosen = thin(points, averaged_spacing * m_radius);
+      for (Index i = 0; i < chosen.size(); ++i) {
+        points[i] = points[chosen[i]];
+        kept[i] = kept[chosen[i]];
+      }
+      points.resize(chosen.size());
+      kept.resize(chosen.size());
+    }
+    return make_cloud(std::move(points), kept, is_averaged);
+  }
+
+  std::size_t number_of_outliers() const { return m_number_of_outliers; }
+
+private:
+  /// The numbers of points that are tried, from the first by factors of the root of two. Tubes of the thinnest limbs of
+  /// animals have some ten points around with 10,000.
+  static constexpr double least_number = 7000;
+  static constexpr double greatest_number = 20000;
+  /// A cloud of which more than this would remain is left as it is.
+  static constexpr double largest_part = 0.6;
+  /// The number of places that are probed, about.
+  static constexpr std::size_t number_of_probes = 1000;
+  /// The points within twice the radius that show noise and bend, at least in the mean.
+  static constexpr double points_of_a_probe = 14;
+  /// More points within twice the radius show nothing more.
+  static constexpr double enough_neighbors = 80;
+  /// The greatest deviation by bending, in the unit of the radius.
+  static constexpr double max_bend = 0.15;
+  /// The bend that is expected to remain where the radius shrinks by the root of two: that of animals.
+  static constexpr double expected_bend = 0.7;
+  /// Noise from which on points are averaged, in the unit of the radius: about that of Cloud_sampling.
+  static constexpr double max_noise = 0.15;
+  /// Noise in the unit of the radius that is too large for an average over the radius.
+  static constexpr double excessive_noise = 0.4;
+  /// The number of points to which excessive noise may thin a cloud.
+  static constexpr double number_in_noise = 2000;
+  /// The mean of this many points has a sixth of their noise; more take time.
+  static constexpr double averaged_points = 40;
+  /// Points of the mean neighborhood in which outliers are seen.
+  static constexpr double outlier_neighbors = 20;
+  /// How often outliers are sought, if some are found.
+  static constexpr int max_number_of_rounds = 3;
+  /// A point is lonely if it has fewer neighbors than others by this factor.
+  static constexpr double loneliness = 4;
+  /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: those that are
+  /// spread evenly in a box have about 0.25, sparse parts of a surface 0.05.
+  static constexpr double deviation_in_space = 0.12;
+  /// The part of the points that must be lonely for that: of normally distributed noise a hundredth is.
+  static constexpr double least_part_in_space = 0.02;
+  /// A lonely point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
+  static constexpr double outlier_reach = 4;
+  /// The points among which the neighbors of lonely points are sought, about.
+  static constexpr std::size_t sample_around_outliers = 50000;
+  /// How near to each other averaged points may be, relative to the radius.
+  static constexpr double averaged_spacing = 0.9;
+  /// The radius by which `number` points remain, about.
+  double radius_of(double number) const { return std::sqrt(packing_density * m_area / number); }
+
+  /// The number of points of the sample within `radius` of those at `places`.
+  std::vector<Index> numbers_around(const std::vector<Index>& places, double radius) const
+  {
+    Point_grid grid(radius);
+    for (Index place : places) {
+      grid.insert(m_cloud.points[place]);
+    }
+    std::vector<Index> result(places.size(), 0);
+    for (std::size_t point = 0; point < m_cloud.points.size(); point += sample_step()) {
+      grid.for_each_near(m_cloud.points[point], [&](Index i, double) { ++result[i]; });
+    }
+    return result;
+  }
+
+  /// Of large clouds, outliers are seen by the neighbors in a sample.
+  std::size_t sample_step() const { return std::max<std::size_t>(1, m_cloud.points.size() / sample_around_outliers); }
+
+  /// Every so many of the points, and those that are outermost along the axes of the canonical pose.
+  std::vector<Index> some_points() const
+  {
+    const std::vector<Vector_3>& points = m_cloud.points;
+    std::vector<Index> result;
+    const std::size_t step = std::max<std::size_t>(1, points.size() / number_of_probes);
+    for (std::size_t point = 0; point < points.size(); point += step) {
+      result.push_back(Index(point));
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto [least, greatest] =
+          std::minmax_element(points.begin(), points.end(), [&](const Vector_3& a, const Vector_3& b) {
+            return m_cloud.pose(a)[axis] < m_cloud.pose(b)[axis];
+          });
+      result.push_back(Index(least - points.begin()));
+      result.push_back(Index(greatest - points.begin()));
+    }
+    return result;
+  }
+
+  /// Points that have far fewer others around than most: all, or if they are few in a large cloud, those of a sample.
+  std::vector<Index> lonely_points() const
+  {
+    constexpr int max_number_of_trials = 10; // of radii; stops the search where no radius has the median
+    const std::vector<Index> places = some_points();
+    double radius = std::sqrt(outlier_neighbors * estimate_area(m_cloud.points) * double(sample_step()) /
+                              (3 * double(m_cloud.points.size())));
+    double median = 0;
+    std::vector<double> numbers;
+    for (int i = 0; i < max_number_of_trials; ++i) {
+      const std::vector<Index> around = numbers_around(places, radius);
+      numbers.assign(around.begin(), around.end());
+      median = quantile(numbers, 0.5);
+      if (median > outlier_neighbors / 1.3 && median < outlier_neighbors * 1.3) {
+        break;
+      }
+      radius *= std::sqrt(outlier_neighbors / median);
+    }
+    const auto is_lonely = [&](double number) { return number * loneliness < median; };
+    std::vector<Index> result;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (is_lonely(numbers[i])) {
+        result.push_back(places[i]);
+      }
+    }
+    const bool are_few = double(result.size()) <= least_part_in_space * double(places.size());
+    if (!result.empty() && (!are_few || m_cloud.points.size() <= sample_around_outliers)) {
+      std::vector<Index> all(m_cloud.points.size());
+      std::iota(all.begin(), all.end(), Index(0));
+      const std::vector<Index> around = numbers_around(all, radius);
+      result.clear();
+      std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+                   [&](Index point) { return is_lonely(double(around[point])); });
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+  /// The points that are far from all others, or spread in space, and not on a sparse part of the surface.
+  std::vector<Index> outliers()
+  {
+    const std::vector<Index> lonely = lonely_points();
+    if (lonely.empty() || 2 * lonely.size() > m_cloud.points.size()) {
+      return {};
+    }
+    std::vector<Vector_3> points;
+    points.reserve(m_cloud.points.size());
+    for (Index point : lonely) {
+      points.push_back(m_cloud.points[point]);
+    }
+    std::vector<char> is_lonely(m_cloud.points.size(), 0);
+    for (Index point : lonely) {
+      is_lonely[point] = 1;
+    }
+    for (std::size_t point = 0; point < m_cloud.points.size(); point += sample_step()) {
+      if (is_lonely[point] == 0) {
+        points.push_back(m_cloud.points[point]);
+      }
+    }
+    const Neighbor_table neighbors(points, Cloud_sampling::number_of_neighbors);
+    std::vector<double> deviations;
+    std::vector<double> reaches;
+    std::vector<char> is_far(lonely.size(), 0);
+    for (Index i = 0; i < lonely.size(); ++i) {
+      deviations.push_back(fit_quadric(points, i, neighbors.neighbors(i), neighbors.reach(i)).deviation /
+                           neighbors.reach(i));
+      reaches.clear();
+      for (Index neighbor : neighbors.neighbors(i)) {
+        reaches.push_back(neighbors.reach(neighbor));
+      }
+      is_far[i] = neighbors.reach(i) > outlier_reach * quantile(reaches, 0.5) ? 1 : 0;
+    }
+    m_is_space_filled =
+        m_is_space_filled || (double(lonely.size()) > least_part_in_space * double(m_cloud.points.size()) &&
+                              quantile(deviations, 0.5) > deviation_in_space);
+    std::vector<Index> result;
+    for (Index i = 0; i < lonely.size(); ++i) {
+      if (m_is_space_filled || is_far[i] != 0) {
+        result.push_back(lonely[i]);
+      }
+    }
+    return result;
+  }
+
+  /// Takes `left_out` from the cloud, and normalizes it anew; they belong to the nearest of the others.
+  /// \return whether there were any
+  bool leave_out(const std::vector<Index>& left_out)
+  {
+    m_number_of_outliers += left_out.size();
+    if (left_out.empty()) {
+      return false;
+    }
+    std::vector<char> is_left_out(m_cloud.points.size(), 0);
+    for (Index point : left_out) {
+      is_left_out[point] = 1;
+    }
+    std::vector<Vector_3> points;
+    std::vector<Vector_3> normals;
+    std::vector<Index> number(m_cloud.points.size(), no_index);
+    for (Index point = 0; point < m_cloud.points.size(); ++point) {
+      if (is_left_out[point] == 0) {
+        number[point] = Index(points.size());
+        points.push_back(m_cloud.points[point]);
+        if (!m_cloud.normals.empty()) {
+          normals.push_back(m_cloud.normals[point]);
+        }
+      }
+    }
+    const Point_tree tree(points);
+    for (Index point : left_out) {
+      number[point] = tree.nearest(m_cloud.points[point]);
+    }
+    m_cloud.normalization = m_cloud.normalization.then(normalize_extent(points));
+    m_cloud.points = std::move(points);
+    m_cloud.normals = std::move(normals);
+    for (Index& point : m_cloud.input_point) {
+      point = number[point];
+    }
+    sort_canonically(m_cloud);
+    m_cloud.number_of_thinned_points += left_out.size();
+    return true;
+  }
+
+  void choose_radius()
+  {
+    m_area = estimate_area(m_cloud.points);
+    double number = least_number;
+    m_radius = radius_of(number);
+    Cloud_probe result = probe();
+    m_noise = result.noise;
+    while (result.is_known && result.noise > excessive_noise && number > number_in_noise) {
+      number /= std::sqrt(2.);
+      m_radius = radius_of(number);
+      result = probe();
+      m_noise = result.noise;
+    }
+    double bend = result.bend;
+    while (bend > max_bend && number < greatest_number) {
+      number = std::min(greatest_number, std::sqrt(2.) * number);
+      m_radius = radius_of(number);
+      result = probe();
+      m_noise = result.is_known ? result.noise : m_noise * std::sqrt(2.);
+      bend = std::max(result.bend, expected_bend * bend); // where points are few, chance hides it
+    }
+  }
+
+  /// The step by which a ball around a point of the surface contains about `number` points of the cloud.
+  std::size_t step_for(double number, double radius) const
+  {
+    const double in_ball = 3 * radius * radius / m_area * double(m_cloud.points.size()); // 3 for pi
+    return std::max<std::size_t>(1, std::size_t(in_ball / number));
+  }
+
+  /// Fits quadrics within twice the radius.
+  Cloud_probe probe() const
+  {
+    const std::vector<Vector_3>& points = m_cloud.points;
+    const std::size_t step = std::max<std::size_t>(1, points.size() / number_of_probes);
+    Point_grid grid(2 * m_radius);
+    std::vector<Index> centers;
+    for (std::size_t point = 0; point < points.size(); point += step) {
+      grid.insert(points[point]);
+      centers.push_back(Index(point));
+    }
+    std::vector<std::vector<Index>> neighborhoods(centers.size());
+    std::size_t number_of_neighbors = 0;
+    for (std::size_t point = 0; point < points.size(); point += step_for(enough_neighbors, 2 * m_radius)) {
+      grid.for_each_near(points[point], [&](Index place, double) {
+        if (centers[place] != point) {
+          neighborhoods[place].push_back(Index(point));
+          ++number_of_neighbors;
+        }
+      });
+    }
+    std::vector<double> deviations;
+    for (Index place = 0; place < centers.size(); ++place) {
+      const double deviation = fit_quadric(points, centers[place], neighborhoods[place], 2 * m_radius).deviation;
+      if (deviation > 0) {
+        deviations.push_back(deviation / m_radius);
+      }
+    }
+    if (deviations.empty() || double(number_of_neighbors) < points_of_a_probe * double(centers.size())) {
+      return {0, 0, false};
+    }
+    // Deviations by noise spread as estimates of a standard deviation do: 95 % are below the mean and 1.65 of their own
+    // standard deviations. Somewhat more, as noise is not the same everywhere.
+    constexpr double parameters_of_a_quadric = 6;
+    const double freedom = double(number_of_neighbors) / double(centers.size()) - parameters_of_a_quadric;
+    const double by_noise = quantile(deviations, 0.5) * (1.04 + 1.9 / std::sqrt(2 * freedom));
+    const double greatest = quantile(deviations, 0.95);
+    return {quantile(deviations, 0.25), std::sqrt(std::max(0., greatest * greatest - by_noise * by_noise)), true};
+  }
+
+  /// Moves `points` to the means of the points of the cloud within the radius.
+  void average(std::vector<Vector_3>& points) const
+  {
+    const Point_grid grid(m_radius, points);
+    std::vector<Vector_3> sum(points.size(), Vector_3::Zero());
+    std::vector<double> number(points.size(), 0);
+    const std::size_t step = step_for(averaged_points, m_radius);
+    for (std::size_t point = 0; point < m_cloud.points.size(); point += step) {
+      grid.for_each_near(m_cloud.points[point], [&](Index i, double) {
+        sum[i] += m_cloud.points[point];
+        number[i] += 1;
+      });
+    }
+    for (Index i = 0; i < points.size(); ++i) {
+      points[i] = number[i] > 0 ? Vector_3(sum[i] / number[i]) : points[i];
+    }
+  }
+
+  /// For every point of the cloud the nearest of `points`.
+  std::vector<Index> nearest(const std::vector<Vector_3>& points) const
+  {
+    std::vector<Index> result(m_cloud.points.size(), no_index);
+    for (const double radius : {m_radius, 2 * m_radius}) { // averaged points may have moved
+      if (std::find(result.begin(), result.end(), no_index) == result.end()) {
+        return result;
+      }
+      const Point_grid grid(radius, points);
+      for (Index point = 0; point < result.size(); ++point) {
+        if (result[point] == no_index) {
+          double least = std::numeric_limits<double>::max();
+          grid.for_each_near(m_cloud.points[point], [&](Index i, double squared_distance) {
+            if (squared_distance < least || (squared_distance == least && i < result[point])) {
+              least = squared_distance;
+              result[point] = i;
+            }
+          });
+        }
+      }
+    }
+    const Point_tree tree(points);
+    for (Index point = 0; point < result.size(); ++point) {
+      result[point] = result[point] == no_index ? tree.nearest(m_cloud.points[point]) : result[point];
+    }
+    return result;
+  }
+
+  /// \param kept for every one of `points`, of which of the cloud it came
+  Point_cloud make_cloud(std::vector<Vector_3>&& points, const std::vector<Index>& kept, bool is_averaged) const
+  {
+    const std::vector<Index> representative = nearest(points);
+    std::vector<Vector_3> normals;
+    if (!m_cloud.normals.empty()) {
+      for (Index point : kept) {
+        normals.push_back(m_cloud.normals[point]);
+      }
+    }
+    Point_cloud result;
+    merge_and_sort(std::move(points), std::move(normals), result);
+    sort_canonically(result);
+    const std::vector<Index> new_point = std::move(result.input_point);
+    result.input_point.reserve(m_cloud.input_point.size());
+    for (Index point : m_cloud.input_point) {
+      result.input_point.push_back(new_point[representative[point]]);
+    }
+    result.normalization = m_cloud.normalization;
+    result.number_of_thinned_points = m_number_of_outliers + m_cloud.points.size() - result.points.size();
+    result.is_averaged = is_averaged;
+    return result;
+  }
+
+  Point_cloud m_cloud;
+  std::size_t m_number_of_outliers = 0;
+  bool m_is_space_filled = false; // by outliers
+  double m_area = 0;
+  double m_radius = 0;
+  double m_noise = 0;
+};
+
+CSCD_INLINE Consolidated_cloud consolidate_points(Point_cloud&& cloud)
+{
+  Point_consolidation consolidation(std::move(cloud));
+  Point_cloud result = consolidation();
+  return {std::move(result), consolidation.number_of_outliers()};
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_POINTS_CONSOLIDATE_POINTS_IMPL_H

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Linear finite elements on triangles that are given by the lengths of their sides.
+
+#ifndef CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
+#define CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
+
+#include <CSCD/Published/Flat_triangle.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Disjoint_sets.h>
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A triangle in the plane, counterclockwise: corner 0 at the origin, corner 1 at (`base`, 0), corner 2 at (`apex_x`,
+/// `apex_y`). This is the frame in which vectors in a face are given, so that a face needs no points in space.
+struct Face_layout
+{
+  double base = 0;   ///< positive
+  double apex_x = 0; ///< of any sign
+  double apex_y = 0; ///< positive
+
+  double area() const { return base * apex_y / 2; }
+
+  /// For each corner, the entry of the face's stiffness matrix for the two other corners: minus half the cotangent of
+  /// the angle at the corner.
+  std::array<double, 3> couplings() const
+  {
+    const double scale = -1 / (2 * base * apex_y);
+    return {scale * base * apex_x, scale * base * (base - apex_x),
+            scale * (apex_y * apex_y - apex_x * (base - apex_x))};
+  }
+
+  /// The position of the point with these barycentric coordinates.
+  std::array<double, 2> point(const std::array<double, 3>& coordinates) const
+  {
+    return {coordinates[1] * base + coordinates[2] * apex_x, coordinates[2] * apex_y};
+  }
+
+  std::array<double, 2> corner(std::size_t i) const
+  {
+    return i == 0 ? std::array<double, 2>{0, 0}
+                  : (i == 1 ? std::array<double, 2>{base, 0} : std::array<double, 2>{apex_x, apex_y});
+  }
+};
+
+/// In every laid out triangle, two sides together are longer than the third by at least this, relative to the longest:
+/// as in geometry-central's mollification. Heights are then at least a thousandth of the longest side, and cotangents
+/// at most some hundreds.
+inline constexpr double min_excess_length = 1e-5;
+
+/// Lays out the triangle whose sides from corner 0 to 1, 1 to 2 and 2 to 0 have these lengths.
+/// A triangle that is degenerate, or that does not exist, is laid out with all sides lengthened by as little as makes
+/// it one. This changes no other face: the matrices of the method are sums over faces, each positive semidefinite.
+/// \param unit a typical length of the surface, positive: a triangle that is a single point becomes a tiny one
+inline Face_layout lay_out_face(std::array<double, 3> lengths, double unit)
+{
+  // Extent, relative to the unit, below which a triangle counts as a point.
+  constexpr double min_extent = 1e-6;
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const double excess = lengths[0] + lengths[1] + lengths[2] - 2 * longest;
+  const double missing = min_excess_length * std::max(longest, min_extent * unit) - excess;
+  for (double& length : lengths) {
+    length += std::max(missing, 0.);
+  }
+  const Flat_triangle triangle{lengths[0], lengths[1], lengths[2]};
+  return {triangle.base, triangle.foot(), triangle.height()};
+}
+
+/// Linear finite elements on a triangulation, from the lengths of its edges alone.
+///
+/// Every component is measured in its own unit, the mean length of its edges: results on a component do not depend on
+/// others, and numbers are moderate whatever the scale is. Faces that bridge borders are left out: borders keep the
+/// natural condition, that no heat flows through them. Vertices may be joined by several edges or to themselves.
+class Cotangent_elements
+{
+public:
+  struct Face
+  {
+    std::array<Index, 3> vertices; ///< the corners 0, 1 and 2 of the layout: origins of the halfedges 3f, 3f+1, 3f+2
+    Index face = no_index;         ///< its number in the triangulation
+    Face_layout layout;            ///< in the unit of its component
+  };
+
+  /// Lays out all faces of `triangulation`, which is not referred to later; linear.
+  /// \tparam Triangulation has `number_of_vertices()`, `number_of_faces()`, `origin(h)` and `length(h)`, where face f
+  ///         has the halfedges 3f, 3f+1 and 3f+2; and it may have `is_hole_filling(f)`
+  template <class Triangulation>
+  explicit Cotangent_elements(const Triangulation& triangulation) : m_masses(triangulation.number_of_vertices(), 0.)
+  {
+    number_components(triangulation);
+    measure_units(triangulation);
+    m_faces.reserve(triangulation.number_of_faces());
+    for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
+      if (!is_hole_filling_face(triangulation, f)) {
+        add_face(triangulation, f);
+      }
+    }
+  }
+
+  Index number_of_vertices() const { return Index(m_masses.size()); }
+  /// The faces that carry area, by ascending number.
+  const std::vector<Face>& faces() const { return m_faces; }
+  /// A third of the areas of the vertex's faces, in the unit of its component; 0 for a vertex of hole-filling faces
+  /// only.
+  double mass(Index vertex) const { return m_masses[vertex]; }
+
+  Index number_of_components() const { return Index(m_units.size()); }
+  /// The component of `vertex`, joined through faces that carry area.
+  Index component(Index vertex) const { return m_component[vertex]; }
+  /// The mean length of the component's edges, those on no border counted twice.
+  double unit(Index component) const { return m_units[component]; }
+
+  /// The lower triangle of (the mass matrix times `mass_factor`) + (the stiffness matrix, the negative Laplacian).
+  /// A vertex without mass and stiffness gets a 1 on the diagonal.
+  /// \param is_pinned doubles the stiffness's diagonal at one vertex of each component: if the right-hand side adds up
+  ///        to 0 on a component, then the equation keeps its solution, but the one with 0 there
+  Eigen::SparseMatrix<double> matrix(double mass_factor, bool is_pinned) const
+  {
+    std::vector<double> diagonal(number_of_vertices(), 0.);
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(3 * m_faces.size() + number_of_vertices());
+    for (const Face& face : m_faces) {
+      const std::array<double, 3> couplings = face.layout.couplings();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index i = face.vertices[(k + 1) % 3];
+        const Index j = face.vertices[(k + 2) % 3];
+        if (i != j) {
+          entries.emplace_back(int(std::max(i, j)), int(std::min(i, j)), couplings[k]);
+          diagonal[i] -= couplings[k];
+          diagonal[j] -= couplings[k];
+        }
+      }
+    }
+    std::vector<char> has_pin(is_pinned ? number_of_components() : 0, 0);
+    for (Index v = 0; v < number_of_vertices(); ++v) {
+      const bool is_pin = is_pinned && std::exchange(has_pin[m_component[v]], char(1)) == 0;
+      const double value = mass_factor * m_masses[v] + (is_pin ? 2 : 1) * diagonal[v];
+      entries.emplace_back(int(v), int(v), value > 0 ? value : 1.);
+    }
+    Eigen::SparseMatrix<double> result(number_of_vertices(), number_of_vertices());
+    result.setFromTriplets(entries.begin(), entries.end());
+    return result;
+  }
+
+private:
+  template <class Triangulation>
+  void number_components(const Triangulation& triangulation)
+  {
+    Disjoint_sets sets(number_of_vertices());
+    for (Index f = 0; f < triangulation.number_of_faces(); ++f) {
+      if (!is_hole_filling_face(triangulation, f)) {
+        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 1));
+        sets.join(triangulation.origin(3 * f), triangulation.origin(3 * f + 2));
+      }
+    }
+    Index number_of_components = 0;
+    m_component = sets.numbers(number_of_components);
+    m_units.assign(number_of_components, 0.);
+  }
+
+  template <class Triangulation>
+  void measure_units(const Triangulation& triangulation)
+  {
+    std::vector<double> count(m_units.size(), 0.);
+    for (Index h = 0; h < 3 * triangulation.number_of_faces(); ++h) {
+      if (!is_hole_filling_face(triangulation, h / 3)) {
+        m_units[m_component[triangulation.origin(h)]] += triangulation.length(h);
+        count[m_component[triangulation.origin(h)]] += 1;
+      }
+    }
+    for (std::size_t i = 0; i < m_units.size(); ++i) {
+      m_units[i] = m_units[i] > 0 ? m_units[i] / count[i] : 0.;
+    }
+  }
+
+  template <class Triangulation>
+  void add_face(const Triangulation& triangulation, Index f)
+  {
+    const double unit = m_units[m_component[triangulation.origin(3 * f)]];
+    // Where everything is in one point, any finite elements will do: distances get the unit 0.
+    std::array<double, 3> lengths{1, 1, 1};
+    for (Index k = 0; unit > 0 && k < 3; ++k) {
+      lengths[k] = triangulation.length(3 * f + k) / unit;
+    }
+    m_faces.push_back({{triangulation.origin(3 * f), triangulation.origin(3 * f + 1), triangulation.origin(3 * f + 2)},
+                       f,
+                       lay_out_face(lengths, 1)});
+    for (const Index vertex : m_faces.back().vertices) {
+      m_masses[vertex] += m_faces.back().layout.area() / 3;
+    }
+  }
+
+  std::vector<Face> m_faces;
+  std::vector<double> m_masses;
+  std::vector<Index> m_component; // of every vertex
+  std::vector<double> m_units;    // of every component
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_COTANGENT_ELEMENTS_H

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Cut loci in flat arrays, of surfaces and of point clouds.
+
+#ifndef CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_H
+#define CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_H
+
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A cut locus in the coordinates of the surface. \tparam Location where on the surface a vertex is
+template <class Location>
+struct Extracted_cut_locus
+{
+  struct Vertex
+  {
+    Vector_3 point;
+    Location location;
+    double distance;
+  };
+
+  std::vector<Vertex> vertices;
+  std::vector<std::pair<Index, Index>> edges;
+};
+
+/// Finds the cut locus of some vertices of a surface, its loops closed; see `extract_cut_locus()`.
+/// \param pairing that of the faces of `triangles`, which are a manifold, perhaps with borders
+/// \param distances of all vertices; none if they are to be estimated
+CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed_triangles&& triangles,
+                                                                         Halfedge_pairing&& pairing,
+                                                                         const std::vector<Index>& sources,
+                                                                         std::vector<double>&& distances,
+                                                                         const Cut_locus_settings& settings);
+
+/// Finds the cut locus of some points of a cloud, its loops open at one place each; see `extract_cut_locus()`. The
+/// location of a vertex is the nearest point of the cloud.
+/// \param sources numbers of points of the input, of which `cloud` holds the different ones
+/// \param distances of all points of the cloud; none if they are to be estimated
+/// \throw Input_error if the points are no surface, or a source is not on it
+CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_cloud& cloud,
+                                                                   const std::vector<std::size_t>& sources,
+                                                                   std::vector<double>&& distances,
+                                                                   const Cut_locus_settings& settings);
+
+/// A distance that was given for an element of the input. \param element what a message calls it
+/// \throw Input_error if it is not a number
+inline double checked_distance(double distance, const char* element, std::size_t number)
+{
+  if (std::isnan(distance)) {
+    throw Input_error(std::string("the distance of ") + element + " " + std::to_string(number) +
+                      " is not a number: use infinity where no source is connected");
+  }
+  return distance;
+}
+
+/// Writes a cut locus to a graph. \param to_input_location what the graph holds in place of a location
+template <class Location, class ToInputLocation, class Graph>
+void write_cut_locus(const Extracted_cut_locus<Location>& cut_locus, const Normalization& normalization,
+                     const ToInputLocation& to_input_location, Graph& graph)
+{
+  Graph result(cut_locus.vertices.size());
+  for (Index i = 0; i < cut_locus.vertices.size(); ++i) {
+    const auto& vertex = cut_locus.vertices[i];
+    using Point = std::decay_t<decltype(result[i].point)>;
+    result[i].point = to_input_point<Point>(normalization, vertex.point);
+    result[i].location = to_input_location(vertex.location);
+    result[i].distance = normalization.unit * vertex.distance;
+  }
+  for (const auto& [a, b] : cut_locus.edges) {
+    add_edge(a, b, result);
+  }
+  graph = std::move(result);
+}
+
+} // namespace CSCD::internal
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Published/Cut_locus_extraction_impl.h>
+#endif
+
+#endif // CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_H

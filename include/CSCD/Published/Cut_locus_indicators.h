@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Laplacian and gradient angle of a distance field, by which cut points are recognized.
+
+#ifndef CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
+#define CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
+
+#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Point_derivatives.h>
+#include <CSCD/Published/Tangent_frames.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/container/small_vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A face around a vertex, or a neighbor: where it lies, and its gradient, both in the frame of the vertex.
+struct Gradient_sample
+{
+  std::complex<double> direction; ///< from the vertex to there, of length 1
+  std::complex<double> gradient;  ///< of length 1
+};
+
+/// What is around one vertex, counterclockwise.
+using Gradient_samples = boost::container::small_vector<Gradient_sample, 16>;
+
+inline double dot(const std::complex<double>& a, const std::complex<double>& b)
+{
+  return a.real() * b.real() + a.imag() * b.imag();
+}
+
+inline bool are_converging(const Gradient_sample& a, const Gradient_sample& b)
+{
+  return dot(a.gradient - b.gradient, a.direction - b.direction) < 0;
+}
+
+/// The greatest angle in [0, pi] between the gradients of two samples that run towards each other. O(d^2) for d samples
+/// up to a constant, beyond which an even sample of them is taken.
+inline double max_convergence(const Gradient_samples& samples)
+{
+  // Sectors that are compared pair by pair.
+  constexpr std::size_t max_samples = 32;
+  const std::size_t stride = (samples.size() + max_samples - 1) / max_samples;
+  double min_cosine = 1;
+  for (std::size_t i = 0; i < samples.size(); i += stride) {
+    for (std::size_t j = i + stride; j < samples.size(); j += stride) {
+      const double cosine = dot(samples[i].gradient, samples[j].gradient);
+      if (cosine < min_cosine && are_converging(samples[i], samples[j])) {
+        min_cosine = cosine;
+      }
+    }
+  }
+  return std::acos(std::clamp(min_cosine, -1., 1.));
+}
+
+/// What does not depend on how derivatives are computed: which vertices are points of the cut locus.
+/// \tparam Derived has the members `laplacian(vertex)`, `collect_samples(vertex, samples)` and
+///         `collect_samples(vertex, gradients, samples)`
+template <class Derived>
+class Cut_point_test
+{
+public:
+  using Complex = std::complex<double>;
+
+  const std::vector<double>& distances() const { return m_distances; }
+  double distance(Index vertex) const { return m_distances[vertex]; }
+  bool is_reached(Index vertex) const { return std::isfinite(m_distances[vertex]); }
+
+  /// The greatest angle in [0, pi] between two of the gradients around `vertex` that run towards each other.
+  /// \param gradients if given, those of all vertices, as `gradients()` returns them: the neighbors are then compared
+  ///        in any case
+  template <class... Gradients>
+  double convergence(Index vertex, const Gradients&... gradients) const
+  {
+    Gradient_samples samples;
+    derived().collect_samples(vertex, gradients..., samples);
+    return max_convergence(samples);
+  }
+
+  /// Whether `vertex` is a point of the cut locus. \param gradients as for `convergence()`
+  template <class... Gradients>
+  bool is_cut(Index vertex, const Cut_criterion& criterion, const Gradients&... gradients) const
+  {
+    return is_reached(vertex) && derived().laplacian(vertex) <= criterion.laplacian_threshold &&
+           convergence(vertex, gradients...) >= criterion.angle_threshold;
+  }
+
+protected:
+  explicit Cut_point_test(const std::vector<double>& distances) : m_distances(distances) {}
+
+  /// Adds a neighbor, unless its gradient is that of a ridge or a source, which is short and has no direction.
+  /// \param transport carries `gradient` from the frame of the neighbor
+  static void add_neighbor(double direction, const Complex& transport, const Complex& gradient,
+                           Gradient_samples& samples)
+  {
+    constexpr double min_gradient = 0.1; // away from ridges and sources it is 1
+    const double norm = std::abs(gradient);
+    if (norm > min_gradient && std::isfinite(norm)) {
+      samples.push_back({std::polar(1., direction), transport * gradient / norm});
+    }
+  }
+
+private:
+  const Derived& derived() const { return static_cast<const Derived&>(*this); }
+
+  const std::vector<double>& m_distances;
+};
+
+/// The derivatives of a distance field at the vertices, each computed on request, from the faces around the
+/// vertex (supplement G.1: in tangent frames, from lengths alone). O(degree) unless said otherwise; samples beyond a
+/// constant number are thinned out evenly before they are compared pair by pair.
+template <class Triangulation>
+class Cut_locus_indicators : public Cut_point_test<Cut_locus_indicators<Triangulation>>
+{
+  using Base = Cut_point_test<Cut_locus_indicators<Triangulation>>;
+
+public:
+  using Base::distance;
+  using Base::distances;
+  using Frames = Tangent_frames<Triangulation>;
+  using Complex = typename Frames::Complex;
+  using Basis = Frames; ///< what these are made of
+
+  static constexpr Cut_criterion default_criterion() { return {}; }
+  static const Frames& frames_of(const Basis& basis) { return basis; }
+
+  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `frames`, it is
+  ///        referred to and must outlive this object
+  Cut_locus_indicators(const Frames& frames, const std::vector<double>& field) : Base(field), m_frames(frames)
+  {
+    CGAL_precondition(field.size() == frames.triangulation().number_of_vertices());
+  }
+
+  const Frames& frames() const { return m_frames; }
+
+  /// The unit gradient in the face of `halfedge`, in the frame of the origin of `halfedge`; 0 where there is none.
+  Complex face_direction(Index halfedge) const
+  {
+    const Triangulation& triangulation = m_frames.triangulation();
+    const auto& corner = m_frames.corner(halfedge);
+    if (corner.sine == 0) {
+      return 0;
+    }
+    const double here = distance(triangulation.origin(halfedge));
+    const Index last = triangulation.previous(halfedge);
+    const double along = (distance(triangulation.target(halfedge)) - here) / corner.length;
+    const double along_last = (distance(triangulation.origin(last)) - here) / m_frames.corner(last).length;
+    const Complex gradient(along, (along_last - along * corner.cosine) / corner.sine);
+    const double norm = std::abs(gradient);
+    return norm > 0 && std::isfinite(norm) ? corner.turn * gradient / norm : Complex(0);
+  }
+
+  /// The mean of the unit gradients around `vertex`, weighted by angle, in its frame: it is shorter than 1 where they
+  /// disagree.
+  Complex gradient(Index vertex) const
+  {
+    Complex sum = 0;
+    double weight = 0;
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const double angle = std::atan2(m_frames.corner(h).sine, m_frames.corner(h).cosine);
+      sum += angle * face_direction(h);
+      weight += angle;
+    });
+    return weight > 0 ? sum / weight : Complex(0);
+  }
+
+  /// The gradients of all vertices; linear.
+  std::vector<Complex> gradients() const
+  {
+    std::vector<Complex> result;
+    result.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
+      result.push_back(gradient(vertex));
+    }
+    return result;
+  }
+
+  /// The Laplacian times the spacing: that of the vertices around `vertex` or, if it is larger, the mean edge length,
+  /// over which a heat method smooths its distances.
+  double laplacian(Index vertex) const
+  {
+    const double area = m_frames.area(vertex);
+    if (!(area > 0)) {
+      return 0;
+    }
+    const Triangulation& triangulation = m_frames.triangulation();
+    double sum = 0;
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const Index next = triangulation.next(h);
+      const Index last = triangulation.previous(h);
+      sum += cotangent(last) * (distance(triangulation.origin(next)) - distance(vertex)) / 2 +
+             cotangent(next) * (distance(triangulation.origin(last)) - distance(vertex)) / 2;
+    });
+    const double spacing = std::max(m_frames.mean_edge_length(), std::sqrt(area / area_of_unit_spacing));
+    return std::isfinite(sum) ? sum / area * spacing : 0;
+  }
+
+  /// Collects the faces around `vertex` that have a gradient, counterclockwise.
+  void collect_samples(Index vertex, Gradient_samples& samples) const
+  {
+    samples.clear();
+    m_frames.for_each_outgoing(vertex, [&](Index h) {
+      const Complex gradient = face_direction(h);
+      if (gradient != Complex(0)) {
+        const auto& corner = m_frames.corner(h);
+        // The bisector of the corner, by the half-angle formulas.
+        const Complex bisector(std::sqrt((1 + corner.cosine) / 2), std::sqrt((1 - corner.cosine) / 2));
+        samples.push_back({corner.turn * bisector, gradient});
+      }
+    });
+  }
+
+  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise: these lie farther away, where a heat
+  /// method does not round off a ridge any more. \param gradients those of all vertices, as `gradients()` returns them
+  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
+  {
+    samples.clear();
+    m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      const bool is_outgoing = m_frames.triangulation().origin(h) == vertex;
+      const Complex transport = m_frames.transport_to_origin(h);
+      Base::add_neighbor(is_outgoing ? m_frames.direction_at_origin(h) : m_frames.direction_at_target(h),
+                         is_outgoing ? transport : std::conj(transport), gradients[neighbor], samples);
+    });
+  }
+
+private:
+  /// The dual area of a vertex of a regular triangulation with edges of length 1.
+  static constexpr double area_of_unit_spacing = 0.8660254037844386;
+
+  /// Of the angle at the origin of `halfedge`; 0 where the face has no area.
+  double cotangent(Index halfedge) const
+  {
+    const auto& corner = m_frames.corner(halfedge);
+    return corner.sine > 0 ? corner.cosine / corner.sine : 0;
+  }
+
+  const Frames& m_frames;
+};
+
+/// What `Cut_locus_indicators` are on a triangulation, on a point complex (supplement, appendix G.2): the derivatives
+/// of a distance field at the vertices, each computed on request. The gradient that a vertex has is the mean
+/// of those of its immediate neighbors and its own: a single one follows the noise of a few points. Only the immediate
+/// neighbors of a vertex are compared.
+class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicators>
+{
+  using Base = Cut_point_test<Point_cut_locus_indicators>;
+
+public:
+  using Frames = Point_frames;
+  using Complex = Frames::Complex;
+  using Basis = Point_derivatives; ///< what these are made of
+
+  static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
+
+  static constexpr Cut_criterion default_criterion() { return point_cut_criterion(); }
+
+  /// \param field the distance of every vertex, infinite or not a number where it is unknown; as `derivatives`, it
+  ///        is referred to and must outlive this object
+  Point_cut_locus_indicators(const Point_derivatives& derivatives, const std::vector<double>& field)
+      : Base(field), m_derivatives(derivatives)
+  {
+    CGAL_precondition(field.size() == frames().triangulation().number_of_vertices());
+  }
+
+  const Frames& frames() const { return m_derivatives.frames(); }
+
+  /// The mean gradient of `vertex` and its neighbors, in its frame: it is shorter than 1 where they disagree. O(d^2)
+  /// for degree d.
+  Complex gradient(Index vertex) const
+  {
+    return mean_gradient(vertex, [this](Index v) { return m_derivatives.gradient(v, distances()); });
+  }
+
+  /// The gradients of all vertices; linear for bounded degrees.
+  std::vector<Complex> gradients() const
+  {
+    std::vector<Complex> single;
+    single.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
+      single.push_back(m_derivatives.gradient(vertex, distances()));
+    }
+    std::vector<Complex> result;
+    result.reserve(distances().size());
+    for (Index vertex = 0; vertex < distances().size(); ++vertex) {
+      result.push_back(mean_gradient(vertex, [&single](Index v) { return single[v]; }));
+    }
+    return result;
+  }
+
+  /// The Laplacian times the spacing, see `Point_derivatives`. O(d) for degree d.
+  double laplacian(Index vertex) const
+  {
+    const double result = m_derivatives.laplacian(vertex, distances());
+    return std::isfinite(result) ? result : 0;
+  }
+
+  /// Collects the neighbors of `vertex` that have a gradient, counterclockwise.
+  void collect_samples(Index vertex, Gradient_samples& samples) const
+  {
+    collect_neighbors(
+        vertex, [this](Index neighbor) { return gradient(neighbor); }, samples);
+  }
+
+  /// The same with known gradients. \param gradients those of all vertices, as `gradients()` returns them
+  void collect_samples(Index vertex, const std::vector<Complex>& gradients, Gradient_samples& samples) const
+  {
+    collect_neighbors(
+        vertex, [&gradients](Index neighbor) { return gradients[neighbor]; }, samples);
+  }
+
+private:
+  template <class Gradient>
+  Complex mean_gradient(Index vertex, const Gradient& gradient_of) const
+  {
+    Complex sum = gradient_of(vertex);
+    double number = 1;
+    frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      sum += frames().transport_to_origin(h) * gradient_of(neighbor);
+      number += 1;
+    });
+    return sum / number;
+  }
+
+  template <class Gradient>
+  void collect_neighbors(Index vertex, const Gradient& gradient_of, Gradient_samples& samples) const
+  {
+    samples.clear();
+    frames().for_each_neighbor(vertex, [&](Index neighbor, Index h) {
+      add_neighbor(frames().direction_at_origin(h), frames().transport_to_origin(h), gradient_of(neighbor), samples);
+    });
+  }
+
+  const Point_derivatives& m_derivatives;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H

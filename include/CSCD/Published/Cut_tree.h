@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The ORG tree of a distance field, and the part of it that is the cut locus.
+
+#ifndef CSCD_PUBLISHED_CUT_TREE_H
+#define CSCD_PUBLISHED_CUT_TREE_H
+
+#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The ORG tree of the supplement (appendix G.1), which does not define it: the full, unfiltered spanning tree of the
+/// vertices that have a distance, one for each component. Its root is the farthest vertex, a point of the cut locus
+/// beyond doubt; it grows as Prim's tree does, from the attached vertex whose Laplacian is least, which takes all its
+/// neighbors that are free. So it runs along the ridges first, and the cut locus becomes long chains from the root,
+/// while everything else hangs on them as short twigs. Vertices on loops of the cut locus, if these are known, come
+/// before all others: so the tree runs along the loops.
+class Org_tree
+{
+public:
+  /// Edges run from parents to children; vertices are those that are measured.
+  using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
+                                                   boost::no_property, Index, Index>;
+
+  /// Grows the tree; O(n log n) for n vertices.
+  /// \param measures those of a triangulation, `Cut_locus_indicators`, or of a point complex, `Point_cut_locus_indicators`
+  /// \param is_on_loop for every vertex
+  template <class Measures>
+  Org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
+      : m_laplacian(measures.distances().size(), 0), m_parent(measures.distances().size(), no_index),
+        m_halfedge(measures.distances().size(), no_index)
+  {
+    std::vector<Index> by_distance;
+    for (Index vertex = 0; vertex < m_parent.size(); ++vertex) {
+      if (measures.is_reached(vertex)) {
+        m_laplacian[vertex] =
+            is_on_loop[vertex] ? -std::numeric_limits<double>::infinity() : measures.laplacian(vertex);
+        by_distance.push_back(vertex);
+      }
+    }
+    grow_from_farthest(measures, by_distance);
+    make_graph();
+  }
+
+  const Graph& graph() const { return m_graph; }
+  /// The farthest vertices of the components.
+  const std::vector<Index>& roots() const { return m_roots; }
+  /// All vertices of the tree, parents before children.
+  const std::vector<Index>& order() const { return m_order; }
+  /// `no_index` for roots, and for vertices that are not in the tree.
+  Index parent(Index vertex) const { return m_parent[vertex]; }
+  /// A halfedge between `vertex` and its parent, in either direction.
+  Index halfedge_to_parent(Index vertex) const { return m_halfedge[vertex]; }
+  /// The scale-free Laplacian; minus infinity on a loop.
+  double laplacian(Index vertex) const { return m_laplacian[vertex]; }
+  bool is_on_loop(Index vertex) const { return std::isinf(m_laplacian[vertex]); }
+
+private:
+  template <class Measures>
+  void grow_from_farthest(const Measures& measures, std::vector<Index>& by_distance)
+  {
+    // The farthest vertex of each component is the first of it to come.
+    const auto is_nearer = [&](Index a, Index b) {
+      return std::pair(measures.distance(a), b) < std::pair(measures.distance(b), a);
+    };
+    std::vector<char> is_attached(m_parent.size(), 0);
+    std::make_heap(by_distance.begin(), by_distance.end(), is_nearer);
+    for (auto end = by_distance.end(); end != by_distance.begin(); --end) {
+      const Index vertex = by_distance.front();
+      if (!is_attached[vertex]) {
+        m_roots.push_back(vertex);
+        grow(measures, vertex, is_attached);
+      }
+      if (m_order.size() == by_distance.size()) {
+        break;
+      }
+      std::pop_heap(by_distance.begin(), end, is_nearer);
+    }
+  }
+
+  template <class Measures>
+  void grow(const Measures& measures, Index root, std::vector<char>& is_attached)
+  {
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    const auto attach = [&](Index vertex) {
+      is_attached[vertex] = 1;
+      m_order.push_back(vertex);
+      queue.emplace(m_laplacian[vertex], vertex);
+    };
+    attach(root);
+    while (!queue.empty()) {
+      const Index vertex = queue.top().second;
+      queue.pop();
+      measures.frames().for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+        if (!is_attached[neighbor] && measures.is_reached(neighbor)) {
+          m_parent[neighbor] = vertex;
+          m_halfedge[neighbor] = halfedge;
+          attach(neighbor);
+        }
+      });
+    }
+  }
+
+  void make_graph()
+  {
+    std::vector<Index> sources;
+    std::vector<Index> targets;
+    for (Index vertex : m_order) {
+      if (m_parent[vertex] != no_index) {
+        sources.push_back(m_parent[vertex]);
+        targets.push_back(vertex);
+      }
+    }
+    m_graph = Graph(boost::construct_inplace_from_sources_and_targets, sources, targets, Index(m_parent.size()));
+  }
+
+  std::vector<double> m_laplacian;
+  std::vector<Index> m_parent;
+  std::vector<Index> m_halfedge;
+  std::vector<Index> m_order;
+  std::vector<Index> m_roots;
+  Graph m_graph;
+};
+
+/// A subtree of every tree of an ORG tree, each with its root, and chords that close loops.
+/// Vertices are added below kept ones, and removed at the leaves.
+class Cut_tree
+{
+public:
+  /// Keeps the roots of `tree`, which is referred to and must outlive this object; linear.
+  explicit Cut_tree(const Org_tree& tree)
+      : m_tree(tree), m_is_kept(num_vertices(tree.graph()), 0), m_is_protected(m_is_kept),
+        m_number_of_children(m_is_kept.size(), 0)
+  {
+    for (Index root : tree.roots()) {
+      m_is_kept[root] = 1;
+      m_is_protected[root] = 1;
+    }
+  }
+  explicit Cut_tree(Org_tree&&) = delete;
+
+  const Org_tree& tree() const { return m_tree; }
+  bool is_kept(Index vertex) const { return m_is_kept[vertex] != 0; }
+  /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
+  bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
+  bool is_root(Index vertex) const { return m_tree.parent(vertex) == no_index; }
+  /// Those that are kept.
+  Index number_of_children(Index vertex) const { return m_number_of_children[vertex]; }
+  /// Whether `vertex` is kept and can be removed.
+  bool is_free_leaf(Index vertex) const
+  {
+    return is_kept(vertex) && !is_protected(vertex) && number_of_children(vertex) == 0;
+  }
+
+  /// Keeps `vertex` and all that are between it and kept ones.
+  void keep(Index vertex)
+  {
+    for (; !is_kept(vertex); vertex = m_tree.parent(vertex)) {
+      m_is_kept[vertex] = 1;
+      ++m_number_of_children[m_tree.parent(vertex)];
+    }
+  }
+
+  /// Removes a leaf.
+  /// \pre `is_free_leaf(vertex)`
+  void remove(Index vertex)
+  {
+    CGAL_precondition(is_free_leaf(vertex));
+    m_is_kept[vertex] = 0;
+    --m_number_of_children[m_tree.parent(vertex)];
+  }
+
+  /// Joins the ends `a` and `b` of `halfedge` by a chord, keeps both, and protects their paths to the root.
+  void add_chord(Index halfedge, Index a, Index b)
+  {
+    m_chords.push_back(halfedge);
+    for (Index vertex : {a, b}) {
+      keep(vertex);
+      for (; vertex != no_index && !is_protected(vertex); vertex = m_tree.parent(vertex)) {
+        m_is_protected[vertex] = 1;
+      }
+    }
+  }
+
+  /// The halfedges of the chords.
+  const std::vector<Index>& chords() const { return m_chords; }
+
+private:
+  const Org_tree& m_tree;
+  std::vector<char> m_is_kept;
+  std::vector<char> m_is_protected;
+  std::vector<Index> m_number_of_children;
+  std::vector<Index> m_chords;
+};
+
+/// Removes from `cut` the branches that end in a leaf and are shorter than `min_length`, the shortest first; what
+/// they leave of their fork may then be one longer branch. A branch ends at a fork, at a root, or where it is
+/// protected. O(n log n) for n vertices. \param length gives the length of a halfedge
+template <class Length>
+void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
+{
+  const Org_tree& tree = cut.tree();
+  const auto ends_at = [&](Index vertex) { return cut.is_protected(vertex) || cut.number_of_children(vertex) > 1; };
+  const auto branch_length = [&](Index leaf) {
+    double sum = 0;
+    Index vertex = leaf;
+    do {
+      sum += length(tree.halfedge_to_parent(vertex));
+      vertex = tree.parent(vertex);
+    } while (!ends_at(vertex) && sum < min_length);
+    return sum;
+  };
+  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
+  for (Index vertex : tree.order()) {
+    if (cut.is_free_leaf(vertex)) {
+      queue.emplace(branch_length(vertex), vertex);
+    }
+  }
+  while (!queue.empty() && queue.top().first < min_length) {
+    const auto [known_length, leaf] = queue.top();
+    queue.pop();
+    const double current_length = branch_length(leaf);
+    if (current_length > known_length) {
+      queue.emplace(current_length, leaf);
+      continue;
+    }
+    for (Index vertex = leaf; cut.is_free_leaf(vertex); vertex = tree.parent(vertex)) {
+      cut.remove(vertex);
+    }
+  }
+}
+
+/// Whether the free leaf `leaf` of `cut` lies beside another branch: next to a kept vertex that is neither its parent
+/// nor a child of its parent. Of two leaves side by side only the one with the greater Laplacian counts.
+template <class Frames>
+bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
+{
+  const Org_tree& tree = cut.tree();
+  const Index parent = tree.parent(leaf);
+  bool result = false;
+  frames.for_each_neighbor(leaf, [&](Index neighbor, Index) {
+    if (neighbor == leaf || neighbor == parent || !cut.is_kept(neighbor) || tree.parent(neighbor) == parent) {
+      return;
+    }
+    const bool is_weaker = std::pair(tree.laplacian(leaf), leaf) > std::pair(tree.laplacian(neighbor), neighbor);
+    result = result || cut.number_of_children(neighbor) > 0 || cut.is_protected(neighbor) || is_weaker;
+  });
+  return result;
+}
+
+/// Removes from `cut`, leaf by leaf, branches that lie beside other ones. O(n) for n vertices.
+/// \param frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
+template <class Frames>
+void thin_branches(const Frames& frames, Cut_tree& cut)
+{
+  std::vector<Index> queue;
+  for (Index vertex : cut.tree().order()) {
+    if (cut.is_free_leaf(vertex)) {
+      queue.push_back(vertex);
+    }
+  }
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (is_beside_branch(frames, cut, queue[i])) {
+      const Index parent = cut.tree().parent(queue[i]);
+      cut.remove(queue[i]);
+      if (cut.is_free_leaf(parent)) {
+        queue.push_back(parent);
+      }
+    }
+  }
+}
+
+/// Keeps of `tree`, the ORG tree of `measures`, what `policy` makes of the cut points; then calls `close_loops(cut)`,
+/// which may add chords; then makes branches one vertex wide and drops the short ones. O(n log n) for n vertices, and
+/// what `close_loops` costs.
+/// \tparam Measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators`
+/// \param min_branch_length relative to the distance of the farthest vertex; branches of less than three mean
+///        edge lengths, which the triangulation alone can make, are dropped anyway
+template <class Measures, class CutLocusPolicy, class CloseLoops>
+Cut_tree filter_org_tree(const Measures& measures, const Org_tree& tree, const Cut_criterion& criterion,
+                         const CutLocusPolicy& policy, double min_branch_length, const CloseLoops& close_loops)
+{
+  constexpr double min_edges_of_branch = 3;
+  const auto& frames = measures.frames();
+  Cut_tree cut(tree);
+  const auto gradients = measures.gradients();
+  policy([&](Index vertex) { return tree.is_on_loop(vertex) || measures.is_cut(vertex, criterion, gradients); }, cut);
+  close_loops(cut);
+  thin_branches(frames, cut);
+  double max_distance = 0;
+  for (Index root : tree.roots()) {
+    max_distance = std::max(max_distance, measures.distance(root));
+  }
+  const double min_length = std::max(min_branch_length * max_distance, min_edges_of_branch * frames.mean_edge_length());
+  drop_short_branches(cut, min_length, [&](Index halfedge) { return frames.length(halfedge); });
+  return cut;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_CUT_TREE_H

@@ -1,0 +1,650 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortens curves along edges to geodesics by flipping the edges beside them.
+
+#ifndef CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
+#define CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
+
+#include <CSCD/Published/Edge_trace.h>
+#include <CSCD/Published/Flat_triangle.h>
+#include <CSCD/Published/Intrinsic_patch.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// A path of segments, each along a halfedge, open or closed, as a linked list. Where several segments run along one
+/// edge, they lie side by side in an order that is kept: so the path has a left and a right also where it touches
+/// itself. Segments keep their numbers while edges of the triangulation are flipped.
+/// \tparam Patch the triangulation; its `twin(h)` may add faces
+template <class Patch>
+class Edge_path
+{
+public:
+  explicit Edge_path(Patch& patch) : m_patch(patch) {}
+
+  void clear()
+  {
+    m_segments.clear();
+    m_outermost.clear();
+  }
+
+  /// \name Segments
+  /// @{
+  Index halfedge(Index segment) const { return m_segments[segment].halfedge; }
+  /// `no_index` at the ends of an open path.
+  Index next(Index segment) const { return m_segments[segment].next; }
+  Index previous(Index segment) const { return m_segments[segment].previous; }
+  bool is_removed(Index segment) const { return m_segments[segment].halfedge == no_index; }
+  /// How often what follows the segment has changed.
+  Index version(Index segment) const { return m_segments[segment].version; }
+
+  /// Makes `second`, or nothing, follow `first`, or nothing.
+  void link(Index first, Index second)
+  {
+    if (first != no_index) {
+      m_segments[first].next = second;
+      ++m_segments[first].version;
+    }
+    if (second != no_index) {
+      m_segments[second].previous = first;
+    }
+  }
+  /// @}
+
+  /// \name Strands
+  /// @{
+  /// The segment on the edge of `halfedge` that lies nearest to the face of `halfedge`, or `no_index`.
+  Index outermost(Index halfedge) const { return halfedge < m_outermost.size() ? m_outermost[halfedge] : no_index; }
+  bool is_on_edge(Index halfedge) const { return outermost(halfedge) != no_index; }
+  /// Whether `a` and `b` lie side by side on one edge.
+  bool are_side_by_side(Index a, Index b) const { return m_segments[a].left == b || m_segments[a].right == b; }
+
+  /// Adds a segment along `halfedge`, nearer than all others on its edge to the face of `side`, which is `halfedge` or
+  /// its twin. It has no neighbors in the path yet.
+  Index add(Index halfedge, Index side)
+  {
+    const Index segment = Index(m_segments.size());
+    const Index inner = outermost(side);
+    m_segments.push_back({halfedge, no_index, no_index, no_index, no_index, 0});
+    (halfedge == side ? m_segments[segment].right : m_segments[segment].left) = inner;
+    if (inner == no_index) {
+      set_outermost(m_patch.twin(side), segment);
+    } else {
+      neighbor(inner, side) = segment;
+    }
+    set_outermost(side, segment);
+    return segment;
+  }
+
+  /// Takes `segment` off its edge for good.
+  void remove(Index segment)
+  {
+    const Index h = m_segments[segment].halfedge;
+    const Index t = m_patch.twin(h);
+    const Index left = m_segments[segment].left;
+    const Index right = m_segments[segment].right;
+    if (left == no_index) {
+      set_outermost(h, right);
+    } else {
+      neighbor(left, t) = right;
+    }
+    if (right == no_index) {
+      set_outermost(t, left);
+    } else {
+      neighbor(right, h) = left;
+    }
+    m_segments[segment].halfedge = no_index;
+  }
+
+  /// Follows a flip of the edge of `h` and `t`, on which no segment lies, see `Intrinsic_triangulation::flip()`.
+  void follow_flip(Index h, Index t)
+  {
+    const Index from_left = outermost(Patch::previous(h));
+    const Index from_right = outermost(Patch::previous(t));
+    renumber(from_left, Patch::previous(h), t);
+    renumber(from_right, Patch::previous(t), h);
+    set_outermost(Patch::previous(h), no_index);
+    set_outermost(Patch::previous(t), no_index);
+    set_outermost(t, from_left);
+    set_outermost(h, from_right);
+  }
+  /// @}
+
+private:
+  struct Segment
+  {
+    Index halfedge;
+    Index previous;
+    Index next;
+    Index left;  // the next strand on the left of the halfedge
+    Index right; // and on its right
+    Index version;
+  };
+
+  /// The next strand beside `segment` on the side of the face of `halfedge`, which is that of the segment or its twin.
+  Index& neighbor(Index segment, Index halfedge)
+  {
+    return m_segments[segment].halfedge == halfedge ? m_segments[segment].left : m_segments[segment].right;
+  }
+
+  void set_outermost(Index halfedge, Index segment)
+  {
+    if (halfedge >= m_outermost.size()) {
+      if (segment == no_index) {
+        return;
+      }
+      m_outermost.resize(m_patch.number_of_halfedges(), no_index);
+    }
+    m_outermost[halfedge] = segment;
+  }
+
+  /// Renames the halfedge `from` to `to` in all strands of its edge, of which the outermost one is `segment`.
+  void renumber(Index segment, Index from, Index to)
+  {
+    while (segment != no_index) {
+      Segment& strand = m_segments[segment];
+      const bool is_same_way = strand.halfedge == from || strand.halfedge == to;
+      strand.halfedge = strand.halfedge == from ? to : strand.halfedge;
+      segment = is_same_way ? strand.right : strand.left;
+    }
+  }
+
+  std::vector<Segment> m_segments;
+  std::vector<Index> m_outermost;
+  Patch& m_patch;
+};
+
+/// Shortens curves along edges, closed or open, by flipping edges of the triangulation beside them: where the curve
+/// makes an angle of less than pi, the edges within the angle are flipped until the curve can go along the far side
+/// (Sharp, Crane: You can find geodesic paths in triangle meshes by just flipping edges, 2020; appendix E of the
+/// paper).
+///
+/// All work is done in an `Intrinsic_patch` of the faces beside the curve: a curve costs nothing of the size of the
+/// surface. One object serves one thread; any number of them may share a surface. Reuse one object.
+/// \tparam Triangulation see `Intrinsic_patch`: a surface, or an intrinsic triangulation of one, on the edges of which
+///         curves are then given; the results are over the surface in either case
+template <class Triangulation>
+class Edge_flip_shortening
+{
+public:
+  /// A bend is taken for straight if the angle on either side is at least pi less this, in radians.
+  static constexpr double angle_tolerance = 1e-5;
+  /// A closed curve has collapsed when it is shorter than this part of its first length.
+  static constexpr double collapsed_part = 0.15;
+
+  /// Linear, for degenerate faces are looked for.
+  explicit Edge_flip_shortening(const Triangulation& surface) : Edge_flip_shortening(surface, surface.number_of_faces())
+  {
+  }
+
+  /// The same on the first `number_of_faces` faces of a surface only, around the others, which no curve ever crosses:
+  /// where they are in the way, it goes along their edges. So borders are kept that were bridged, see
+  /// `first_hole_filling_face()`.
+  Edge_flip_shortening(const Triangulation& surface, Index number_of_faces)
+      : m_patch(surface, added_length(surface, number_of_faces)), m_path(m_patch), m_number_of_faces(number_of_faces)
+  {
+  }
+
+  Edge_flip_shortening(const Edge_flip_shortening&) = delete;
+  Edge_flip_shortening& operator=(const Edge_flip_shortening&) = delete;
+  ~Edge_flip_shortening() = default;
+
+  /// Shortens the curve along `halfedges` and writes it to `result`, as a path over the surface that is never longer.
+  /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about that of
+  /// the faces between the curve before and after.
+  /// \param halfedges those of the triangulation, each from where the one before leads to, and so on if the curve is closed
+  /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2)
+  /// \return what has become of it; `collapsed` leaves no points
+  /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
+  template <class IsPinned>
+  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
+                                Surface_path& result)
+  {
+    run(halfedges, is_closed, is_pinned, std::numeric_limits<std::size_t>::max());
+    if (m_length > m_length_of_single) {
+      // Taken off its vertex for the last time, it has become longer.
+      run(halfedges, is_closed, is_pinned, m_number_of_single_steps - 1);
+    }
+    write(result);
+    return outcome(is_pinned);
+  }
+
+  /// The same without pinned vertices.
+  Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, Surface_path& result)
+  {
+    return (*this)(
+        halfedges, is_closed, [](Index) { return false; }, result);
+  }
+
+private:
+  using Patch = Intrinsic_patch<Triangulation>;
+
+  template <class Surface>
+  static double added_length(const Surface& surface, Index number_of_faces)
+  {
+    return mollifying_length(surface, number_of_faces);
+  }
+  template <class Surface>
+  static double added_length(const Intrinsic_triangulation<Surface>& surface, Index)
+  {
+    return surface.added_length();
+  }
+
+  static constexpr double pi = boost::math::constants::pi<double>();
+
+  /// A curve is given up after so many steps for each of its first segments: hundreds of times what it takes.
+  static constexpr std::size_t max_steps_per_segment = 1000;
+
+  /// An angle of less than pi between a segment and the next one.
+  struct Bend
+  {
+    double angle;
+    Index segment;
+    Index version; // of the segment
+    bool is_left;  // of the path
+
+    /// The greatest element of a heap is its smallest angle.
+    bool operator<(const Bend& other) const
+    {
+      return std::tie(other.angle, other.segment, other.is_left) < std::tie(angle, segment, is_left);
+    }
+  };
+
+  /// Shortens the curve; one of a single segment is taken off its vertex at most `max_single_steps` times.
+  template <class IsPinned>
+  void run(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned, std::size_t max_single_steps)
+  {
+    start(halfedges, is_closed);
+    m_max_single_steps = max_single_steps;
+    for_each_segment([&](Index segment) { queue(segment, is_pinned); });
+    std::size_t steps_left = max_steps_per_segment * (halfedges.size() + 1);
+    while (!m_bends.empty() && !m_is_collapsed && steps_left > 0) {
+      const Bend bend = pop();
+      if (!m_path.is_removed(bend.segment) && m_path.version(bend.segment) == bend.version) {
+        straighten(bend, is_pinned);
+        m_is_collapsed = m_is_collapsed || (is_closed && m_length < collapsed_part * m_first_length);
+        --steps_left;
+      }
+    }
+  }
+
+  void start(const std::vector<Index>& halfedges, bool is_closed)
+  {
+    m_patch.clear();
+    m_path.clear();
+    m_bends.clear();
+    m_blocked.clear();
+    m_is_closed = is_closed;
+    m_number_of_single_steps = 0;
+    m_length_of_single = std::numeric_limits<double>::max();
+    m_length = 0;
+    m_first = 0;
+    m_is_collapsed = halfedges.empty();
+    Index last = no_index;
+    for (const Index given : halfedges) {
+      const Index h = m_patch.halfedge_along(given);
+      CGAL_precondition(last == no_index || vertex_behind(last) == m_patch.origin(h));
+      const Index segment = m_path.add(h, h);
+      m_path.link(last, segment);
+      m_length += m_patch.length(h);
+      last = segment;
+    }
+    if (is_closed && last != no_index) {
+      CGAL_precondition(vertex_behind(last) == m_patch.origin(m_path.halfedge(m_first)));
+      m_path.link(last, m_first);
+    }
+    m_first_length = m_length;
+  }
+
+  template <class Function>
+  void for_each_segment(const Function& function) const
+  {
+    Index segment = m_is_collapsed ? no_index : m_first;
+    while (segment != no_index) {
+      function(segment);
+      segment = m_path.next(segment);
+      if (segment == m_first) {
+        return;
+      }
+    }
+  }
+
+  /// \name Bends
+  /// @{
+  Index vertex_behind(Index segment) const { return m_patch.target(m_path.halfedge(segment)); }
+
+  bool is_backtrack(Index segment) const
+  {
+    return m_patch.are_twins(m_path.halfedge(segment), m_path.halfedge(m_path.next(segment)));
+  }
+
+  /// The halfedges from the vertex behind `segment` between which the angle on one side lies, counterclockwise.
+  std::pair<Index, Index> sides(Index segment, bool is_left)
+  {
+    const Index back = m_patch.twin(m_path.halfedge(segment));
+    const Index forth = m_path.halfedge(m_path.next(segment));
+    return is_left ? std::make_pair(forth, back) : std::make_pair(back, forth);
+  }
+
+  /// Whether the face of `halfedge` is closed to curves. No edge of it is ever flipped.
+  bool is_closed_face(Index halfedge) const
+  {
+    return Triangulation::face(m_patch.input_halfedge(halfedge)) >= m_number_of_faces;
+  }
+
+  /// The angle behind `segment` on one side, or a part of it that is no bend any more; endless over closed faces.
+  double angle_behind(Index segment, bool is_left)
+  {
+    const auto [first, last] = sides(segment, is_left);
+    double sum = 0;
+    Index h = first;
+    do {
+      if (is_closed_face(h)) {
+        return std::numeric_limits<double>::max();
+      }
+      sum += m_patch.angle(h);
+      h = m_patch.next_around_origin(h);
+    } while (h != last && !is_straight(sum));
+    return sum;
+  }
+
+  static bool is_straight(double angle) { return angle >= pi - angle_tolerance; }
+
+  void push(const Bend& bend)
+  {
+    m_bends.push_back(bend);
+    std::push_heap(m_bends.begin(), m_bends.end());
+  }
+
+  Bend pop()
+  {
+    std::pop_heap(m_bends.begin(), m_bends.end());
+    const Bend bend = m_bends.back();
+    m_bends.pop_back();
+    return bend;
+  }
+
+  /// Queues the bends behind `segment`. What goes straight back is taken out even where vertices are pinned.
+  template <class IsPinned>
+  void queue(Index segment, const IsPinned& is_pinned)
+  {
+    if (m_path.next(segment) == no_index) {
+      return;
+    }
+    if (is_backtrack(segment)) {
+      push({0., segment, m_path.version(segment), true});
+    } else if (!is_pinned(vertex_behind(segment))) {
+      for (const bool is_left : {true, false}) {
+        const double angle = angle_behind(segment, is_left);
+        if (!is_straight(angle)) {
+          push({angle, segment, m_path.version(segment), is_left});
+        }
+      }
+    }
+  }
+  /// @}
+
+  /// \name Straightening
+  /// @{
+  template <class IsPinned>
+  void straighten(const Bend& bend, const IsPinned& is_pinned)
+  {
+    if (is_backtrack(bend.segment)) {
+      take_out_backtrack(bend, is_pinned);
+    } else if (m_path.next(bend.segment) == bend.segment) {
+      take_off_vertex(bend, is_pinned);
+    } else {
+      pass_over_vertex(bend, is_pinned);
+    }
+  }
+
+  template <class IsPinned>
+  void take_out_backtrack(const Bend& bend, const IsPinned& is_pinned)
+  {
+    if (!m_path.are_side_by_side(bend.segment, m_path.next(bend.segment))) {
+      m_blocked.push_back(bend);
+      return;
+    }
+    m_arc.clear();
+    replace_segments_at(bend.segment, is_pinned);
+  }
+
+  /// Takes the path over the vertex behind a segment to the far side of the faces within the angle.
+  template <class IsPinned>
+  void pass_over_vertex(const Bend& bend, const IsPinned& is_pinned)
+  {
+    if (!is_clear(bend)) {
+      m_blocked.push_back(bend);
+      return;
+    }
+    flip_incident_edges(bend);
+    collect_arc(bend);
+    double length = 0;
+    for (const Arc_edge& edge : m_arc) {
+      length += m_patch.length(edge.halfedge);
+    }
+    const Index next = m_path.next(bend.segment);
+    if (length < m_patch.length(m_path.halfedge(bend.segment)) + m_patch.length(m_path.halfedge(next))) {
+      replace_segments_at(bend.segment, is_pinned);
+    }
+  }
+
+  /// Whether no other part of the path lies within the angle.
+  bool is_clear(const Bend& bend)
+  {
+    const auto [first, last] = sides(bend.segment, bend.is_left);
+    const Index next = m_path.next(bend.segment);
+    if (m_path.outermost(first) != (bend.is_left ? next : bend.segment) ||
+        m_path.outermost(m_patch.twin(last)) != (bend.is_left ? bend.segment : next)) {
+      return false;
+    }
+    for (Index h = m_patch.next_around_origin(first); h != last; h = m_patch.next_around_origin(h)) {
+      if (m_path.is_on_edge(h)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Flips the edges within the angle until none can be: the far side is then convex.
+  void flip_incident_edges(const Bend& bend)
+  {
+    auto [first, last] = sides(bend.segment, bend.is_left);
+    Index h = m_patch.next_around_origin(first);
+    while (h != last) {
+      const Index t = m_patch.twin(h);
+      if (!m_patch.flip_if_convex(h)) {
+        h = m_patch.next_around_origin(h);
+        continue;
+      }
+      m_path.follow_flip(h, t);
+      std::tie(first, last) = sides(bend.segment, bend.is_left);
+      // The edge before may now be flippable.
+      const Index before = Patch::next(t);
+      h = before == first ? m_patch.next_around_origin(first) : before;
+    }
+  }
+
+  /// Writes the far side of the faces within the angle to `m_arc`, in the direction of the path.
+  void collect_arc(const Bend& bend)
+  {
+    const auto [first, last] = sides(bend.segment, bend.is_left);
+    m_arc.clear();
+    for (Index h = first; h != last; h = m_patch.next_around_origin(h)) {
+      const Index side = Patch::next(h);
+      m_arc.push_back({bend.is_left ? m_patch.twin(side) : side, side});
+    }
+    if (bend.is_left) {
+      std::reverse(m_arc.begin(), m_arc.end());
+    }
+  }
+
+  /// Takes a closed path of one segment off its vertex, on the side of `bend`: the path is led along the two other
+  /// sides of the face there, and then taken over the vertex. It may be longer for a while, hence what it was is kept.
+  template <class IsPinned>
+  void take_off_vertex(const Bend& bend, const IsPinned& is_pinned)
+  {
+    const Index along = m_path.halfedge(bend.segment);
+    const Index h = bend.is_left ? along : m_patch.twin(along);
+    const Index after = Patch::next(h);
+    const Index before = Patch::previous(h);
+    if (m_patch.are_twins(before, after)) {
+      // The path goes round a single vertex, towards which it becomes ever shorter.
+      m_is_collapsed = true;
+      return;
+    }
+    if (m_number_of_single_steps == m_max_single_steps || m_length >= m_length_of_single) {
+      return;
+    }
+    ++m_number_of_single_steps;
+    m_length_of_single = m_length;
+    if (bend.is_left) {
+      m_arc = {{m_patch.twin(before), before}, {m_patch.twin(after), after}};
+    } else {
+      m_arc = {{after, after}, {before, before}};
+    }
+    replace_segments_at(bend.segment, is_pinned);
+    const Index last = m_path.previous(m_first);
+    pass_over_vertex({0., last, m_path.version(last), bend.is_left}, is_pinned);
+  }
+
+  /// Replaces a segment and the next one, which may be the same, by `m_arc`, and queues the bends that this makes.
+  template <class IsPinned>
+  void replace_segments_at(Index segment, const IsPinned& is_pinned)
+  {
+    const Index next = m_path.next(segment);
+    const Index before = m_path.previous(segment);
+    const Index after = m_path.next(next);
+    const bool is_all = before == next; // of a closed path
+    remove(segment);
+    if (next != segment) {
+      remove(next);
+    }
+    m_added.clear();
+    for (const Arc_edge& edge : m_arc) {
+      m_added.push_back(m_path.add(edge.halfedge, edge.side));
+      m_length += m_patch.length(edge.halfedge);
+    }
+    connect(is_all ? no_index : before, is_all ? no_index : after);
+    if (is_all && !m_added.empty()) {
+      m_path.link(m_added.back(), m_added.front());
+    }
+    if (m_is_collapsed) {
+      return;
+    }
+    if (!is_all && before != no_index) {
+      queue(before, is_pinned);
+    }
+    for (const Index added : m_added) {
+      queue(added, is_pinned);
+    }
+    for (const Bend& bend : m_blocked) {
+      push(bend);
+    }
+    m_blocked.clear();
+  }
+
+  void remove(Index segment)
+  {
+    m_length -= m_patch.length(m_path.halfedge(segment));
+    m_path.remove(segment);
+  }
+
+  /// Links the added segments in between `before` and `after`, either of which may be nothing.
+  void connect(Index before, Index after)
+  {
+    if (m_path.is_removed(m_first) || before == no_index) {
+      m_first = !m_added.empty() ? m_added.front() : after != no_index ? after : before;
+    }
+    m_is_collapsed = m_first == no_index;
+    Index last = before;
+    for (const Index added : m_added) {
+      m_path.link(last, added);
+      last = added;
+    }
+    m_path.link(last, after);
+  }
+  /// @}
+
+  /// \name Result
+  /// @{
+  void write(Surface_path& path)
+  {
+    path.points.clear();
+    path.is_closed = m_is_closed;
+    path.length = 0;
+    Index last = no_index;
+    for_each_segment([&](Index segment) {
+      last = m_path.halfedge(segment);
+      path.length += m_patch.length(last);
+      path.points.push_back({m_patch.input_halfedge(last), 0.});
+      m_patch.trace(last, m_trace);
+      path.points.insert(path.points.end(), m_trace.crossings().begin(), m_trace.crossings().end());
+    });
+    if (!m_is_closed && last != no_index) {
+      path.points.push_back({m_patch.input_halfedge(m_patch.twin(last)), 0.});
+    }
+  }
+
+  template <class IsPinned>
+  Shortening_outcome outcome(const IsPinned& is_pinned)
+  {
+    Shortening_outcome result = m_is_collapsed ? Shortening_outcome::collapsed : Shortening_outcome::straight;
+    for_each_segment([&](Index segment) {
+      const bool is_end = m_path.next(segment) == no_index;
+      if (!is_end && (!is_straight(angle_behind(segment, true)) || !is_straight(angle_behind(segment, false)))) {
+        if (!is_pinned(vertex_behind(segment))) {
+          result = Shortening_outcome::unfinished;
+        } else if (result == Shortening_outcome::straight) {
+          result = Shortening_outcome::held;
+        }
+      }
+    });
+    return result;
+  }
+  /// @}
+
+  /// A segment to come: its halfedge, and that of the edge in whose face the path has been.
+  struct Arc_edge
+  {
+    Index halfedge;
+    Index side;
+  };
+
+  Patch m_patch;
+  Edge_path<Patch> m_path;
+  std::vector<Bend> m_bends;   // a heap
+  std::vector<Bend> m_blocked; // which other parts of the path are in the way of
+  std::vector<Arc_edge> m_arc;
+  std::vector<Index> m_added;
+  Edge_trace m_trace;
+  Index m_first = 0; // segment of an open path, some segment of a closed one
+  Index m_number_of_faces;
+  double m_length = 0;
+  double m_first_length = 0;
+  double m_length_of_single = 0; // when it was a single segment and taken off its vertex for the last time
+  std::size_t m_number_of_single_steps = 0;
+  std::size_t m_max_single_steps = 0;
+  bool m_is_closed = true;
+  bool m_is_collapsed = false;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H

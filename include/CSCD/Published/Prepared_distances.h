@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Geodesic distances in flat arrays, on a surface or on points: prepared once, estimated from many sources.
+
+#ifndef CSCD_PUBLISHED_PREPARED_DISTANCES_H
+#define CSCD_PUBLISHED_PREPARED_DISTANCES_H
+
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Where distance is measured from: a vertex, or else a point of a face, by barycentric coordinates.
+struct Distance_source
+{
+  Index vertex = no_index;
+  Index face = no_index;
+  std::array<double, 3> coordinates{};
+};
+
+/// Estimates distances by the heat method on an intrinsic Delaunay triangulation. Copies share what is prepared; const
+/// and thread safe.
+class Prepared_distances
+{
+public:
+  /// Takes `use(i, distances)`, with the number of a set of sources and the distance of every vertex.
+  using Use = std::function<void(std::size_t, const std::vector<double>&)>;
+
+  /// Prepares a triangulated surface, perhaps with borders; O(n^1.5), and usually nearly linear.
+  /// \param pairing that of the faces of `triangles`, which are a manifold
+  /// \param time_step_factor see `Heat_method`
+  /// \throw Input_error if the triangles are too uneven to be computed with
+  Prepared_distances(Indexed_triangles&& triangles, const Halfedge_pairing& pairing, double time_step_factor);
+
+  /// Prepares points, on the tufted cover of their complex; else as above.
+  /// \throw Input_error if the points do not sample a surface
+  Prepared_distances(const Point_cloud& cloud, double time_step_factor);
+
+  /// Estimates the distance of every vertex, or point of the cloud, from the nearest source of each set by itself, and
+  /// calls `use` set by set. Distances near a source may be a little below 0.
+  void estimate_each(const std::vector<std::vector<Distance_source>>& source_sets, const Use& use) const;
+
+private:
+  struct Data;
+  std::shared_ptr<const Data> m_data;
+};
+
+} // namespace CSCD::internal
+
+#ifndef CSCD_COMPILED
+#include <CSCD/Published/Prepared_distances_impl.h>
+#endif
+
+#endif // CSCD_PUBLISHED_PREPARED_DISTANCES_H

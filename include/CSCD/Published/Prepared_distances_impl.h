@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Prepared_distances.h.
+
+#ifndef CSCD_PUBLISHED_PREPARED_DISTANCES_IMPL_H
+#define CSCD_PUBLISHED_PREPARED_DISTANCES_IMPL_H
+
+#include <CSCD/Points/build_point_complex.h>
+#include <CSCD/Published/Heat_method.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
+#include <CSCD/Published/Prepared_distances.h>
+#include <CSCD/Published/Tufted_cover.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace CSCD::internal {
+
+struct Prepared_distances::Data
+{
+  Data(Triangulated_surface&& closed_surface, double time_step_factor)
+      : surface(std::move(closed_surface)), method(make_intrinsic_delaunay(surface), time_step_factor)
+  {
+  }
+  Data(const Point_complex& complex, double time_step_factor)
+      : method(make_intrinsic_delaunay(Tufted_cover(complex)), time_step_factor)
+  {
+  }
+
+  Geodesic_source geodesic_source(const Distance_source& source) const
+  {
+    return source.vertex != no_index ? Geodesic_source::at_vertex(source.vertex)
+                                     : Geodesic_source::in_face(surface, source.face, source.coordinates);
+  }
+
+  Triangulated_surface surface; // empty for points
+  Heat_method method;
+};
+
+inline Triangulated_surface surface_with_bridged_borders(Indexed_triangles&& triangles, const Halfedge_pairing& pairing)
+{
+  bridge_borders(triangles, pairing);
+  return Triangulated_surface(std::move(triangles));
+}
+
+CSCD_INLINE Prepared_distances::Prepared_distances(Indexed_triangles&& triangles, const Halfedge_pairing& pairing,
+                                                   double time_step_factor)
+    : m_data(
+          std::make_shared<const Data>(surface_with_bridged_borders(std::move(triangles), pairing), time_step_factor))
+{
+}
+
+CSCD_INLINE Prepared_distances::Prepared_distances(const Point_cloud& cloud, double time_step_factor)
+    : m_data(std::make_shared<const Data>(build_point_complex(cloud), time_step_factor))
+{
+}
+
+CSCD_INLINE void Prepared_distances::estimate_each(const std::vector<std::vector<Distance_source>>& source_sets,
+                                                   const Use& use) const
+{
+  Heat_method::Workspace workspace;
+  std::vector<std::vector<double>> distances;
+  std::vector<std::vector<Geodesic_source>> batch;
+  for (std::size_t begin = 0; begin < source_sets.size(); begin += Heat_method::batch_size) {
+    batch.clear();
+    for (std::size_t i = begin; i < std::min(begin + Heat_method::batch_size, source_sets.size()); ++i) {
+      batch.emplace_back();
+      for (const Distance_source& source : source_sets[i]) {
+        batch.back().push_back(m_data->geodesic_source(source));
+      }
+    }
+    m_data->method(batch, distances, workspace);
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      use(begin + i, distances[i]);
+    }
+  }
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_PREPARED_DISTANCES_IMPL_H

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Shortens a closed curve by minimizing an energy of its points on a surface that need only be projected to.
+
+#ifndef CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H
+#define CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H
+
+#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/solve_cyclic_tridiagonal.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Writes to `samples` so many points at equal distances along the closed polygon `points`, beginning at its first
+/// point. Linear.
+/// \pre `points` is not empty and `number` is positive
+inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t number, std::vector<Vector_3>& samples)
+{
+  CGAL_precondition(!points.empty() && number > 0);
+  double length = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    length += (points[(i + 1) % points.size()] - points[i]).norm();
+  }
+  samples.clear();
+  const double step = length / double(number);
+  double begin = 0; // of the side that follows `side`
+  std::size_t side = 0;
+  double side_length = (points[1 % points.size()] - points[0]).norm();
+  for (std::size_t k = 0; k < number; ++k) {
+    const double position = double(k) * step;
+    while (begin + side_length < position && side + 1 < points.size()) {
+      begin += side_length;
+      ++side;
+      side_length = (points[(side + 1) % points.size()] - points[side]).norm();
+    }
+    const double part = side_length > 0 ? std::clamp((position - begin) / side_length, 0., 1.) : 0.;
+    samples.push_back((1 - part) * points[side] + part * points[(side + 1) % points.size()]);
+  }
+}
+
+/// What a variational shortening has done.
+struct Variational_report
+{
+  Shortening_outcome outcome = Shortening_outcome::straight;
+  int number_of_iterations = 0;
+  double length_before = 0; ///< of the polygon of the samples
+  double length = 0;
+};
+
+/// Shortens closed curves by the variational method of appendix F.
+///
+/// The energy of points x_i is the sum of H(|x_i - x_{i+1}|) + lambda max(0, |x_i - c| - r)^2, where H(s) = exp(s^2) -
+/// 1 makes the curve short and its sides equal, and the second term keeps the points in a ball around c. The supplement
+/// gives no unit of length; here it is the mean side of the polygon to begin with, for both terms: so nothing depends
+/// on the scale or on the number of points.
+///
+/// The ball does not prevent a curve that nothing holds from shrinking to a point, as the supplement has it: that is
+/// noticed by the lost length. An object is working memory, and is reused.
+/// \tparam Projection is called as `projection(point, near)` with the site of a projected point nearby or, unless it
+///         `needs_site`, `no_index`, and gives a `Projected_point`: `Closest_point_projection` for meshes
+template <class Projection>
+class Variational_shortening
+{
+public:
+  explicit Variational_shortening(Projection projection) : m_projection(std::move(projection)) {}
+
+  /// Weight of leaving the ball, lambda, that of the supplement: a curve under full tension leaves the ball by about a
+  /// hundredth of its sides times its number of turns.
+  static constexpr double ball_weight = 10;
+  /// Most iterations; a curve on a smooth surface takes some twenty.
+  static constexpr int max_iterations = 200;
+  /// A curve that has less than this part of its length is given up: what separates loses less.
+  static constexpr double min_length_ratio = 0.5;
+
+  /// Shortens the closed polygon `points`, which lies on the surface or near it, within the ball around `center`.
+  /// O(iterations times `number_of_samples` projections).
+  /// \param points gets the samples, on the surface and about equally far from each other
+  /// \param radius of the ball; infinite for none
+  /// \param near a site near the first point, where the projection needs one
+  /// \return `held` where points are outside of the ball, `unfinished` after `max_iterations`
+  /// \pre `number_of_samples` >= 3, `points` is not empty
+  Variational_report operator()(std::vector<Vector_3>& points, std::size_t number_of_samples, const Vector_3& center,
+                                double radius, Index near = no_index)
+  {
+    CGAL_precondition(number_of_samples >= 3);
+    resample_polygon(points, number_of_samples, m_samples);
+    m_curve.clear();
+    for (const Vector_3& sample : m_samples) {
+      m_curve.push_back(m_projection(sample, Projection::needs_site ? near : no_index));
+      near = m_curve.back().site;
+    }
+    const Variational_report report = shorten(center, radius);
+    points.resize(number_of_samples);
+    for (std::size_t i = 0; i < number_of_samples; ++i) {
+      points[i] = m_curve[i].point;
+    }
+    return report;
+  }
+
+  /// The points of the last curve, with their sites.
+  const std::vector<Projected_point>& curve() const { return m_curve; }
+
+private:
+  using Curve = std::vector<Projected_point>;
+
+  /// Points move at most so far in an iteration, in units.
+  static constexpr double longest_step = 0.5;
+  /// The curve has converged where no gradient is longer than this; a side pulls by 2 e.
+  static constexpr double min_gradient = 1e-4 * 5.4;
+  /// Or where so many iterations together lower the energy by less than this, relative to it.
+  static constexpr double min_decrease = 1e-4;
+  static constexpr int patience = 10;
+  /// Armijo's condition: the part of the decrease promised by the gradient that a step has to bring.
+  static constexpr double sufficient_decrease = 1e-4;
+  /// A step is not tried that promises to lower the energy by less than this, relative to it: such steps one by one
+  /// could not bring what `min_decrease` asks for.
+  static constexpr double min_promise = 0.1 * min_decrease / patience;
+  /// A point that is projected to a side that looks the other way has gone through the body: the cosine of 120 degrees.
+  static constexpr double min_normal_cosine = -0.5;
+
+  std::size_t size() const { return m_curve.size(); }
+  std::size_t after(std::size_t i) const { return i + 1 < size() ? i + 1 : 0; }
+
+  /// Iterates to the least energy. The gradient is made tangential and spread along the curve by the inverse of the
+  /// chain's stiffness: without that, the number of iterations grows with that of the points. The step is that of
+  /// Barzilai and Borwein, "Two-point step size gradient methods" (1988), halved until the energy sinks enough
+  /// (Armijo), and every point is projected back to the surface.
+  Variational_report shorten(const Vector_3& center, double radius)
+  {
+    m_center = center;
+    m_radius = radius;
+    Variational_report report;
+    report.length_before = length();
+    m_unit = report.length_before / double(size());
+    report.outcome = report.length_before > 0 ? minimize(report) : Shortening_outcome::collapsed;
+    report.length = length();
+    return report;
+  }
+
+  double length() const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      sum += (m_curve[after(i)].point - m_curve[i].point).norm();
+    }
+    return sum;
+  }
+
+  double energy(const Curve& curve) const
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+      sum += std::expm1((curve[after(i)].point - curve[i].point).squaredNorm() / (m_unit * m_unit));
+      const double excess = std::max(0., (curve[i].point - m_center).norm() - m_radius) / m_unit;
+      sum += ball_weight * excess * excess;
+    }
+    return sum;
+  }
+
+  /// Sets the tangential gradient of the energy, and the direction against which the curve moves; lengths in units.
+  void set_gradient()
+  {
+    m_gradient.assign(size(), Vector_3::Zero());
+    m_stiffness.resize(size());
+    m_diagonal.assign(size(), 0.);
+    double sum = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const Vector_3 side = (m_curve[after(i)].point - m_curve[i].point) / m_unit;
+      m_stiffness[i] = 2 * std::exp(side.squaredNorm());
+      sum += m_stiffness[i];
+      m_diagonal[i] += m_stiffness[i];
+      m_diagonal[after(i)] += m_stiffness[i];
+      m_gradient[i] -= m_stiffness[i] * side;
+      m_gradient[after(i)] += m_stiffness[i] * side;
+      const Vector_3 offset = m_curve[i].point - m_center;
+      const double distance = offset.norm();
+      if (distance > m_radius) {
+        m_gradient[i] += 2 * ball_weight * (distance - m_radius) / (m_unit * distance) * offset;
+        m_diagonal[i] += 2 * ball_weight;
+      }
+    }
+    make_tangential(m_gradient);
+    set_direction(sum / double(size()));
+  }
+
+  /// The chain alone would let the curve as a whole go anywhere: it is held as firmly as its longest wave.
+  void set_direction(double mean_stiffness)
+  {
+    const double wave = 2 * boost::math::double_constants::pi / double(size());
+    for (double& entry : m_diagonal) {
+      entry += wave * wave * mean_stiffness;
+    }
+    m_direction = m_gradient;
+    solve_cyclic_tridiagonal(m_diagonal, m_stiffness, m_direction, m_column);
+    make_tangential(m_direction);
+  }
+
+  void make_tangential(std::vector<Vector_3>& vectors) const
+  {
+    for (std::size_t i = 0; i < size(); ++i) {
+      vectors[i] -= vectors[i].dot(m_curve[i].normal) * m_curve[i].normal;
+    }
+  }
+
+  static double longest(const std::vector<Vector_3>& vectors)
+  {
+    double largest = 0;
+    for (const Vector_3& vector : vectors) {
+      largest = std::max(largest, vector.squaredNorm());
+    }
+    return std::sqrt(largest);
+  }
+
+  static double product(const std::vector<Vector_3>& a, const std::vector<Vector_3>& b)
+  {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      sum += a[i].dot(b[i]);
+    }
+    return sum;
+  }
+
+  Shortening_outcome minimize(Variational_report& report)
+  {
+    double last_energy = energy(m_curve);
+    double energy_before = last_energy; // some iterations ago
+    double step = 1;
+    set_gradient();
+    while (longest(m_gradient) > min_gradient) {
+      if (report.number_of_iterations == max_iterations) {
+        return Shortening_outcome::unfinished;
+      }
+      ++report.number_of_iterations;
+      const double slope = product(m_gradient, m_direction);
+      step = descend(std::min(step, longest_step / longest(m_direction)), slope, last_energy);
+      if (step == 0) {
+        return outcome_at_minimum();
+      }
+      if (length() < min_length_ratio * report.length_before) {
+        return Shortening_outcome::collapsed;
+      }
+      if (report.number_of_iterations % patience == 0) {
+        if (energy_before - last_energy <= min_decrease * energy_before) {
+          return outcome_at_minimum();
+        }
+        energy_before = last_energy;
+      }
+      step = next_step(step, slope);
+    }
+    return outcome_at_minimum();
+  }
+
+  Shortening_outcome outcome_at_minimum() const
+  {
+    const bool is_held = std::any_of(m_curve.begin(), m_curve.end(), [this](const Projected_point& p) {
+      return (p.point - m_center).norm() > m_radius;
+    });
+    return is_held ? Shortening_outcome::held : Shortening_outcome::straight;
+  }
+
+  /// Moves the curve against the direction by the longest of `step`, its half, and so on, that lowers the energy
+  /// enough.
+  /// \param slope by how much the energy sinks along the direction
+  /// \return that step, 0 if there is none
+  double descend(double step, double slope, double& last_energy)
+  {
+    for (; step * slope > min_promise * last_energy; step /= 2) {
+      if (!try_step(step)) {
+        continue;
+      }
+      const double next_energy = energy(m_next);
+      if (next_energy <= last_energy - sufficient_decrease * step * slope) {
+        last_energy = next_energy;
+        m_curve.swap(m_next); // which now is the curve before
+        return step;
+      }
+    }
+    return 0;
+  }
+
+  /// \return false if a point has gone through the body
+  bool try_step(double step)
+  {
+    m_next.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+      m_next[i] = m_projection(m_curve[i].point - step * m_unit * m_direction[i], m_curve[i].site);
+      if (m_next[i].normal.dot(m_curve[i].normal) < min_normal_cosine) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// Updates the gradient. \return the longer step of Barzilai and Borwein, measured by the stiffness
+  double next_step(double step, double slope)
+  {
+    m_last_gradient.swap(m_gradient);
+    set_gradient();
+    double change = 0;
+    for (std::size_t i = 0; i < size(); ++i) {
+      change += (m_curve[i].point - m_next[i].point).dot(m_gradient[i] - m_last_gradient[i]) / m_unit;
+    }
+    // Where the energy is not convex, as long as it is allowed to be.
+    return change > 0 ? step * step * slope / change : std::numeric_limits<double>::max();
+  }
+
+  Projection m_projection;
+  Vector_3 m_center = Vector_3::Zero();
+  double m_radius = 0;
+  double m_unit = 1; // the mean side of the polygon to begin with
+  std::vector<Vector_3> m_samples;
+  Curve m_curve;
+  Curve m_next;
+  std::vector<Vector_3> m_gradient;
+  std::vector<Vector_3> m_last_gradient;
+  std::vector<Vector_3> m_direction;
+  std::vector<double> m_stiffness; // of every side
+  std::vector<double> m_diagonal;
+  std::vector<double> m_column;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_PUBLISHED_VARIATIONAL_SHORTENING_H

@@ -1,0 +1,576 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of Voxel_surface.h.
+//
+// Eight voxels, the octants, meet in a corner. Bit i of an octant tells on which side of the corner it is along axis i.
+// On a small sphere around the corner, two octants with a common face meet in an arc, of which there are twelve, and
+// arcs meet in six points, the half-axes: half-axis 2 i + s is the edge of voxels that leaves the corner along axis i,
+// in positive direction if s is 1. The arcs between octants of a label and others form closed curves: one for each
+// sheet.
+
+#ifndef CSCD_VOLUME_VOXEL_SURFACE_IMPL_H
+#define CSCD_VOLUME_VOXEL_SURFACE_IMPL_H
+
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/Volume/Voxel_surface.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+namespace internal {
+
+inline constexpr unsigned number_of_octants = 8;
+inline constexpr unsigned number_of_half_axes = 6;
+
+/// The number of the arc between `octant` and its neighbor along `axis`.
+constexpr unsigned arc_of_octant(unsigned octant, unsigned axis)
+{
+  const unsigned low = octant >> (axis == 0 ? 1U : 0U) & 1U;
+  const unsigned high = octant >> (axis == 2 ? 1U : 2U) & 1U;
+  return 4 * axis + low + 2 * high;
+}
+
+/// What becomes of a corner.
+struct Corner_sheets
+{
+  std::array<std::uint8_t, 12> sheet_of_arc{}; ///< of arcs that bound the label
+  std::uint8_t number_of_vertices = 0;         ///< one a sheet; one a half-axis if there is a tube
+  std::uint8_t singular_half_axes = 0;         ///< a bit for each in which four faces meet
+  bool has_tube = false;                       ///< whether two sheets are joined
+};
+
+/// The sheets around corners, for all sets of octants that have the label.
+class Corner_sheet_table
+{
+public:
+  explicit Corner_sheet_table(Voxel_connectivity connectivity)
+      : m_joins_diagonally(connectivity == Voxel_connectivity::twenty_six), m_sheets(1U << number_of_octants)
+  {
+    for (unsigned octants = 0; octants < m_sheets.size(); ++octants) {
+      m_sheets[octants] = make_sheets(octants);
+    }
+  }
+
+  const Corner_sheets& operator[](unsigned octants) const { return m_sheets[octants]; }
+
+private:
+  static bool has(unsigned octants, unsigned octant) { return (octants >> octant & 1U) != 0; }
+
+  /// Whether `octants` are two that meet in the corner alone.
+  static bool is_antipodal_pair(unsigned octants)
+  {
+    for (unsigned octant = 0; octant < number_of_octants / 2; ++octant) {
+      if (octants == (1U << octant | 1U << (number_of_octants - 1 - octant))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Corner_sheets make_sheets(unsigned octants) const
+  {
+    Corner_sheets result;
+    std::array<unsigned, 12> sheet{}; // as a forest of arcs
+    for (unsigned arc = 0; arc < sheet.size(); ++arc) {
+      sheet[arc] = arc;
+    }
+    const auto root = [&sheet](unsigned arc) {
+      while (sheet[arc] != arc) {
+        arc = sheet[arc];
+      }
+      return arc;
+    };
+    for (unsigned half_axis = 0; half_axis < number_of_half_axes; ++half_axis) {
+      if (is_singular(octants, half_axis)) {
+        result.singular_half_axes = std::uint8_t(result.singular_half_axes | 1U << half_axis);
+      }
+      join_arcs(octants, half_axis, [&](unsigned a, unsigned b) { sheet[root(a)] = root(b); });
+    }
+    std::array<int, 12> number{};
+    number.fill(-1);
+    for (unsigned octant = 0; octant < number_of_octants; ++octant) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        if (has(octants, octant) && !has(octants, octant ^ 1U << axis)) {
+          const unsigned arc = arc_of_octant(octant, axis);
+          int& its_number = number[root(arc)];
+          its_number = its_number < 0 ? result.number_of_vertices++ : its_number;
+          result.sheet_of_arc[arc] = std::uint8_t(its_number);
+        }
+      }
+    }
+    const unsigned all = (1U << number_of_octants) - 1;
+    result.has_tube = is_antipodal_pair(m_joins_diagonally ? octants : all ^ octants);
+    if (result.has_tube) {
+      result.number_of_vertices = number_of_half_axes;
+    }
+    return result;
+  }
+
+  /// The four octants around a half-axis, in cyclic order.
+  static std::array<unsigned, 4> octants_around(unsigned half_axis)
+  {
+    const unsigned axis = half_axis / 2;
+    const unsigned base = (half_axis & 1U) << axis;
+    const unsigned b = 1U << (axis + 1) % 3;
+    const unsigned c = 1U << (axis + 2) % 3;
+    return {base, base | b, base | b | c, base | c};
+  }
+
+  static bool is_singular(unsigned octants, unsigned half_axis)
+  {
+    const std::array<unsigned, 4> around = octants_around(half_axis);
+    return has(octants, around[0]) == has(octants, around[2]) && has(octants, around[1]) == has(octants, around[3]) &&
+           has(octants, around[0]) != has(octants, around[1]);
+  }
+
+  /// Calls `join(a, b)` for the arcs that belong to the same sheet where they meet in a half-axis.
+  template <class Join>
+  void join_arcs(unsigned octants, unsigned half_axis, const Join& join) const
+  {
+    const std::array<unsigned, 4> around = octants_around(half_axis);
+    const unsigned axis = half_axis / 2;
+    const std::array<unsigned, 4> arcs{arc_of_octant(around[0], (axis + 1) % 3),
+                                       arc_of_octant(around[1], (axis + 2) % 3),
+                                       arc_of_octant(around[2], (axis + 1) % 3),
+                                       arc_of_octant(around[3], (axis + 2) % 3)}; // i: from octant i to i + 1
+    if (is_singular(octants, half_axis)) {
+      // The sheets go around octants of the background if the body is joined through the edge.
+      for (unsigned i = 0; i < around.size(); ++i) {
+        if (has(octants, around[i]) != m_joins_diagonally) {
+          join(arcs[(i + 3) % 4], arcs[i]);
+        }
+      }
+      return;
+    }
+    unsigned first = number_of_octants;
+    for (unsigned i = 0; i < around.size(); ++i) {
+      if (has(octants, around[i]) != has(octants, around[(i + 1) % 4])) {
+        if (first < number_of_octants) {
+          join(arcs[first], arcs[i]);
+        }
+        first = i;
+      }
+    }
+  }
+
+  bool m_joins_diagonally;
+  std::vector<Corner_sheets> m_sheets;
+};
+
+inline const Corner_sheet_table& corner_sheets(Voxel_connectivity connectivity)
+{
+  static const Corner_sheet_table through_faces(Voxel_connectivity::six);
+  static const Corner_sheet_table through_corners(Voxel_connectivity::twenty_six);
+  return connectivity == Voxel_connectivity::six ? through_faces : through_corners;
+}
+
+/// Smooths the vertices of a closed surface in units of voxels; linear.
+inline void smooth_voxel_surface(Indexed_triangles& triangles)
+{
+  constexpr int number_of_steps = 10; // an even terrace of six voxels becomes a slope
+  constexpr double shrinking = 0.5;   // the factors of Taubin, for a pass band of 0.1
+  constexpr double growing = 1 / (0.1 - 1 / shrinking);
+  constexpr double max_displacement = 0.45; // voxels: neighbors in a row never change places
+  std::vector<Vector_3>& points = triangles.points;
+  const std::vector<Vector_3> places = points;
+  std::vector<Index> degree(points.size(), 0);
+  for (const std::array<Index, 3>& face : triangles.faces) {
+    for (const Index vertex : face) {
+      ++degree[vertex];
+    }
+  }
+  std::vector<Vector_3> sums(points.size());
+  for (int step = 0; step < 2 * number_of_steps; ++step) {
+    std::fill(sums.begin(), sums.end(), Vector_3::Zero());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        sums[face[i]] += points[face[(i + 1) % 3]]; // once for each neighbor, as the surface is closed
+      }
+    }
+    const double factor = step % 2 == 0 ? shrinking : growing;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector_3 moved = points[i] + factor * (sums[i] / double(degree[i]) - points[i]);
+      points[i] = moved.cwiseMax(places[i] - Vector_3::Constant(max_displacement))
+                      .cwiseMin(places[i] + Vector_3::Constant(max_displacement));
+    }
+  }
+}
+
+/// Leaves out the components that look inwards, before smoothing. \return their number
+inline std::size_t find_cavities(Indexed_triangles& triangles, Halfedge_pairing& pairing, bool are_left_out)
+{
+  const Surface_components components(triangles);
+  const auto is_cavity = [&components](Index component) { return components.measures[component].volume < 0; };
+  const auto number = std::size_t(std::count_if(components.measures.begin(), components.measures.end(),
+                                                [](const auto& measure) { return measure.volume < 0; }));
+  if (number > 0 && are_left_out) {
+    remove_components(triangles, components, is_cavity);
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  return number;
+}
+
+} // namespace internal
+
+CSCD_INLINE void Voxel_surface::turn_cavities()
+{
+  if (number_of_cavities > 0) {
+    internal::Surface_components components(triangles);
+    internal::orient_outwards(triangles, pairing, components);
+  }
+}
+
+CSCD_INLINE Voxel_surface_builder::Voxel_surface_builder(const Volume_grid& grid,
+                                                         const Voxel_surface_settings& settings)
+    : m_grid(grid), m_settings(settings), m_row(grid.size[0] + 2)
+{
+  if (grid.number_of_voxels() == 0) {
+    throw Input_error("the volume has no voxels: check how it was written");
+  }
+  if (!(std::abs(grid.signed_voxel_volume()) > 0) || !grid.origin.allFinite()) {
+    throw Input_error(
+        "the axes of the volume do not span the space, or are not finite: correct spacing, directions and "
+        "origin");
+  }
+  m_lower_slice.assign(m_row * (grid.size[1] + 2), 0);
+  m_upper_slice = m_lower_slice;
+}
+
+CSCD_INLINE Index Voxel_surface_builder::shape_of(std::uint32_t label)
+{
+  if (m_last_shape != no_index && m_shapes[m_last_shape].label == label) {
+    return m_last_shape;
+  }
+  const auto [entry, is_new] = m_shape_of_label.emplace(label, Index(m_shapes.size()));
+  if (is_new) {
+    if (m_shapes.size() == max_number_of_labels) {
+      throw Input_error("the volume has more than " + std::to_string(max_number_of_labels) +
+                        " labels: it seems to hold no labels; choose one of them, or a threshold");
+    }
+    m_shapes.emplace_back();
+    m_shapes.back().label = label;
+  }
+  m_last_shape = entry->second;
+  return m_last_shape;
+}
+
+CSCD_INLINE void Voxel_surface_builder::count_voxels(const std::uint32_t* labels)
+{
+  const std::uint32_t* const end = labels + m_grid.slice_size();
+  while (labels != end) {
+    const std::uint32_t* const first = labels;
+    labels = std::find_if(first, end, [first](std::uint32_t label) { return label != *first; });
+    if (*first != 0) {
+      m_shapes[shape_of(*first)].number_of_voxels += std::size_t(labels - first);
+    }
+  }
+}
+
+CSCD_INLINE void Voxel_surface_builder::push_slice(const std::uint32_t* labels)
+{
+  CGAL_precondition(m_number_of_slices <= m_grid.size[2]);
+  if (m_number_of_slices < m_grid.size[2]) {
+    count_voxels(labels);
+  }
+  for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
+    std::copy_n(labels + y * m_grid.size[0], m_grid.size[0],
+                m_upper_slice.begin() + std::ptrdiff_t((y + 1) * m_row + 1));
+  }
+  make_corners();
+  emit_faces_between_slices();
+  if (m_number_of_slices > 0) {
+    emit_faces_in_slice();
+  }
+  std::swap(m_lower_slice, m_upper_slice);
+  std::swap(m_lower_corners, m_upper_corners);
+  ++m_number_of_slices;
+}
+
+/// Makes the corners below the upper slice.
+CSCD_INLINE void Voxel_surface_builder::make_corners()
+{
+  m_upper_corners.first.clear();
+  m_upper_corners.first.reserve((m_row - 1) * (m_grid.size[1] + 1) + 1);
+  m_upper_corners.corners.clear();
+  for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
+    const std::uint32_t* const lower = m_lower_slice.data() + y * m_row;
+    const std::uint32_t* const upper = m_upper_slice.data() + y * m_row;
+    for (std::size_t x = 0; x + 1 < m_row; ++x) {
+      m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
+      const std::array<std::uint32_t, 8> labels{lower[x], lower[x + 1], lower[x + m_row], lower[x + m_row + 1],
+                                                upper[x], upper[x + 1], upper[x + m_row], upper[x + m_row + 1]};
+      std::uint32_t differences = 0;
+      for (std::size_t i = 1; i < labels.size(); ++i) {
+        differences |= labels[i] ^ labels[0];
+      }
+      if (differences != 0) {
+        add_corner(labels, x, y);
+      }
+    }
+  }
+  m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
+}
+
+/// Adds the corner at a place for each label that is there.
+CSCD_INLINE void Voxel_surface_builder::add_corner(const std::array<std::uint32_t, 8>& labels, std::size_t x,
+                                                   std::size_t y)
+{
+  for (std::size_t octant = 0; octant < labels.size(); ++octant) {
+    const std::uint32_t label = labels[octant];
+    if (label == 0 || std::find(labels.begin(), labels.begin() + std::ptrdiff_t(octant), label) !=
+                          labels.begin() + std::ptrdiff_t(octant)) {
+      continue;
+    }
+    unsigned octants = 0;
+    for (unsigned other = 0; other < labels.size(); ++other) {
+      octants |= (labels[other] == label ? 1U : 0U) << other;
+    }
+    Shape& shape = m_shapes[shape_of(label)];
+    std::vector<Vector_3>& points = shape.triangles.points;
+    m_upper_corners.corners.push_back({label, std::uint8_t(octants), Index(points.size())});
+    const internal::Corner_sheets& sheets = internal::corner_sheets(m_settings.connectivity)[octants];
+    const Vector_3 place{double(x), double(y), double(m_number_of_slices)};
+    if (!sheets.has_tube) {
+      points.insert(points.end(), sheets.number_of_vertices, place);
+      continue;
+    }
+    constexpr double tube_radius = 0.25; // voxels: half way to the middles of edges
+    for (unsigned half_axis = 0; half_axis < internal::number_of_half_axes; ++half_axis) {
+      points.push_back(place);
+      points.back()[half_axis / 2] += (half_axis & 1U) != 0 ? tube_radius : -tube_radius;
+    }
+    add_tube(shape, m_upper_corners.corners.back().first_vertex, octants);
+  }
+}
+
+/// Adds the octahedron around a corner, but for its faces in the two octants that it joins.
+CSCD_INLINE void Voxel_surface_builder::add_tube(Shape& shape, Index first_vertex, unsigned octants) const
+{
+  const bool joins_label = m_settings.connectivity == Voxel_connectivity::twenty_six;
+  for (unsigned octant = 0; octant < internal::number_of_octants; ++octant) {
+    const bool has_label = (octants >> octant & 1U) != 0;
+    if (has_label == joins_label) {
+      continue; // here the tube ends
+    }
+    const Index a = first_vertex + (octant & 1U);
+    const Index b = first_vertex + 2 + (octant >> 1U & 1U);
+    const Index c = first_vertex + 4 + (octant >> 2U & 1U);
+    const bool is_counterclockwise = ((octant ^ octant >> 1U ^ octant >> 2U) & 1U) != 0;
+    if (is_counterclockwise == joins_label) {
+      shape.triangles.faces.push_back({a, b, c});
+    } else {
+      shape.triangles.faces.push_back({a, c, b});
+    }
+  }
+}
+
+CSCD_INLINE void Voxel_surface_builder::emit_faces_between_slices()
+{
+  for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
+    const std::size_t row = (y + 1) * m_row + 1;
+    for (std::size_t x = 0; x < m_grid.size[0]; ++x) {
+      if (m_lower_slice[row + x] != m_upper_slice[row + x]) {
+        emit_faces(2, {x, y, m_number_of_slices}, m_lower_slice[row + x], m_upper_slice[row + x]);
+      }
+    }
+  }
+}
+
+CSCD_INLINE void Voxel_surface_builder::emit_faces_in_slice()
+{
+  for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
+    const std::uint32_t* const labels = m_lower_slice.data() + (y + 1) * m_row + 1;
+    for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
+      const std::uint32_t* const label = labels + x;
+      if (y < m_grid.size[1] && *label != *(label - 1)) {
+        emit_faces(0, {x, y, m_number_of_slices - 1}, *(label - 1), *label);
+      }
+      if (x < m_grid.size[0] && *label != *(label - m_row)) {
+        emit_faces(1, {x, y, m_number_of_slices - 1}, *(label - m_row), *label);
+      }
+    }
+  }
+}
+
+/// Emits the face between two voxels for both of their labels.
+CSCD_INLINE void Voxel_surface_builder::emit_faces(int axis, const std::array<std::size_t, 3>& lower_corner,
+                                                   std::uint32_t below, std::uint32_t above)
+{
+  if (below != 0) {
+    emit_face(axis, lower_corner, below, true);
+  }
+  if (above != 0) {
+    emit_face(axis, lower_corner, above, false);
+  }
+}
+
+CSCD_INLINE const Voxel_surface_builder::Corner& Voxel_surface_builder::corner(const std::array<std::size_t, 3>& place,
+                                                                               std::uint32_t label) const
+{
+  const Corner_plane& plane = place[2] == m_number_of_slices ? m_upper_corners : m_lower_corners;
+  const std::size_t position = place[1] * (m_row - 1) + place[0];
+  Index number = plane.first[position];
+  while (plane.corners[number].label != label) {
+    ++number;
+  }
+  CGAL_assertion(number < plane.first[position + 1]);
+  return plane.corners[number];
+}
+
+/// \param lower_corner the corner of the face that is least along all axes
+/// \param is_below whether the voxel with the label is the one before the face
+CSCD_INLINE void Voxel_surface_builder::emit_face(int axis, const std::array<std::size_t, 3>& lower_corner,
+                                                  std::uint32_t label, bool is_below)
+{
+  Shape& shape = m_shapes[shape_of(label)];
+  const internal::Corner_sheet_table& table = internal::corner_sheets(m_settings.connectivity);
+  const bool joins_diagonally = m_settings.connectivity == Voxel_connectivity::twenty_six;
+  const auto a = unsigned(axis);
+  // Counterclockwise seen from outside: b, then c, around the positive axis, or the other way round.
+  const unsigned b = is_below ? (a + 1) % 3 : (a + 2) % 3;
+  const unsigned c = 3 - a - b;
+  constexpr std::array<std::array<unsigned, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  m_polygon.clear();
+  for (unsigned i = 0; i < square.size(); ++i) {
+    std::array<std::size_t, 3> place = lower_corner;
+    place[b] += square[i][0];
+    place[c] += square[i][1];
+    const unsigned towards_b = 1 - square[i][0]; // on which side of the corner the face is
+    const unsigned towards_c = 1 - square[i][1];
+    const Corner& its_corner = corner(place, label);
+    const internal::Corner_sheets& sheets = table[its_corner.octants];
+    const unsigned octant = towards_b << b | towards_c << c; // before the face
+    const unsigned half_axis_b = 2 * b + towards_b;
+    const unsigned half_axis_c = 2 * c + towards_c;
+    const unsigned next_half_axis = i % 2 == 0 ? half_axis_b : half_axis_c;
+    if (sheets.has_tube) {
+      m_polygon.push_back(its_corner.first_vertex + (i % 2 == 0 ? half_axis_c : half_axis_b));
+      m_polygon.push_back(its_corner.first_vertex + next_half_axis);
+    } else {
+      m_polygon.push_back(its_corner.first_vertex + sheets.sheet_of_arc[internal::arc_of_octant(octant, a)]);
+    }
+    if ((sheets.singular_half_axes >> next_half_axis & 1U) != 0) {
+      // Of the two voxels beside the face, the one around which the sheet goes.
+      const unsigned turned = octant | (is_below != joins_diagonally ? 0U : 1U) << a;
+      const unsigned edge_axis = next_half_axis / 2;
+      place[edge_axis] -= (next_half_axis & 1U) != 0 ? 0U : 1U;
+      m_polygon.push_back(middle_of_edge(shape, place, int(edge_axis), turned & ~(1U << edge_axis)));
+    }
+  }
+  append_polygon(shape, axis, lower_corner);
+}
+
+/// The vertex in the middle of an edge in which four faces meet, on the sheet that goes around one of its voxels.
+/// \param place where the edge begins
+/// \param octant of the voxel, seen from there
+CSCD_INLINE Index Voxel_surface_builder::middle_of_edge(Shape& shape, const std::array<std::size_t, 3>& place, int axis,
+                                                        unsigned octant)
+{
+  const std::uint64_t position = (place[2] * (m_grid.size[1] + 1) + place[1]) * (m_row - 1) + place[0];
+  const Edge_copy key{(position * 3 + unsigned(axis)) * internal::number_of_octants + octant, shape.label};
+  const auto found = m_open_middles.find(key);
+  if (found != m_open_middles.end()) {
+    const Index middle = found->second;
+    m_open_middles.erase(found);
+    return middle;
+  }
+  Vector_3 point{double(place[0]), double(place[1]), double(place[2])};
+  point[axis] += 0.5;
+  shape.triangles.points.push_back(point);
+  const Index middle = Index(shape.triangles.points.size() - 1);
+  m_open_middles.emplace(key, middle);
+  return middle;
+}
+
+/// Adds the triangles of a face that has become a polygon: two, or those around its center.
+CSCD_INLINE void Voxel_surface_builder::append_polygon(Shape& shape, int axis,
+                                                       const std::array<std::size_t, 3>& lower_corner)
+{
+  constexpr std::size_t max_number_of_triangles = std::size_t(1) << 26U; // as for meshes
+  std::vector<std::array<Index, 3>>& faces = shape.triangles.faces;
+  if (faces.size() > max_number_of_triangles) {
+    throw Input_error("the surface of label " + std::to_string(shape.label) +
+                      " has more than 2^26 triangles: use a coarser image");
+  }
+  if (m_polygon.size() == 4) {
+    faces.push_back({m_polygon[0], m_polygon[1], m_polygon[2]});
+    faces.push_back({m_polygon[0], m_polygon[2], m_polygon[3]});
+    return;
+  }
+  Vector_3 center{double(lower_corner[0]) + 0.5, double(lower_corner[1]) + 0.5, double(lower_corner[2]) + 0.5};
+  center[axis] -= 0.5;
+  shape.triangles.points.push_back(center);
+  const Index center_vertex = Index(shape.triangles.points.size() - 1);
+  for (std::size_t i = 0; i < m_polygon.size(); ++i) {
+    faces.push_back({m_polygon[i], m_polygon[(i + 1) % m_polygon.size()], center_vertex});
+  }
+}
+
+CSCD_INLINE std::vector<Voxel_surface> Voxel_surface_builder::finish()
+{
+  CGAL_precondition(m_number_of_slices == m_grid.size[2]);
+  push_slice(std::vector<std::uint32_t>(m_grid.slice_size(), 0).data());
+  std::sort(m_shapes.begin(), m_shapes.end(), [](const Shape& a, const Shape& b) { return a.label < b.label; });
+  std::vector<Voxel_surface> result;
+  result.reserve(m_shapes.size());
+  for (Shape& shape : m_shapes) {
+    result.push_back(make_surface(std::move(shape)));
+  }
+  return result;
+}
+
+CSCD_INLINE Voxel_surface Voxel_surface_builder::make_surface(Shape&& shape) const
+{
+  Voxel_surface result;
+  result.label = shape.label;
+  result.number_of_voxels = shape.number_of_voxels;
+  result.triangles = std::move(shape.triangles);
+  Indexed_triangles& triangles = result.triangles;
+  result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  result.number_of_cavities = internal::find_cavities(triangles, result.pairing, m_settings.fills_cavities);
+  triangles.first_hole_filling_face = triangles.faces.size();
+  internal::smooth_voxel_surface(triangles);
+  for (Vector_3& point : triangles.points) {
+    point = m_grid.point(point - Vector_3::Constant(0.5));
+  }
+  if (m_grid.signed_voxel_volume() < 0) {
+    for (std::array<Index, 3>& face : triangles.faces) {
+      std::swap(face[1], face[2]);
+    }
+    result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  CGAL_postcondition(result.pairing.conflict() == no_index && !result.pairing.has_border());
+  return result;
+}
+
+CSCD_INLINE std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, const Voxel_surface_settings& settings)
+{
+  if (volume.labels.size() != volume.grid.number_of_voxels()) {
+    throw Input_error("the volume has " + std::to_string(volume.labels.size()) + " labels for " +
+                      std::to_string(volume.grid.number_of_voxels()) + " voxels: give each voxel one");
+  }
+  Voxel_surface_builder builder(volume.grid, settings);
+  for (std::size_t z = 0; z < volume.grid.size[2]; ++z) {
+    builder.push_slice(volume.labels.data() + z * volume.grid.slice_size());
+  }
+  return builder.finish();
+}
+
+} // namespace CSCD
+
+#endif // CSCD_VOLUME_VOXEL_SURFACE_IMPL_H

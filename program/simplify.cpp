@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `cscd simplify`, and what `cscd skeletonize` does with fragments.
+
+#include "commands.h"
+#include "roots.h"
+#include "types.h"
+#include <CSCD/IO/read_skeleton.h>
+#include <CSCD/IO/write_file.h>
+#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/simplify_skeleton.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/counted.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cscd {
+
+namespace {
+
+using CSCD::internal::counted;
+
+/// A node of a skeleton whose radii are not known, so that none are written.
+struct Node_without_radius
+{
+  Point point;
+  std::vector<Mesh::Vertex_index> vertices;
+};
+using Skeleton_without_radii =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Node_without_radius, CSCD::Skeleton_edge>;
+
+void check_options(const Simplify_options& options)
+{
+  check_skeleton_argument(options.skeleton);
+  check_skeleton_outputs(options.outputs, options.skeleton);
+  for (const std::string& output : options.outputs) {
+    check_is_not_input(output, options.mesh, "--output");
+  }
+  if (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 1) {
+    throw Usage_error("only one of the results can go to standard output; name files for the others");
+  }
+  if (options.mesh == standard_stream && options.skeleton == standard_stream) {
+    throw Usage_error("only one of SKELETON and --mesh can be standard input");
+  }
+}
+
+/// Gives the skeleton radii that are estimated from the vertices of the mesh, as `cscd evaluate` does.
+void estimate_radii(const Mesh& mesh, Skeleton& skeleton)
+{
+  std::vector<CSCD::Vector_3> points;
+  for (const auto vertex : mesh.vertices()) {
+    const Point& p = mesh.point(vertex);
+    points.emplace_back(p.x(), p.y(), p.z());
+  }
+  const std::vector<double> radii = CSCD::internal::estimate_radii(points, CSCD::internal::index_skeleton(skeleton));
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    skeleton[node].radius = radii[node];
+  }
+}
+
+template <class AnySkeleton>
+CSCD::Simplification_report simplify_by(const Simplify_options& options, const Mesh* mesh, AnySkeleton& skeleton)
+{
+  const auto np = CSCD::parameters::minimum_significance(options.min_significance)
+                      .minimum_branch_length(options.min_length)
+                      .minimum_length_over_radius(options.min_length_over_radius)
+                      .junction_distance(options.junction_distance)
+                      .spacing(options.spacing)
+                      .spacing_over_radius(options.spacing_over_radius)
+                      .number_of_smoothing_steps(options.number_of_smoothing_steps)
+                      .join_components(options.fragments.joins_components)
+                      .minimum_component_size(options.fragments.min_component_size);
+  try {
+    return mesh != nullptr ? CSCD::simplify_skeleton(skeleton, *mesh, np) : CSCD::simplify_skeleton(skeleton, np);
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(options.skeleton + ": " + error.what());
+  }
+}
+
+void write_summary(const Simplify_options& options, const CSCD::Simplification_report& report)
+{
+  std::cout << printable(options.skeleton) << ": " << counted(report.number_of_removed_nodes, "node") << " pruned, "
+            << counted(report.number_of_merged_branches, "branch", "branches") << " merged, "
+            << counted(report.number_of_removed_components, "component") << " removed, "
+            << counted(report.number_of_joined_edges, "edge")
+            << " added\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
+            << counted(report.number_of_edges, "edge") << ", " << counted(report.number_of_components, "component")
+            << ", " << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
+            << counted(report.number_of_junctions, "junction") << '\n';
+}
+
+template <class AnySkeleton>
+void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
+{
+  const CSCD::Simplification_report report = simplify_by(options, input ? &input->mesh : nullptr, skeleton);
+  const std::vector<CSCD::Index> roots = find_roots(skeleton, options.root);
+  CSCD::File_group files;
+  bool is_standard_output_taken = false;
+  for (const std::string& output : options.outputs) {
+    write_skeleton_output(files, output, skeleton, roots, options.swc);
+    is_standard_output_taken = is_standard_output_taken || output == standard_stream;
+  }
+  files.publish();
+  if (!options.is_quiet && !is_standard_output_taken) {
+    write_summary(options, report);
+  }
+}
+
+} // namespace
+
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton)
+{
+  return simplify_by(options, mesh, skeleton);
+}
+
+void simplify(const Simplify_options& options)
+{
+  check_options(options);
+  std::optional<Input> input;
+  if (!options.mesh.empty()) {
+    input = read_input(options.mesh, options.format, options.is_quiet);
+    if (input->is_point_set) {
+      throw CSCD::Input_error(options.mesh + ": has no faces: only a mesh tells what is inside; leave out --mesh");
+    }
+  }
+  Skeleton skeleton;
+  bool has_radii = read_skeleton_argument(options.skeleton, skeleton);
+  if (!has_radii && input) {
+    estimate_radii(input->mesh, skeleton);
+    has_radii = true;
+  }
+  if (has_radii) {
+    simplify_and_write(options, input, skeleton);
+    return;
+  }
+  Skeleton_without_radii plain;
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    plain[add_vertex(plain)].point = skeleton[node].point;
+  }
+  for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
+    add_edge(source(edge, skeleton), target(edge, skeleton), skeleton[edge], plain);
+  }
+  simplify_and_write(options, input, plain);
+}
+
+void treat_fragments(const Fragment_options& options, Skeletonization_result& result)
+{
+  if (options.min_component_size == 0 && !options.joins_components) {
+    return;
+  }
+  const CSCD::Simplification_report report = CSCD::simplify_skeleton(
+      result.skeleton,
+      CSCD::parameters::minimum_component_size(options.min_component_size).join_components(options.joins_components));
+  CSCD::Skeletonization_report& counts = result.report;
+  counts.number_of_nodes = report.number_of_nodes;
+  counts.number_of_edges = report.number_of_edges;
+  counts.number_of_skeleton_components = report.number_of_components;
+  counts.betti_number = report.betti_number;
+  counts.number_of_tips = report.number_of_tips;
+  counts.number_of_junctions = report.number_of_junctions;
+  if (report.number_of_removed_components > 0) {
+    counts.warnings.push_back(counted(report.number_of_removed_components, "component") + " of less than " +
+                              std::to_string(options.min_component_size) + " vertices or points removed: " +
+                              std::to_string(report.number_of_removed_vertices) + " of these belong to no node");
+  }
+  result.fragments = report;
+}
+
+} // namespace cscd

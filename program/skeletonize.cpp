@@ -1,0 +1,556 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The command `cscd skeletonize`: from arguments to files.
+
+#include "Progress_bar.h"
+#include "bound_memory.h"
+#include "commands.h"
+#include "compute_skeleton.h"
+#include "roots.h"
+#include "three_js_source.h"
+#include "types.h"
+#include "volumes.h"
+#include "write_report.h"
+#include <CSCD/Application/make_rig.h>
+#include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_correspondence.h>
+#include <CSCD/IO/write_file.h>
+#include <CSCD/IO/write_html_page.h>
+#include <CSCD/IO/write_rig.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/IO/write_tables.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/Tree/Tree_cylinders.h>
+#include <CSCD/Tree/Tree_report.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/counted.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <istream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+namespace cscd {
+
+namespace {
+
+void say(const std::string& input, const std::string& sentence)
+{
+  std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
+}
+
+/// The options that name files besides those of the skeleton, and the files.
+std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletonize_options& options)
+{
+  return {{{"--branches", options.branches},
+           {"--nodes", options.nodes},
+           {"--cylinders", options.cylinders},
+           {"--correspondence", options.correspondence},
+           {"--labelled", options.labelled},
+           {"--report", options.report},
+           {"--html", options.html}}};
+}
+
+bool is_glb(const std::string& output)
+{
+  return boost::algorithm::iends_with(output, ".glb");
+}
+
+/// Whether a rig is written to `output`, by its ending.
+bool is_rig(const std::string& output)
+{
+  return is_glb(output) || boost::algorithm::iends_with(output, ".bvh");
+}
+
+void check_outputs(const Skeletonize_options& options)
+{
+  std::vector<std::string> skeletons;
+  for (const std::string& output : options.outputs) {
+    if (is_rig(output) || is_node_volume(output)) {
+      check_is_not_input(output, options.input, "--output");
+    } else {
+      skeletons.push_back(output);
+    }
+  }
+  check_skeleton_outputs(skeletons, options.input);
+  for (const auto& [option, file] : other_outputs(options)) {
+    check_is_not_input(file, options.input, option);
+  }
+  if (!options.html.empty()) {
+    check_viewer_source("--html");
+  }
+}
+
+/// The number of results that go to standard output.
+std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
+{
+  const auto files = other_outputs(options);
+  return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
+         std::count_if(files.begin(), files.end(), [](const auto& file) { return file.second == standard_stream; });
+}
+
+void check_options(const Skeletonize_options& options)
+{
+  check_method(options);
+  check_volume_options(options);
+  check_outputs(options);
+  if (number_of_results_on_standard_output(options) > 1) {
+    throw Usage_error("only one of the results can go to standard output; name files for the others");
+  }
+}
+
+std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
+{
+  std::vector<Point> result;
+  result.reserve(repairs.size());
+  for (const CSCD::Reconstruction_repair& repair : repairs) {
+    result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
+  }
+  return result;
+}
+
+/// What the page shows of a point set; nothing for a mesh.
+CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
+{
+  if (result.tree) {
+    std::vector<Point> gaps;
+    for (const CSCD::Tree_gap& gap : result.tree->gaps) {
+      gaps.emplace_back((gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2, (gap.from[2] + gap.to[2]) / 2);
+    }
+    return {input.points.size(), {}, gaps};
+  }
+  if (input.graph) {
+    return {input.points.size(), {}, {}};
+  }
+  if (!result.report.reconstruction) {
+    return {};
+  }
+  return {input.points.size(), centers(result.report.reconstruction->cut_handles),
+          centers(result.report.reconstruction->joined_gaps)};
+}
+
+/// Whether the mesh of `input` is the surface of a body: not that of a tree or graph, which has no faces, nor the
+/// triangles that join points by the published method.
+bool bounds_body(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  return !result.tree && options.domain.empty() && !(result.is_of_points && options.method == published_method);
+}
+
+/// Chooses roots and measures branches; with the parts of the surface that belong to them if that is to be written.
+void add_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
+{
+  result.roots = find_roots(result.skeleton, options.root);
+  if (result.tree) {
+    if (result.roots.empty() || root_point(options.root)) {
+      result.roots = {0}; // the first node of each object is its root
+    }
+    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
+    CSCD::assign_limbs(*result.tree, result.branches);
+    result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
+  } else {
+    const bool is_surface_measured =
+        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
+    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
+                                          : CSCD::measure_branches(result.skeleton, result.roots);
+  }
+}
+
+/// Writes which node the vertices of the file belong to, and says how many belong to none.
+void write_labels(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                  const Skeletonize_options& options)
+{
+  if (options.correspondence.empty() && options.labelled.empty()) {
+    return;
+  }
+  const std::vector<CSCD::Vertex_label> labels = labels_of_file(input, result);
+  const auto number_without_node = std::count_if(
+      labels.begin(), labels.end(), [](const CSCD::Vertex_label& label) { return label.node == CSCD::no_index; });
+  if (number_without_node > 0 && !options.is_quiet) {
+    say(options.input,
+        CSCD::internal::counted(std::size_t(number_without_node), input.is_point_set ? "point" : "vertex",
+                                input.is_point_set ? "points" : "vertices") +
+            " of " + std::to_string(labels.size()) + " in the file without a node");
+  }
+  if (!options.correspondence.empty()) {
+    write_to(files, options.correspondence, [&](std::ostream& out) { CSCD::write_correspondence(out, labels); });
+  }
+  if (!options.labelled.empty()) {
+    write_to(files, options.labelled,
+             [&](std::ostream& out) { CSCD::internal::write_labelled_ply(out, input.as_read, labels); });
+  }
+}
+
+/// \throw CSCD::Input_error if the rig needs the surface of a body, and there is none
+void write_rig(CSCD::File_group& files, const std::string& output, const Input& input,
+               const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (is_glb(output) && !bounds_body(result, options)) {
+    throw CSCD::Input_error(name_of(options.input) + ": has no surface that a rig could move; .bvh holds joints alone");
+  }
+  const CSCD::Rig rig = CSCD::make_rig(input.mesh, result.skeleton, result.roots);
+  files.write(output, [&](std::ostream& out) {
+    if (is_glb(output)) {
+      CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
+    } else {
+      CSCD::write_bvh(out, rig);
+    }
+  });
+}
+
+} // namespace
+
+void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                   const Skeletonize_options& options)
+{
+  for (const std::string& output : options.outputs) {
+    if (is_rig(output)) {
+      write_rig(files, output, input, result, options);
+    } else {
+      write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
+    }
+  }
+  if (!options.branches.empty()) {
+    write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
+  }
+  if (!options.nodes.empty()) {
+    const std::vector<CSCD::Node_measures> measures = bounds_body(result, options)
+                                                          ? CSCD::measure_nodes(result.skeleton, input.mesh)
+                                                          : std::vector<CSCD::Node_measures>();
+    write_to(files, options.nodes,
+             [&](std::ostream& out) { CSCD::write_node_table(out, result.skeleton, result.branches, measures); });
+  }
+  if (!options.cylinders.empty()) {
+    write_to(files, options.cylinders, [&](std::ostream& out) {
+      CSCD::write_cylinders(out, CSCD::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
+    });
+  }
+  write_labels(files, input, result, options);
+  if (!options.html.empty()) {
+    const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
+    write_to(files, options.html, [&](std::ostream& out) { write_page(out, input, result, name); });
+  }
+  if (!options.report.empty()) {
+    write_to(files, options.report,
+             [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
+  }
+}
+
+namespace {
+
+/// Writes a summary to standard output, unless a result goes there.
+void tell_results(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (number_of_results_on_standard_output(options) == 0) {
+    write_summary(std::cout, options, result);
+  }
+  const auto others = other_outputs(options);
+  const bool is_nothing_written =
+      options.outputs.empty() && !result.volume && std::all_of(others.begin(), others.end(), [](const auto& file) {
+        return file.second.empty() || file.first == "--report";
+      });
+  if (is_nothing_written) {
+    say(options.input, "the skeleton is not written; name a file by --output or --html");
+  }
+}
+
+} // namespace
+
+CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format)
+{
+  if (name == standard_stream) {
+    if (format.empty()) {
+      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
+                        "vtp, xyz or pcd");
+    }
+    return CSCD::internal::read_polygons_or_points(std::cin, "." + format, name_of(name));
+  }
+  std::error_code error;
+  if (std::filesystem::is_directory(name, error)) {
+    throw CSCD::File_error(name + ": is a folder; name a file in it");
+  }
+  std::ifstream in(name, std::ios::binary);
+  if (!in) {
+    throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
+  }
+  return CSCD::internal::read_polygons_or_points(in, format.empty() ? name : "." + format, name);
+}
+
+Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+               bool makes_mesh, unsigned number_of_threads)
+{
+  Input input;
+  if (keeps_file) {
+    input.as_read = soup;
+  }
+  input.is_point_set = soup.number_of_polygons() == 0;
+  if (input.is_point_set) {
+    CSCD::internal::convert_to_points(soup, input.points, input.normals);
+    input.has_other_columns = soup.has_other_columns;
+  } else if (makes_mesh) {
+    input.repairs =
+        CSCD::internal::convert_to_triangle_mesh(std::move(soup), name_of(name), input.mesh, number_of_threads);
+  } else {
+    input.triangles = CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
+    input.repairs = input.triangles->report;
+  }
+  if (!is_quiet) {
+    for (const std::string& sentence : input.repairs.sentences()) {
+      say(name, sentence);
+    }
+    if (input.has_other_columns) {
+      say(name, "three numbers behind the coordinates are no normals, but colors or the like: passed over");
+    }
+  }
+  return input;
+}
+
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh,
+                 unsigned number_of_threads)
+{
+  return to_input(read_soup(name, format), name, is_quiet, keeps_file, makes_mesh, number_of_threads);
+}
+
+std::string name_of(const std::string& input)
+{
+  return input == standard_stream ? "standard input" : input;
+}
+
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file)
+{
+  Input input = read_input(name, format, is_quiet, keeps_file);
+  if (input.is_point_set) {
+    throw CSCD::Input_error(name_of(name) + ": has no faces: this needs a mesh");
+  }
+  return input;
+}
+
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input)
+{
+  for (const std::string& output : outputs) {
+    try {
+      if (output != standard_stream) {
+        CSCD::check_skeleton_filename(output);
+      }
+    } catch (const CSCD::File_error& error) {
+      throw Usage_error(error.what());
+    }
+    check_is_not_input(output, input, "--output");
+  }
+}
+
+void check_is_not_input(const std::string& output, const std::string& input, const std::string& option)
+{
+  std::error_code error;
+  if (output != standard_stream && input != standard_stream && std::filesystem::equivalent(output, input, error) &&
+      std::filesystem::is_regular_file(output, error)) {
+    throw Usage_error(option + " " + output + ": is the input, which would be lost; name another file");
+  }
+}
+
+namespace {
+
+/// Refuses options that need a surface where the input is taken for a graph, and those that are for graphs only.
+void check_domain(const Skeletonize_options& options)
+{
+  if (options.domain != graph_domain) {
+    if (options.number_of_neighbors > 0) {
+      throw Usage_error("--neighbors: joins points to a graph; add --as graph");
+    }
+    return;
+  }
+  for (const auto& [is_given, option] :
+       {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
+        std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
+        std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
+        std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
+        std::pair(!options.cylinders.empty(), "--cylinders")}) {
+    if (is_given) {
+      throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
+    }
+  }
+}
+
+} // namespace
+
+void check_method(const Skeletonize_options& options)
+{
+  check_domain(options);
+  constexpr double min_wrap = 0.001; // a wrap has some 1 / size^2 vertices
+  constexpr double max_wrap = 0.5;
+  if (options.wrap && !(*options.wrap >= min_wrap && *options.wrap <= max_wrap)) {
+    throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
+  }
+  const bool is_published = options.method == published_method;
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  if (options.max_memory > 0 && (options.wrap || is_published)) {
+    throw Usage_error("--max-memory: how much --wrap and --method published take is not known; leave it out");
+  }
+#endif
+  if (!is_published && !options.target.empty()) {
+    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
+  }
+  if (!is_published && !options.shortening.empty()) {
+    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
+  }
+  for (const auto& [is_given, option] :
+       {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
+        std::pair(!options.placement.empty(), "--placement"), std::pair(options.is_literal, "--literal"),
+        std::pair(options.is_intrinsic.has_value(), "--intrinsic and --extrinsic"),
+        std::pair(options.is_multiscale, "--multiscale")}) {
+    if (!is_published && is_given) {
+      throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
+    }
+  }
+  if (options.is_intrinsic.value_or(false) && (options.is_multiscale || options.shortening == variational_shortening)) {
+    throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
+  }
+  if (is_published && options.detail) {
+    throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
+  }
+  if (is_published && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
+  }
+}
+
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar)
+{
+  if (!input.is_point_set && options.shape == tree_shape) {
+    throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape");
+  }
+  if (input.is_point_set && !options.borders.empty()) {
+    throw Usage_error("--borders: points have none; leave the option out");
+  }
+  if (input.is_point_set && options.shortening == flip_shortening) {
+    throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
+  }
+  for (const auto& [is_given, option] :
+       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
+        std::pair(options.is_multiscale, "--multiscale"),
+        std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
+    if (input.is_point_set && is_given) {
+      throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
+    }
+  }
+  Skeletonization_result result;
+  try {
+    result = compute_skeleton(input, options, bar);
+    result.has_normals = !input.normals.empty();
+    result.volume = input.volume;
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
+  }
+  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
+    throw Usage_error(name_of(options.input) + ": is taken for a scan of trees, whose report numbers the nodes; leave "
+                                               "out --join and --min-component, and use cscd simplify");
+  }
+  treat_fragments(options.fragments, result);
+  if (!options.cylinders.empty() && !result.tree) {
+    throw Usage_error("--cylinders: " + name_of(options.input) +
+                      " is not taken for a scan of trees; --shape tree "
+                      "decides");
+  }
+  add_branches(input, options, result);
+  for (const auto node : boost::make_iterator_range(vertices(result.skeleton))) {
+    const auto& bundle = result.skeleton[node];
+    if (bundle.is_opening) {
+      result.openings.push_back({node, {bundle.point.x(), bundle.point.y(), bundle.point.z()}, bundle.radius});
+    }
+  }
+  return result;
+}
+
+void check_viewer_source(const std::string& option)
+{
+  if (CSCD::three_js_source().empty()) {
+    throw Usage_error(option + ": this program was built without three.js; install libjs-three and build it again");
+  }
+}
+
+void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
+{
+  CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
+                        result.tree ? name + ", taken for a scan of trees" : name, make_cloud(input, result));
+}
+
+namespace {
+
+/// Whether a mesh is wrapped, or one of the results is made with the mesh, not with the skeleton alone.
+bool needs_mesh(const Skeletonize_options& options)
+{
+  return options.wrap ||
+         !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
+           options.labelled.empty() && options.report.empty() && options.html.empty()) ||
+         std::any_of(options.outputs.begin(), options.outputs.end(), is_rig);
+}
+
+/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
+Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
+{
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  if (options.max_memory > 0) {
+    return read_within_memory(options, needs_mesh(options));
+  }
+#endif
+  try {
+    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
+                      options.number_of_threads);
+  } catch (const CSCD::Input_error& error) {
+    throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
+  }
+}
+
+/// Skeletonizes `input` and writes what is to be written to `files`.
+Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
+{
+  std::optional<Progress_bar> bar;
+  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
+    bar.emplace(std::cerr);
+  }
+  Skeletonization_result result = skeletonize_input(input, options, bar ? &*bar : nullptr);
+  bar.reset(); // messages follow
+  if (!options.is_quiet) {
+    const std::string label = result.volume ? "label " + std::to_string(result.volume->label) + ": " : "";
+    for (const std::string& warning : result.warnings()) {
+      say(options.input, label + warning);
+    }
+  }
+  write_results(files, input, result, options);
+  if (!options.is_quiet) {
+    tell_results(result, options);
+  }
+  return result;
+}
+
+} // namespace
+
+void skeletonize(const Skeletonize_options& options)
+{
+  check_options(options);
+  CSCD::File_group files;
+  if (is_volume(options)) {
+    skeletonize_volume(files, options, skeletonize_and_write);
+    files.publish();
+    return;
+  }
+  const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
+  Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
+  skeletonize_and_write(files, input, options);
+  files.publish();
+}
+
+} // namespace cscd

@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The types that the parts of the program share, and reading the input.
+
+#ifndef CSCD_PROGRAM_TYPES_H
+#define CSCD_PROGRAM_TYPES_H
+
+#include "commands.h"
+#include "write_report.h"
+#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/write_file.h>
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/simplify_skeleton.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <iostream>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace cscd {
+
+class Progress_bar;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Mesh = CGAL::Surface_mesh<Point>;
+using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+
+/// The coarse triangles that a mesh was made of so that it fits into memory.
+struct Coarse_triangles
+{
+  std::vector<CSCD::Index> point_of_file;   ///< for each point of the file, the one that stands for it
+  std::vector<CSCD::Vector_3> points;       ///< before repairs
+  CSCD::Mesh_repair_report earlier_repairs; ///< before they were coarsened
+  Memory_bound bound;
+};
+
+/// A mesh, or points, if the file has no faces.
+struct Input
+{
+  bool is_point_set = false;
+  Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
+  /// The triangles of the mesh, if it is not made of them; they are used up when it is skeletonized.
+  std::optional<CSCD::internal::Manifold_triangles> triangles;
+  CSCD::Mesh_repair_report repairs;
+  std::vector<Point> points;
+  std::vector<Vector> normals;                           ///< of the points, or empty
+  std::optional<CSCD::internal::Indexed_skeleton> graph; ///< if it is taken for one: its vertices are the points
+  std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
+  bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
+  bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
+  CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
+#ifndef CSCD_LOCAL_METHOD_ONLY
+  std::optional<Coarse_triangles> coarse; ///< if the mesh is coarser than the file's
+#endif
+};
+
+/// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
+struct Skeletonization_result : Run_report
+{
+  Skeleton skeleton;
+  std::vector<std::vector<Point>> separators;
+};
+
+/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
+/// was repaired to standard error unless `is_quiet`.
+/// \param format of the input, or empty for that of its ending
+/// \param keeps_file whether the input is also kept as it was read
+/// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
+/// \param number_of_threads 0 for all that the machine has
+/// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
+                 bool makes_mesh = true, unsigned number_of_threads = 1);
+
+/// Reads the polygons or points of a file or of standard input, as `read_input()` does.
+CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format);
+
+/// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
+Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+               bool makes_mesh, unsigned number_of_threads);
+
+/// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
+/// \throw Usage_error, `CSCD::File_error`
+Input read_graph(const Skeletonize_options& options);
+
+/// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
+/// \param number_of_neighbors 0 for the default
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::internal::Polygon_soup& soup,
+                                            std::vector<std::array<CSCD::Index, 2>> edges,
+                                            unsigned int number_of_neighbors);
+
+/// The input that is this graph.
+Input make_input(CSCD::internal::Indexed_skeleton graph);
+
+/// What an input is called in messages.
+std::string name_of(const std::string& input);
+
+/// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
+
+/// Refuses files from which no skeleton can be read, by their endings.
+/// \throw Usage_error
+void check_skeleton_argument(const std::string& filename);
+
+/// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
+/// \return whether it has radii
+/// \throw CSCD::File_error
+bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton);
+
+/// Refuses outputs to which no skeleton can be written, by their endings, and those that are the input.
+/// \throw Usage_error
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input);
+
+/// Removes and joins components as `options` demand.
+void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
+
+/// Refuses options that exclude each other, before anything is read.
+/// \throw Usage_error
+void check_method(const Skeletonize_options& options);
+
+/// Skeletonizes `input`, which messages call by the name that `options` have for it, with whatever these demand but
+/// for files. If it is a point set, its mesh becomes the surface made of the points.
+/// \param bar shows the progress, or null
+/// \throw Usage_error if the options do not apply to this input; `CSCD::Input_error` if it cannot be skeletonized
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar);
+
+/// Writes the files that `options` name; they appear when `files` are published.
+/// \throw `CSCD::File_error`; `CSCD::Input_error` if a file cannot hold this
+void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
+                   const Skeletonize_options& options);
+
+/// Calls `write(out)` with a stream to the file `filename` of `files`, or with standard output.
+template <class Write>
+void write_to(CSCD::File_group& files, const std::string& filename, const Write& write)
+{
+  if (filename == standard_stream) {
+    write(static_cast<std::ostream&>(std::cout));
+  } else {
+    files.write(filename, write);
+  }
+}
+
+/// Calls `write(out)` with a stream to the file `filename`, or with standard output.
+template <class Write>
+void write_output(const std::string& filename, const Write& write)
+{
+  CSCD::File_group files;
+  write_to(files, filename, write);
+  files.publish();
+}
+
+/// Writes the viewer page.
+/// \param name of the input, without its folder, which means nothing to whom the page is given
+void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
+
+/// Checks that pages can be written. \param option that asks for one \throw Usage_error
+void check_viewer_source(const std::string& option);
+
+/// Measures `skeleton` against `input`, and writes the reconstructed surfaces for which `options` name files.
+/// \throw `CSCD::Input_error`, `CSCD::File_error`
+CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);
+
+/// Simplifies a skeleton that has radii.
+/// \param mesh of which the skeleton stays inside, or null
+/// \throw `CSCD::Input_error`
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton);
+
+/// Refuses an output file that is the input, by whatever name.
+/// \param option by which the output is named
+/// \throw Usage_error if it is
+void check_is_not_input(const std::string& output, const std::string& input, const std::string& option);
+
+} // namespace cscd
+
+#endif // CSCD_PROGRAM_TYPES_H

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Volumes as input of `cscd skeletonize`: one body, or one for each label.
+
+#include "volumes.h"
+
+#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/read_volume.h>
+#include <CSCD/IO/write_nrrd.h>
+#include <CSCD/Volume/Voxel_surface.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/range/iterator_range_core.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace cscd {
+
+namespace {
+
+CSCD::Voxel_selection selection_of(const Volume_options& options)
+{
+  CSCD::Voxel_selection result;
+  result.threshold = options.threshold;
+  result.label = options.label;
+  result.separates_labels = options.has_all_labels;
+  return result;
+}
+
+std::vector<CSCD::Voxel_surface> read_surfaces(const Skeletonize_options& options)
+{
+  CSCD::Voxel_surface_settings settings;
+  settings.connectivity =
+      options.volume.connectivity == 6 ? CSCD::Voxel_connectivity::six : CSCD::Voxel_connectivity::twenty_six;
+  settings.fills_cavities = !options.volume.keeps_cavities;
+  std::vector<CSCD::Voxel_surface> result =
+      CSCD::read_voxel_surfaces(options.input, selection_of(options.volume), settings);
+  if (result.empty()) {
+    throw CSCD::Input_error(options.input + ": no voxel is of a body; choose another label or threshold");
+  }
+  return result;
+}
+
+/// `filename` with `label` before its ending.
+std::string insert_label(const std::string& filename, std::uint32_t label)
+{
+  const char* const polylines = ".polylines.txt"; // the only ending with two dots
+  const std::size_t end = boost::algorithm::iends_with(filename, polylines)
+                              ? filename.size() - std::string(polylines).size()
+                              : std::min(filename.rfind('.'), filename.size());
+  return filename.substr(0, end) + "_" + std::to_string(label) + filename.substr(end);
+}
+
+Skeletonize_options options_of_body(const Skeletonize_options& options, std::uint32_t label)
+{
+  Skeletonize_options result = options;
+  result.outputs.erase(std::remove_if(result.outputs.begin(), result.outputs.end(), is_node_volume),
+                       result.outputs.end());
+  if (options.volume.has_all_labels) {
+    for (std::string& output : result.outputs) {
+      output = insert_label(output, label);
+    }
+    for (std::string* file : {&result.branches, &result.nodes, &result.report, &result.html}) {
+      *file = file->empty() ? "" : insert_label(*file, label);
+    }
+  }
+  return result;
+}
+
+Input make_input(const CSCD::Voxel_surface& surface)
+{
+  Input result;
+  CSCD::internal::Triangle_mesh_builder<Mesh>(surface.triangles, surface.pairing, result.mesh).build();
+  result.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
+  return result;
+}
+
+/// One more than the node of each vertex of a surface; 0 for vertices without.
+std::vector<std::uint32_t> node_numbers(const Skeleton& skeleton, std::size_t number_of_vertices)
+{
+  std::vector<std::uint32_t> result(number_of_vertices, 0);
+  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
+    for (const Mesh::Vertex_index vertex : skeleton[node].vertices) {
+      result[std::size_t(vertex)] = std::uint32_t(node + 1);
+    }
+  }
+  return result;
+}
+
+void refuse(std::initializer_list<std::pair<bool, const char*>> options, const std::string& reason)
+{
+  for (const auto& [is_given, option] : options) {
+    if (is_given) {
+      throw Usage_error(std::string(option) + ": " + reason);
+    }
+  }
+}
+
+} // namespace
+
+bool is_volume(const Skeletonize_options& options)
+{
+  return options.format.empty() && CSCD::is_volume_filename(options.input);
+}
+
+bool is_node_volume(const std::string& output)
+{
+  return boost::algorithm::iends_with(output, ".nrrd");
+}
+
+void check_volume_options(const Skeletonize_options& options)
+{
+  const Volume_options& volume = options.volume;
+  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+  if (!is_volume(options)) {
+    refuse({{volume.label.has_value(), "--label"},
+            {volume.threshold.has_value(), "--threshold"},
+            {volume.has_all_labels, "--all-labels"},
+            {volume.connectivity != 26, "--connectivity"},
+            {volume.keeps_cavities, "--keep-cavities"},
+            {has_node_volume, "--output .nrrd"}},
+           "is for volumes, and the input is none; leave it out");
+    return;
+  }
+  refuse({{!options.domain.empty(), "--as"},
+          {options.wrap.has_value(), "--wrap"},
+          {options.max_memory > 0, "--max-memory"},
+          {options.shape != automatic_shape, "--shape"},
+          {!options.cylinders.empty(), "--cylinders"},
+          {!options.correspondence.empty(), "--correspondence"},
+          {!options.labelled.empty(), "--labelled"}},
+         "does not apply to volumes; leave it out, or write the node of each voxel by -o OUT.nrrd");
+  if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.has_all_labels) > 1) {
+    throw Usage_error("--label, --threshold and --all-labels exclude each other; give one of them");
+  }
+  refuse({{volume.has_all_labels && (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 0 ||
+                                     options.branches == standard_stream || options.nodes == standard_stream ||
+                                     options.report == standard_stream || options.html == standard_stream),
+           "--all-labels"}},
+         "has several results of a kind, which cannot go to standard output; name files");
+}
+
+void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,
+                        const Skeletonize_body& skeletonize_body)
+{
+  std::vector<CSCD::Voxel_surface> surfaces = read_surfaces(options);
+  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
+  std::vector<std::vector<std::uint32_t>> node_of_vertex;
+  for (CSCD::Voxel_surface& surface : surfaces) {
+    surface.turn_cavities();
+    Input body = make_input(surface);
+    if (!has_node_volume) {
+      surface.triangles = {}; // as many labels as there are need not be in memory twice
+      surface.pairing = {};
+    }
+    const std::size_t number_of_vertices = body.mesh.number_of_vertices();
+    const Skeletonization_result result = skeletonize_body(files, body, options_of_body(options, surface.label));
+    if (has_node_volume) {
+      node_of_vertex.push_back(node_numbers(result.skeleton, number_of_vertices));
+    }
+  }
+  for (const std::string& output : options.outputs) {
+    if (is_node_volume(output)) {
+      CSCD::Volume_reader reader(options.input, selection_of(options.volume));
+      files.write(output, [&](std::ostream& out) { CSCD::write_node_volume(out, reader, surfaces, node_of_vertex); });
+    }
+  }
+}
+
+} // namespace cscd

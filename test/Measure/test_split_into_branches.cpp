@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Tests of the branches of a skeleton.
+
+#include <CSCD/Measure/split_into_branches.h>
+
+#include <boost/graph/adjacency_list.hpp>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+using Branches = std::vector<std::vector<std::size_t>>;
+
+Branches branches(std::size_t number_of_nodes, const std::vector<std::pair<std::size_t, std::size_t>>& edges)
+{
+  return CSCD::split_into_branches(Graph(edges.begin(), edges.end(), number_of_nodes));
+}
+
+TEST(Split_into_branches, of_nothing_is_nothing)
+{
+  EXPECT_EQ(Branches{}, branches(0, {}));
+}
+
+TEST(Split_into_branches, isolated_nodes_are_branches)
+{
+  EXPECT_EQ((Branches{{0}, {1}}), branches(2, {}));
+}
+
+TEST(Split_into_branches, path_is_one_branch_from_its_lesser_end)
+{
+  EXPECT_EQ((Branches{{0, 2, 1, 3}}), branches(4, {{1, 3}, {2, 1}, {0, 2}}));
+}
+
+TEST(Split_into_branches, star_has_a_branch_for_each_limb)
+{
+  EXPECT_EQ((Branches{{0, 3}, {1, 4, 3}, {2, 3}}), branches(5, {{3, 0}, {3, 2}, {3, 4}, {4, 1}}));
+}
+
+TEST(Split_into_branches, closed_cycle_returns_to_its_first_node)
+{
+  EXPECT_EQ((Branches{{0, 1, 2, 0}}), branches(3, {{0, 1}, {1, 2}, {2, 0}}));
+}
+
+TEST(Split_into_branches, cycles_come_last)
+{
+  EXPECT_EQ((Branches{{3, 4}, {0, 1, 2, 0}}), branches(5, {{0, 1}, {1, 2}, {2, 0}, {3, 4}}));
+}
+
+TEST(Split_into_branches, loop_at_a_junction_is_one_branch)
+{
+  EXPECT_EQ((Branches{{0, 1}, {1, 2, 3, 1}}), branches(4, {{0, 1}, {1, 2}, {2, 3}, {3, 1}}));
+}
+
+TEST(Split_into_branches, theta_graph_has_three_branches)
+{
+  EXPECT_EQ((Branches{{0, 2, 1}, {0, 1}, {0, 3, 4, 1}}), branches(5, {{0, 2}, {2, 1}, {0, 1}, {0, 3}, {3, 4}, {4, 1}}));
+}
+
+TEST(Split_into_branches, parallel_edges_are_branches_each)
+{
+  EXPECT_EQ((Branches{{0, 1}, {0, 1}, {0, 1}}), branches(2, {{0, 1}, {1, 0}, {0, 1}}));
+  EXPECT_EQ((Branches{{0, 1, 0}}), branches(2, {{0, 1}, {1, 0}})); // both have degree 2: a cycle
+  EXPECT_EQ((Branches{{0, 1}, {1, 2, 1}}), branches(3, {{0, 1}, {1, 2}, {2, 1}}));
+}
+
+TEST(Split_into_branches, edge_to_the_same_node_is_a_branch)
+{
+  EXPECT_EQ((Branches{{0, 0}}), branches(1, {{0, 0}}));
+  EXPECT_EQ((Branches{{0, 1}, {1, 1}}), branches(2, {{0, 1}, {1, 1}}));
+}
+
+TEST(Split_into_branches, every_edge_belongs_to_one_branch)
+{
+  // all edges of a cube of 3 x 3 x 3 nodes: junctions of many degrees, and nodes of degree 2 nowhere but added
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  std::size_t next = 27;
+  for (std::size_t i = 0; i < 27; ++i) {
+    for (const std::size_t step : {std::size_t(1), std::size_t(3), std::size_t(9)}) {
+      if (i / step % 3 != 2) {
+        edges.emplace_back(i, next); // each edge of the cube has a node in its middle
+        edges.emplace_back(next++, i + step);
+      }
+    }
+  }
+  std::size_t number_of_edges = 0;
+  const Branches result = branches(next, edges);
+  for (const auto& branch : result) {
+    number_of_edges += branch.size() - 1;
+  }
+  EXPECT_EQ(edges.size(), number_of_edges);
+  EXPECT_EQ(edges.size() / 2, result.size());
+}
+
+} // namespace

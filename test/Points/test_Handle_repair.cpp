@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which handles are cut: those of a few edges, and no others; and the steps of the cut.
+
+#include "Surface/to_indexed_triangles.h"
+#include "support/shapes.h"
+#include <CSCD/Points/Handle_repair.h>
+#include <CSCD/Points/Local_handle_search.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace {
+
+using CSCD::Halfedge_pairing;
+using CSCD::Index;
+using CSCD::Indexed_triangles;
+using CSCD::Triangulated_surface;
+using CSCD::Vertex_loop;
+using CSCD::test::Shape;
+
+/// Twice the number of components less twice the genus.
+std::ptrdiff_t euler_number(const Indexed_triangles& triangles)
+{
+  return std::ptrdiff_t(triangles.points.size()) - std::ptrdiff_t(triangles.faces.size() / 2);
+}
+
+/// Cuts what `Handle_repair` finds, once. \return the number of loops
+std::size_t repair(Indexed_triangles& triangles)
+{
+  const Triangulated_surface surface{Indexed_triangles(triangles)};
+  const std::vector<Vertex_loop> loops = CSCD::internal::Handle_repair(surface)();
+  CSCD::internal::cut_along_loops(triangles, surface, loops);
+  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  EXPECT_EQ(CSCD::no_index, pairing.conflict());
+  EXPECT_EQ(2 * loops.size(), CSCD::internal::bridge_borders(triangles, pairing));
+  EXPECT_FALSE(Triangulated_surface{Indexed_triangles(triangles)}.defect());
+  return loops.size();
+}
+
+TEST(Handle_repair, keeps_handles_that_are_sampled)
+{
+  for (const Shape& shape : {CSCD::test::torus(3, 1, 24), CSCD::test::torus(3, 1, 8), CSCD::test::double_torus(0.2),
+                             CSCD::test::trefoil_knot(0.4, 16), CSCD::test::sphere(3)}) {
+    SCOPED_TRACE(shape.name);
+    Indexed_triangles triangles = to_indexed_triangles(shape);
+    EXPECT_EQ(0u, repair(triangles));
+  }
+}
+
+TEST(Handle_repair, cuts_handles_of_a_few_edges)
+{
+  for (const std::size_t around : {3u, 4u}) {
+    SCOPED_TRACE(around);
+    // Rings of this many vertices, about as far from each other as these.
+    Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(6, 1, around));
+    EXPECT_EQ(0, euler_number(triangles));
+    EXPECT_EQ(1u, repair(triangles));
+    EXPECT_EQ(2, euler_number(triangles));
+    EXPECT_EQ(0u, repair(triangles));
+  }
+}
+
+/// A ring around the z-axis that is thin in one place: a neck or, if the rings beside it are moved there, the two ends
+/// of a limb that touch each other.
+Indexed_triangles ring_with_thin_place(std::size_t around, double thickness, bool is_fold)
+{
+  constexpr double radius = 6;
+  Indexed_triangles triangles = to_indexed_triangles(CSCD::test::torus(radius, 1, around));
+  const double step = 2 * CSCD::test::pi * double(around) / double(triangles.points.size()); // from ring to ring
+  for (CSCD::Vector_3& point : triangles.points) {
+    const double angle = std::atan2(point.y(), point.x());
+    const CSCD::Vector_3 center = radius * CSCD::Vector_3(std::cos(angle), std::sin(angle), 0);
+    if (std::abs(angle) < step / 2) {
+      point = center + thickness * (point - center);
+    } else if (is_fold && std::abs(angle) < 3 * step / 2) {
+      constexpr double share = 0.2; // of the way that is left
+      const double back = (share - 1) * angle;
+      const CSCD::Vector_3 old = point;
+      point.x() = std::cos(back) * old.x() - std::sin(back) * old.y();
+      point.y() = std::sin(back) * old.x() + std::cos(back) * old.y();
+    }
+  }
+  return triangles;
+}
+
+TEST(Handle_repair, cuts_where_limbs_touch_and_keeps_necks)
+{
+  for (const double thickness : {0.5, 0.7}) {
+    SCOPED_TRACE(thickness);
+    constexpr std::size_t around = 16;
+    Indexed_triangles neck = ring_with_thin_place(around, thickness, false);
+    EXPECT_EQ(0u, repair(neck));
+    Indexed_triangles touching = ring_with_thin_place(around, thickness, true);
+    EXPECT_EQ(0, euler_number(touching));
+    EXPECT_EQ(1u, repair(touching));
+    EXPECT_EQ(2, euler_number(touching));
+    EXPECT_EQ(0u, repair(touching));
+  }
+}
+
+/// Two loops around the same handle: cut along the one, the other separates.
+TEST(Loop_flood, tells_whether_a_loop_separates)
+{
+  constexpr Index around = 8;
+  const Shape torus = CSCD::test::torus(3, 1, around);
+  const Triangulated_surface surface(to_indexed_triangles(torus));
+  const auto ring = [](Index number) {
+    Vertex_loop loop;
+    for (Index i = 0; i < around; ++i) {
+      loop.push_back(number * around + i);
+    }
+    return loop;
+  };
+  CSCD::internal::Loop_flood flood(surface);
+  EXPECT_FALSE(flood.separates(ring(0)));
+  EXPECT_FALSE(flood.separates(ring(5)));
+  flood.add_barrier(ring(0));
+  EXPECT_TRUE(flood.separates(ring(5)));
+  const Index face = 0;
+  EXPECT_TRUE(flood.separates({surface.origin(3 * face), surface.origin(3 * face + 1), surface.origin(3 * face + 2)}));
+}
+
+TEST(split_pinched_vertices, gives_every_fan_a_vertex)
+{
+  // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.
+  Indexed_triangles triangles;
+  triangles.points.assign(9, CSCD::Vector_3::Zero());
+  for (Index i = 0; i < 9; ++i) {
+    triangles.points[i].x() = i;
+  }
+  triangles.faces = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}, {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}, {0, 7, 8}};
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size());
+  const std::vector<Index> originals = split_pinched_vertices(triangles, pairing);
+  EXPECT_EQ((std::vector<Index>{0, 0}), originals);
+  ASSERT_EQ(11u, triangles.points.size());
+  EXPECT_EQ(triangles.points[0], triangles.points[9]);
+  for (std::size_t f : {0u, 1u, 2u}) {
+    EXPECT_EQ(0u, triangles.faces[f][0]);
+    EXPECT_EQ(9u, triangles.faces[f + 4][0]);
+  }
+  EXPECT_EQ(10u, triangles.faces[8][0]);
+}
+
+} // namespace

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Dense clouds are thinned, noise is averaged away, outliers are left out, and every point of the input stays near the
+// point that stands for it.
+
+#include "support/Shape.h"
+#include "support/sampling.h"
+#include "support/shapes.h"
+#include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/consolidate_points.h>
+#include <CSCD/Points/recognize_tree_scan.h>
+#include <CSCD/Vector_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+namespace {
+
+using CSCD::Index;
+using CSCD::Point_cloud;
+using CSCD::Vector_3;
+using CSCD::internal::consolidate_points;
+using CSCD::internal::Consolidated_cloud;
+using CSCD::test::Triple;
+
+constexpr double torus_radius = 3;
+constexpr double tube_radius = 1;
+
+std::vector<Vector_3> torus_points(std::size_t number, double noise)
+{
+  std::vector<Vector_3> result;
+  const auto torus = CSCD::test::torus(torus_radius, tube_radius, 64);
+  for (const Triple& p : CSCD::test::shaken(CSCD::test::sampled(torus, number, 1), noise, 2)) {
+    result.emplace_back(p[0], p[1], p[2]);
+  }
+  return result;
+}
+
+double distance_from_torus(const Vector_3& p)
+{
+  return std::abs(std::hypot(std::hypot(p.x(), p.y()) - torus_radius, p.z()) - tube_radius);
+}
+
+Consolidated_cloud consolidated(std::vector<Vector_3> points)
+{
+  return consolidate_points(CSCD::make_point_cloud(std::move(points), {}));
+}
+
+/// The mean distance of the points of a cloud, in coordinates of the input, from the torus.
+double mean_distance(const Point_cloud& cloud)
+{
+  double sum = 0;
+  for (const Vector_3& point : cloud.points) {
+    sum += distance_from_torus(cloud.normalization.to_input(point));
+  }
+  return sum / double(cloud.points.size());
+}
+
+TEST(consolidate_points, leaves_a_cloud_as_it_is_that_is_not_dense)
+{
+  const std::vector<Vector_3> points = torus_points(3000, 0);
+  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector_3>(points), {});
+  const Consolidated_cloud result = consolidated(points);
+  EXPECT_TRUE(cloud.points == result.cloud.points);
+  EXPECT_TRUE(cloud.input_point == result.cloud.input_point);
+  EXPECT_EQ(0u, result.cloud.number_of_thinned_points);
+  EXPECT_EQ(0u, result.number_of_outliers);
+}
+
+TEST(consolidate_points, thins_a_dense_cloud_and_keeps_every_point_near_that_which_stands_for_it)
+{
+  const std::vector<Vector_3> points = torus_points(60000, 0);
+  const Consolidated_cloud result = consolidated(points);
+  const Point_cloud& cloud = result.cloud;
+  EXPECT_GT(15000u, cloud.points.size());
+  EXPECT_LT(4000u, cloud.points.size());
+  EXPECT_FALSE(cloud.is_averaged);
+  EXPECT_EQ(0u, result.number_of_outliers);
+  EXPECT_EQ(points.size() - cloud.points.size(), cloud.number_of_thinned_points);
+  // Half of the area for each point is a disc of this radius; a covering needs less than three times that.
+  const double area = 4 * M_PI * M_PI * torus_radius * tube_radius;
+  const double greatest = 3 * std::sqrt(area / double(cloud.points.size()) / M_PI);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector_3 kept = cloud.normalization.to_input(cloud.points[cloud.input_point[i]]);
+    ASSERT_GE(greatest, (kept - points[i]).norm()) << "point " << i;
+  }
+}
+
+TEST(consolidate_points, averages_noise_away)
+{
+  constexpr double noise = 0.05;
+  const std::vector<Vector_3> points = torus_points(60000, noise);
+  const Point_cloud cloud = CSCD::make_point_cloud(std::vector<Vector_3>(points), {});
+  const Consolidated_cloud result = consolidated(points);
+  EXPECT_TRUE(result.cloud.is_averaged);
+  EXPECT_LT(mean_distance(result.cloud), 0.5 * mean_distance(cloud));
+}
+
+TEST(consolidate_points, does_not_depend_on_the_order)
+{
+  std::vector<Vector_3> points = torus_points(40000, 0.08);
+  const Consolidated_cloud first = consolidated(points);
+  std::mt19937_64 random(1);
+  std::shuffle(points.begin(), points.end(), random);
+  const Consolidated_cloud second = consolidated(points);
+  EXPECT_TRUE(first.cloud.points == second.cloud.points);
+}
+
+TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
+{
+  constexpr std::size_t number = 20000;
+  std::vector<Vector_3> points = torus_points(number, 0);
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> wide(-4, 4);
+  std::uniform_real_distribution<double> high(-1, 1);
+  while (points.size() < number + number / 5) {
+    points.emplace_back(wide(random), wide(random), high(random));
+  }
+  const Consolidated_cloud result = consolidated(points);
+  // What is near the torus cannot be told from it.
+  const Point_cloud& cloud = result.cloud;
+  for (const Vector_3& point : cloud.points) {
+    EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
+  }
+  EXPECT_LT(number / 10, result.number_of_outliers);
+  EXPECT_GT(number / 5, result.number_of_outliers);
+}
+
+TEST(consolidate_points, is_not_led_astray_by_a_point_that_is_very_far)
+{
+  std::vector<Vector_3> points = torus_points(20000, 0);
+  const std::size_t kept = consolidated(points).cloud.points.size();
+  points.emplace_back(1e6, 0, 0);
+  const Consolidated_cloud result = consolidated(points);
+  EXPECT_EQ(1u, result.number_of_outliers);
+  EXPECT_NEAR(double(kept), double(result.cloud.points.size()), 0.02 * double(kept));
+  EXPECT_GT(10, result.cloud.normalization.unit);
+  EXPECT_GT(result.cloud.points.size(), result.cloud.input_point.back());
+}
+
+TEST(is_scan_of_trees, tells_rods_from_a_torus)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> along(-1, 1);
+  std::normal_distribution<double> across(0, 0.002);
+  std::uniform_int_distribution<int> which(0, 39);
+  std::vector<Vector_3> directions;
+  for (int i = 0; i < 40; ++i) {
+    directions.push_back(Vector_3(along(random), along(random), along(random)));
+  }
+  std::vector<Vector_3> rods;
+  for (int i = 0; i < 30000; ++i) {
+    rods.push_back(along(random) * directions[std::size_t(which(random))] +
+                   Vector_3(across(random), across(random), across(random)));
+  }
+  const auto forms_of = [](std::vector<Vector_3> points) {
+    return CSCD::internal::forms_of(CSCD::make_point_cloud(std::move(points), {}).points);
+  };
+  EXPECT_LT(0.1, forms_of(rods).along_curves);
+  EXPECT_EQ(0, forms_of(torus_points(30000, 0)).along_curves);
+  EXPECT_FALSE(CSCD::internal::is_scan_of_trees(forms_of(torus_points(30000, 0.05))));
+}
+
+/// Circles around the z axis, on a ball of radius 1, `ratio` times as far apart as their points are.
+std::vector<Vector_3> sliced_ball(std::size_t number, double ratio)
+{
+  const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
+  std::vector<Vector_3> points;
+  for (double latitude = -1.5; latitude < 1.5; latitude += ratio * spacing) {
+    const double step = spacing / std::cos(latitude);
+    for (double angle = 0; angle < 6.283185307179586; angle += step) {
+      points.emplace_back(std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle),
+                          std::sin(latitude));
+    }
+  }
+  return points;
+}
+
+TEST(is_scan_of_trees, does_not_take_slices_for_twigs)
+{
+  for (const double ratio : {3., 10., 20.}) {
+    const CSCD::Point_cloud cloud = CSCD::make_point_cloud(sliced_ball(20000, ratio), {});
+    EXPECT_FALSE(CSCD::internal::is_scan_of_trees(CSCD::internal::forms_of(cloud.points))) << ratio;
+  }
+  // What looks like twigs, laid flat.
+  CSCD::internal::Cloud_forms forms;
+  forms.along_curves = forms.in_space = 0.3;
+  forms.steepness = 0.3;
+  EXPECT_TRUE(CSCD::internal::is_scan_of_trees(forms));
+  forms.steepness = 0;
+  EXPECT_FALSE(CSCD::internal::is_scan_of_trees(forms));
+}
+
+TEST(lie_in_slices, tells_a_body_in_slices_from_flat_things)
+{
+  const auto lie_in_slices = [](std::vector<Vector_3> points) {
+    return CSCD::internal::lie_in_slices(CSCD::make_point_cloud(std::move(points), {}).points);
+  };
+  EXPECT_TRUE(lie_in_slices(sliced_ball(20000, 100)));
+  EXPECT_TRUE(lie_in_slices(sliced_ball(20000, 500)));
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> along(-1, 1);
+  std::vector<Vector_3> slices; // turned
+  std::vector<Vector_3> flat;   // crossing lines
+  std::vector<Vector_3> poles;
+  std::vector<Vector_3> spring;
+  for (int i = 0; i < 20000; ++i) {
+    const double angle = 3.141592653589793 * along(random);
+    const double noise = 1e-3 * along(random);
+    const Vector_3 x(0.6, 0.8, 0);
+    const Vector_3 y(0, 0, 1);
+    const Vector_3 z(0.8, -0.6, 0);
+    slices.push_back(std::cos(angle) * x + std::sin(angle) * y + (0.5 * (i % 5) + noise) * z);
+    flat.push_back(along(random) * (i % 2 == 0 ? x : y) + noise * z);
+    poles.push_back((i % 5) * x + (i % 3) * y + along(random) * z);
+    spring.push_back(std::cos(10 * angle) * x + std::sin(10 * angle) * y + 0.4 * angle * z);
+  }
+  EXPECT_TRUE(lie_in_slices(slices));
+  EXPECT_FALSE(lie_in_slices(flat));
+  EXPECT_FALSE(lie_in_slices(poles));
+  EXPECT_FALSE(lie_in_slices(spring));
+  EXPECT_FALSE(lie_in_slices(torus_points(20000, 0)));
+}
+
+TEST(lie_along_curves, knows_a_helix_from_a_body_in_slices)
+{
+  constexpr std::size_t number = 20000;
+  std::vector<Vector_3> helix;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double angle = 60 * double(i) / number;
+    helix.emplace_back(std::cos(angle), std::sin(angle), angle / 20);
+  }
+  EXPECT_TRUE(CSCD::internal::lie_along_curves(helix, 2 * 60. / number));
+  for (const double ratio : {1., 3., 10.}) {
+    const double spacing = std::sqrt(4 * 3.141592653589793 / (double(number) * ratio));
+    EXPECT_FALSE(CSCD::internal::lie_along_curves(sliced_ball(number, ratio), 2 * spacing)) << ratio;
+  }
+  EXPECT_FALSE(CSCD::internal::lie_along_curves(torus_points(2000, 0), 0.1));
+  // All in one place.
+  EXPECT_FALSE(CSCD::internal::lie_along_curves(std::vector<Vector_3>(100, Vector_3::Zero()), 0));
+}
+
+} // namespace

@@ -1,0 +1,392 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Skeletons of scans of trees that are known exactly: limbs found, orders, lengths and radii; what must not change
+// them, and scans that are hardly any.
+
+#include "support/Similarity.h"
+#include "support/Skeleton_comparison.h"
+#include "support/Synthetic_tree.h"
+#include "support/Tree_match.h"
+#include "support/found_branches.h"
+#include "support/invariants.h"
+#include "support/point_skeletons.h"
+#include "support/sampling.h"
+#include "support/shape_operations.h"
+#include <CSCD/IO/write_swc.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <random>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using Tree_point = CGAL::Simple_cartesian<double>::Point_3;
+using Tree_points = std::vector<Tree_point>;
+using Tree_graph = CSCD::Skeleton_graph<Tree_point, std::size_t>;
+using CSCD::test::Plain_skeleton;
+using CSCD::test::Similarity;
+using CSCD::test::Synthetic_tree;
+using CSCD::test::Tree_match;
+using CSCD::test::Triple;
+using CSCD::test::operator+;
+using CSCD::test::operator-;
+
+struct Tree_outcome
+{
+  Tree_graph skeleton;
+  CSCD::Tree_report report;
+};
+
+/// What must hold for the branches of every report.
+void expect_branches(const Tree_outcome& outcome)
+{
+  std::vector<bool> is_end(num_vertices(outcome.skeleton), false); // of an edge of a branch
+  std::size_t number_of_trunks = 0;
+  for (std::size_t b = 0; b < outcome.report.branches.size(); ++b) {
+    const CSCD::Tree_branch& branch = outcome.report.branches[b];
+    double length = 0;
+    for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
+      EXPECT_TRUE(edge(branch.nodes[i - 1], branch.nodes[i], outcome.skeleton).second);
+      EXPECT_FALSE(is_end[branch.nodes[i]]);
+      is_end[branch.nodes[i]] = true;
+      length += std::sqrt(
+          CGAL::squared_distance(outcome.skeleton[branch.nodes[i - 1]].point, outcome.skeleton[branch.nodes[i]].point));
+      if (i > 1) {
+        EXPECT_LE(outcome.skeleton[branch.nodes[i]].radius, outcome.skeleton[branch.nodes[i - 1]].radius);
+      }
+    }
+    EXPECT_NEAR(length, branch.length, 1e-9 * length);
+    if (branch.parent == CSCD::no_branch) {
+      EXPECT_EQ(0u, branch.order);
+      EXPECT_EQ(number_of_trunks++, branch.object);
+    } else {
+      ASSERT_LT(branch.parent, b);
+      const CSCD::Tree_branch& parent = outcome.report.branches[branch.parent];
+      EXPECT_EQ(parent.order + 1, branch.order);
+      EXPECT_EQ(parent.object, branch.object);
+      EXPECT_LE(branch.strahler_order, parent.strahler_order);
+      EXPECT_EQ(1, std::count(parent.nodes.begin(), parent.nodes.end(), branch.nodes.front()));
+    }
+  }
+  EXPECT_EQ(outcome.report.number_of_objects, number_of_trunks);
+}
+
+/// Skeletonizes and checks what must hold for every scan.
+Tree_outcome tree_of(const std::vector<Triple>& triples)
+{
+  Tree_outcome outcome;
+  outcome.report = CSCD::extract_tree_skeleton(CSCD::test::to_points<Tree_point>(triples), outcome.skeleton);
+  std::vector<std::size_t> numbers;
+  for (std::size_t node = 0; node < num_vertices(outcome.skeleton); ++node) {
+    numbers.insert(numbers.end(), outcome.skeleton[node].vertices.begin(), outcome.skeleton[node].vertices.end());
+  }
+  std::sort(numbers.begin(), numbers.end());
+  EXPECT_EQ(triples.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    EXPECT_EQ(i, numbers[i]);
+  }
+  const CSCD::test::Skeleton_facts facts = CSCD::test::skeleton_facts(outcome.skeleton);
+  EXPECT_EQ(CSCD::test::Violations{}, CSCD::test::violations_of_graph(outcome.skeleton));
+  EXPECT_EQ(0u, facts.betti_number);
+  EXPECT_EQ(outcome.report.number_of_objects, facts.number_of_components);
+  EXPECT_EQ(outcome.report.number_of_nodes, facts.number_of_nodes);
+  EXPECT_EQ(outcome.report.number_of_edges, facts.number_of_edges);
+  EXPECT_EQ(outcome.report.number_of_points, triples.size());
+  expect_branches(outcome);
+  return outcome;
+}
+
+/// Held against a tree of ten meters, of which limbs from 0.3 m beyond their parent count.
+Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
+{
+  return CSCD::test::Tree_matching(tree.limbs(), CSCD::test::found_branches(outcome.skeleton, outcome.report), 0.3,
+                                   0.05, 0.02)
+      .result();
+}
+
+/// The least that holds of a scan; the rest is what is typical of a good one.
+void expect_match(const Tree_match& match, double min_found)
+{
+  const auto limbs = double(match.number_of_limbs);
+  EXPECT_GE(double(match.found), min_found * limbs);
+  EXPECT_LE(double(match.superfluous), 0.2 * limbs);
+  EXPECT_GE(double(match.right_parents), 0.8 * double(match.found));
+  EXPECT_GE(double(match.right_orders), 0.8 * double(match.found));
+  EXPECT_LE(match.length_error, 0.15);
+  EXPECT_LE(match.radius_error, 0.15);
+  EXPECT_LE(match.distance, 0.35);
+}
+
+class Scanned_tree : public testing::TestWithParam<unsigned>
+{
+protected:
+  static constexpr std::size_t number = 15000;
+  static CSCD::test::Tree_settings settings()
+  {
+    CSCD::test::Tree_settings result;
+    result.seed = GetParam();
+    return result;
+  }
+  Synthetic_tree m_tree{settings()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Scanned_tree, testing::Values(101u, 102u));
+
+TEST_P(Scanned_tree, is_found)
+{
+  const Tree_outcome outcome = tree_of(m_tree.scanned(number, 1, 1));
+  EXPECT_EQ(1u, outcome.report.number_of_objects);
+  expect_match(match(m_tree, outcome), 0.8);
+}
+
+TEST_P(Scanned_tree, is_found_where_points_get_fewer_upwards)
+{
+  const Tree_outcome outcome = tree_of(m_tree.scanned(number, 0.15, 1));
+  EXPECT_EQ(1u, outcome.report.number_of_objects);
+  expect_match(match(m_tree, outcome), 0.7);
+}
+
+TEST_P(Scanned_tree, is_found_under_noise)
+{
+  const Tree_outcome outcome = tree_of(CSCD::test::shaken(m_tree.scanned(number, 1, 1), 0.008, 2));
+  EXPECT_EQ(1u, outcome.report.number_of_objects);
+  expect_match(match(m_tree, outcome), 0.75);
+}
+
+TEST_P(Scanned_tree, is_found_from_one_side)
+{
+  const std::vector<Triple> seen = CSCD::test::seen_from(m_tree.scanned(2 * number, 0.5, 1), {12, 0, 1.5}, 0.0015, 0.1);
+  const Tree_outcome outcome = tree_of(CSCD::test::shaken(seen, 0.004, 2));
+  EXPECT_EQ(1u, outcome.report.number_of_objects);
+  expect_match(match(m_tree, outcome), 0.75);
+}
+
+TEST_P(Scanned_tree, has_few_superfluous_branches_from_two_sides)
+{
+  const std::vector<Triple> all = m_tree.scanned(2 * number, 0.5, 1);
+  std::vector<Triple> both = CSCD::test::seen_from(all, {12, 0, 1.5}, 0.0015, 0.1);
+  const std::vector<Triple> other = CSCD::test::seen_from(all, {-6, 10, 1.5}, 0.0015, 0.1);
+  both.insert(both.end(), other.begin(), other.end());
+  const Tree_outcome outcome = tree_of(CSCD::test::shaken(both, 0.004, 2));
+  EXPECT_GT(outcome.report.number_of_thinned_points, 0u);
+  const Tree_match result = match(m_tree, outcome);
+  expect_match(result, 0.8);
+  EXPECT_LE(double(result.superfluous), 0.12 * double(result.number_of_limbs)) << "a quarter on the whole scan";
+}
+
+TEST_P(Scanned_tree, is_found_across_gaps)
+{
+  std::vector<Triple> points = m_tree.scanned(number, 1, 1);
+  std::size_t number_of_gaps = 0;
+  for (const CSCD::test::Limb& limb : m_tree.limbs()) {
+    if (limb.order == 1) {
+      points = CSCD::test::without_ball(std::move(points), limb.axis[12], 0.2);
+      ++number_of_gaps;
+    }
+  }
+  const Tree_outcome outcome = tree_of(points);
+  EXPECT_EQ(1u, outcome.report.number_of_objects);
+  EXPECT_LE(number_of_gaps, outcome.report.gaps.size());
+  for (const CSCD::Tree_gap& gap : outcome.report.gaps) {
+    EXPECT_NEAR(gap.length, CSCD::test::norm(Triple(gap.to) - Triple(gap.from)), 1e-9);
+  }
+  expect_match(match(m_tree, outcome), 0.7);
+}
+
+TEST(Tree_skeleton, keeps_two_trees_apart)
+{
+  const Synthetic_tree tree{CSCD::test::Tree_settings{}};
+  std::vector<Triple> points = tree.scanned(8000, 1, 1);
+  const std::size_t number = points.size();
+  for (const Triple& p : tree.scanned(6000, 1, 2)) {
+    points.push_back(p + Triple{20, 0, 0.3});
+  }
+  const Tree_outcome outcome = tree_of(points);
+  ASSERT_EQ(2u, outcome.report.number_of_objects);
+  for (std::size_t node = 0; node < num_vertices(outcome.skeleton); ++node) {
+    for (std::size_t point : outcome.skeleton[node].vertices) {
+      EXPECT_EQ(point < number, outcome.skeleton[node].point.x() < 10);
+    }
+  }
+}
+
+std::vector<Triple> some_scan()
+{
+  return Synthetic_tree(CSCD::test::Tree_settings{}).scanned(6000, 0.5, 1);
+}
+
+TEST(Tree_skeleton, is_the_same_from_call_to_call_and_for_any_order)
+{
+  const std::vector<Triple> points = some_scan();
+  const Plain_skeleton expected = CSCD::test::plain(tree_of(points).skeleton);
+  EXPECT_EQ(expected, CSCD::test::plain(tree_of(points).skeleton));
+  std::mt19937_64 random(1);
+  const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
+  EXPECT_EQ(expected, renamed(CSCD::test::plain(tree_of(CSCD::test::permuted(points, order)).skeleton), order));
+}
+
+TEST(Tree_skeleton, moves_with_the_scan)
+{
+  const std::vector<Triple> points = some_scan();
+  const Tree_outcome outcome = tree_of(points);
+  for (const Similarity& motion :
+       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, {0, 0, 1}, 1, {0, 0, 0}},
+        Similarity{1e-6, {0, 0, 1}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
+    SCOPED_TRACE(motion.scale);
+    const Plain_skeleton expected = moved(CSCD::test::plain(outcome.skeleton), motion);
+    const Tree_outcome other = tree_of(moved(points, motion));
+    EXPECT_EQ("", difference(expected, CSCD::test::plain(other.skeleton), 1e-4 * motion.scale));
+    ASSERT_EQ(outcome.report.branches.size(), other.report.branches.size());
+    EXPECT_NEAR(motion.scale * outcome.report.branches.front().radius_at_base,
+                other.report.branches.front().radius_at_base, 1e-4 * motion.scale);
+  }
+}
+
+/// A trunk with a limb that has a limb.
+TEST(Tree_skeleton, counts_orders)
+{
+  using CSCD::test::Limb;
+  const auto straight = [](const Triple& from, const Triple& to, double radius) {
+    return Limb{{from, to}, {radius, 0.8 * radius}, std::nullopt, 0};
+  };
+  std::vector<Limb> limbs{straight({0, 0, 0}, {0, 0, 9}, 0.1), straight({0, 0, 3}, {0, 2.5, 4.5}, 0.06),
+                          straight({0, 1.25, 3.75}, {1.5, 1.5, 4}, 0.05)};
+  limbs[1].parent = 0;
+  limbs[2].parent = 1;
+  const Tree_outcome outcome = tree_of(Synthetic_tree(limbs).scanned(6000, 1, 1));
+  ASSERT_EQ(3u, outcome.report.branches.size());
+  const std::vector<CSCD::Tree_branch>& branches = outcome.report.branches;
+  const double lengths[] = {9, std::hypot(2.5, 1.5), std::hypot(1.5, 0.25, 0.25)};
+  const double radii[] = {0.1, 0.06, 0.05};
+  for (std::size_t b = 0; b < 3; ++b) {
+    EXPECT_EQ(b, branches[b].order);
+    EXPECT_NEAR(lengths[b], branches[b].length, 0.15);
+    EXPECT_NEAR(radii[b], branches[b].radius_at_base, 0.1 * radii[b]);
+    // The last sections are rough.
+    EXPECT_LT(0, branches[b].radius_at_tip);
+    EXPECT_LE(branches[b].radius_at_tip, branches[b].radius_at_base);
+  }
+  EXPECT_EQ(2u, branches[0].strahler_order);
+  EXPECT_EQ(2u, branches[1].strahler_order);
+  EXPECT_EQ(1u, branches[2].strahler_order);
+}
+
+TEST(Tree_skeleton, begins_at_the_given_root)
+{
+  const Synthetic_tree tree({{{{0, 0, 0}, {0, 0, 5}}, {0.1, 0.1}, std::nullopt, 0}});
+  const Tree_points points = CSCD::test::to_points<Tree_point>(tree.scanned(3000, 1, 1));
+  Tree_graph skeleton;
+  CSCD::extract_tree_skeleton(points, skeleton);
+  EXPECT_LT(skeleton[0].point.z(), 0.2);
+  CSCD::extract_tree_skeleton(points, skeleton, CSCD::parameters::root(Tree_point(0, 0, 5)));
+  EXPECT_GT(skeleton[0].point.z(), 4.8);
+  EXPECT_THROW(CSCD::extract_tree_skeleton(points, skeleton, CSCD::parameters::root(Tree_point(0, std::nan(""), 5))),
+               CSCD::Input_error);
+  EXPECT_GT(skeleton[0].point.z(), 4.8);
+}
+
+TEST(Tree_skeleton, is_the_same_for_all_ranges)
+{
+  const Tree_points points = CSCD::test::to_points<Tree_point>(some_scan());
+  Tree_graph expected;
+  CSCD::extract_tree_skeleton(points, expected);
+  CGAL::Point_set_3<Tree_point> point_set;
+  std::vector<std::pair<int, Tree_point>> pairs;
+  for (const Tree_point& p : points) {
+    point_set.insert(p);
+    pairs.emplace_back(0, p);
+  }
+  Tree_graph of_pairs;
+  CSCD::extract_tree_skeleton(
+      pairs, of_pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>()));
+  EXPECT_EQ(CSCD::test::plain(expected), CSCD::test::plain(of_pairs));
+  CSCD::Skeleton_graph<Tree_point, CGAL::Point_set_3<Tree_point>::Index> of_point_set;
+  CSCD::extract_tree_skeleton(point_set, of_point_set);
+  ASSERT_EQ(num_vertices(expected), num_vertices(of_point_set));
+  for (std::size_t node = 0; node < num_vertices(expected); ++node) {
+    EXPECT_EQ(expected[node].point, of_point_set[node].point);
+    EXPECT_TRUE(std::equal(expected[node].vertices.begin(), expected[node].vertices.end(),
+                           of_point_set[node].vertices.begin(), of_point_set[node].vertices.end()));
+  }
+}
+
+/// The roots come first, so that the parents in SWC are those of the branches.
+TEST(Tree_skeleton, has_its_parents_in_swc)
+{
+  const Tree_outcome outcome = tree_of(some_scan());
+  std::ostringstream out;
+  CSCD::write_swc(out, outcome.skeleton);
+  EXPECT_EQ(std::string::npos, out.str().find("loop"));
+  std::istringstream in(out.str());
+  std::string line;
+  std::getline(in, line);
+  std::vector<double> root(7);
+  for (double& number : root) {
+    in >> number;
+  }
+  EXPECT_EQ(-1, root[6]);
+  EXPECT_EQ(outcome.skeleton[outcome.report.branches.front().nodes.front()].point,
+            Tree_point(root[2], root[3], root[4]));
+}
+
+TEST(Tree_skeleton, bears_hardly_any_points)
+{
+  EXPECT_EQ(1u, tree_of({{1, 2, 3}}).report.number_of_nodes);
+  const Tree_outcome duplicates = tree_of(std::vector<Triple>(50, {1, 2, 3}));
+  EXPECT_EQ(1u, duplicates.report.number_of_nodes);
+  EXPECT_EQ(49u, duplicates.report.number_of_duplicates);
+  EXPECT_EQ(1u, tree_of({{0, 0, 0}, {0, 0, 1}}).report.number_of_objects);
+  EXPECT_EQ(1u, tree_of({{0, 0, 0}, {1, 0, 0}}).report.number_of_objects);
+  EXPECT_EQ(1u, tree_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).report.number_of_objects);
+  Tree_graph skeleton;
+  EXPECT_THROW(CSCD::extract_tree_skeleton(Tree_points{}, skeleton), CSCD::Input_error);
+  EXPECT_THROW(
+      CSCD::extract_tree_skeleton(Tree_points{{0, 0, 0}, {0, std::numeric_limits<double>::infinity(), 0}}, skeleton),
+      CSCD::Input_error);
+}
+
+TEST(Tree_skeleton, of_a_line_is_the_line)
+{
+  for (const Triple& direction : {Triple{0, 0, 1}, Triple{1, 0, 0}, Triple{0.6, 0, 0.8}}) {
+    std::vector<Triple> points;
+    for (int i = 0; i <= 300; ++i) {
+      points.push_back({0.01 * i * direction[0], 0.01 * i * direction[1], 0.01 * i * direction[2]});
+    }
+    const Tree_outcome outcome = tree_of(points);
+    ASSERT_EQ(1u, outcome.report.branches.size());
+    EXPECT_NEAR(3, outcome.report.branches.front().length, 0.01);
+    EXPECT_NEAR(0, outcome.report.branches.front().radius_at_base, 1e-6);
+  }
+}
+
+TEST(Tree_skeleton, of_a_plane_is_some_tree)
+{
+  std::vector<Triple> upright;
+  std::vector<Triple> lying;
+  for (int i = 0; i < 40; ++i) {
+    for (int j = 0; j < 40; ++j) {
+      upright.push_back({0.1 * i, 0, 0.1 * j});
+      lying.push_back({0.1 * i, 0.1 * j, 0});
+    }
+  }
+  EXPECT_EQ(1u, tree_of(upright).report.number_of_objects);
+  EXPECT_EQ(1u, tree_of(lying).report.number_of_objects);
+}
+
+} // namespace
