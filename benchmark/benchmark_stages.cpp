@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How long each stage takes on generated shapes of growing size, with the order of growth: one thread, CPU time; and
-// which part of that is in loops that several threads can share.
+// How long each stage takes on generated shapes of growing size, with the order of growth: one thread, CPU time.
 // "read" makes a manifold of the bytes of a binary file. "coarsen" is a part of "compile"; the other stages follow each
 // other.
 
@@ -16,7 +15,6 @@
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/internal/Parallel_clock.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -78,105 +76,64 @@ Prepared& prepared(const Sized_shape& shape, std::int64_t number_of_vertices)
   return *last;
 }
 
-/// The part of the time of a stage that is spent in loops which several threads can share.
-class Loop_share
-{
-public:
-  /// Lives as long as the stage is run once.
-  class Scope
-  {
-  public:
-    explicit Scope(Loop_share& share)
-        : m_share(share), m_begin(std::chrono::steady_clock::now()),
-          m_loops_begin(CSCD::internal::Parallel_clock::seconds())
-    {
-    }
-    ~Scope()
-    {
-      m_share.m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();
-      m_share.m_seconds_in_loops += CSCD::internal::Parallel_clock::seconds() - m_loops_begin;
-    }
-    Scope(const Scope&) = delete;
-    Scope& operator=(const Scope&) = delete;
-
-  private:
-    Loop_share& m_share;
-    std::chrono::steady_clock::time_point m_begin;
-    double m_loops_begin;
-  };
-
-  double percent() const { return 100 * m_seconds_in_loops / m_seconds; }
-
-private:
-  double m_seconds = 0;
-  double m_seconds_in_loops = 0;
-};
-
-void read(benchmark::State& state, Prepared& input, Loop_share& share)
+void read(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
     state.PauseTiming();
     std::istringstream in(input.file);
     state.ResumeTiming();
-    const Loop_share::Scope measured(share);
     const auto manifold = CSCD::internal::make_manifold(
         CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, input.name), input.name);
     benchmark::DoNotOptimize(manifold.triangles.faces.size());
   }
 }
 
-void compile(benchmark::State& state, Prepared& input, Loop_share& share)
+void compile(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
-    const Loop_share::Scope measured(share);
     const Traits traits(input.mesh);
     benchmark::DoNotOptimize(traits.surface().triangulation().number_of_vertices());
   }
 }
 
-void coarsen(benchmark::State& state, Prepared& input, Loop_share& share)
+void coarsen(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
     state.PauseTiming();
     CSCD::Triangulated_surface surface = input.traits.surface().triangulation();
     state.ResumeTiming();
-    const Loop_share::Scope measured(share);
     const CSCD::Surface_levels levels(std::move(surface));
     benchmark::DoNotOptimize(levels.size());
   }
 }
 
-void find(benchmark::State& state, Prepared& input, Loop_share& share)
+void find(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
-    const Loop_share::Scope measured(share);
     Skeletonization skeletonization(input.traits);
     benchmark::DoNotOptimize(skeletonization.find_separators());
   }
 }
 
-void pack(benchmark::State& state, Prepared& input, Loop_share& share)
+void pack(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
-    const Loop_share::Scope measured(share);
     benchmark::DoNotOptimize(input.skeletonization.pack_separators());
   }
 }
 
-void build(benchmark::State& state, Prepared& input, Loop_share& share)
+void build(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
-    const Loop_share::Scope measured(share);
     Skeletonization::Skeleton skeleton;
     input.skeletonization.convert_to_skeleton(skeleton);
     benchmark::DoNotOptimize(num_vertices(skeleton));
   }
 }
 
-void write(benchmark::State& state, Prepared& input, Loop_share& share)
+void write(benchmark::State& state, Prepared& input)
 {
   for (auto _ : state) {
-    const Loop_share::Scope measured(share);
     std::ostringstream out;
     CSCD::write_json(out, input.skeleton);
     benchmark::DoNotOptimize(out.tellp());
@@ -186,7 +143,7 @@ void write(benchmark::State& state, Prepared& input, Loop_share& share)
 struct Stage
 {
   const char* name;
-  void (*run)(benchmark::State&, Prepared&, Loop_share&);
+  void (*run)(benchmark::State&, Prepared&);
 };
 
 constexpr Stage stages[] = {{"read", read}, {"compile", compile}, {"coarsen", coarsen}, {"find", find},
@@ -195,9 +152,7 @@ constexpr Stage stages[] = {{"read", read}, {"compile", compile}, {"coarsen", co
 void run(benchmark::State& state, const Stage& stage, const Sized_shape& shape)
 {
   Prepared& input = prepared(shape, state.range(0));
-  Loop_share share;
-  stage.run(state, input, share);
-  state.counters["percent_in_parallel_loops"] = share.percent();
+  stage.run(state, input);
   state.SetComplexityN(std::int64_t(num_vertices(input.mesh)));
   state.counters["vertices"] = double(num_vertices(input.mesh));
   state.counters["separators"] = double(input.skeletonization.separators().size());

@@ -106,27 +106,6 @@ def stage_table(medians):
     return markdown(["stage, shape", *(f"about {count(size)}" for size in sizes), "exponent"], rows)
 
 
-def parallel_table(medians):
-    """The percentage of the time in loops that threads can share, of every stage and of all that follow each other."""
-    sizes, stages = stages_by_size(medians)
-    rows = stage_rows(sizes, stages, lambda run: f"{run['percent_in_parallel_loops']:.0f}")
-    for parts, of_all in (({"compile", "find", "pack", "build"}, "of the library"),
-                          ({"read", "compile", "find", "pack", "build", "write"}, "of all")):
-        for shape in dict.fromkeys(shape for _, shape in stages):
-            row = [f"{of_all}, {shape}"]
-            for size in sizes:
-                runs = [runs[size] for (stage, its_shape), runs in stages.items()
-                        if stage in parts and its_shape == shape and size in runs]
-                row.append(f"{weighted_mean(runs):.0f}" if runs else "–")
-            rows.append(row)
-    return markdown(["stage, shape", *(f"about {count(size)}" for size in sizes)], rows)
-
-
-def weighted_mean(runs):
-    total = sum(run["cpu_time"] for run in runs)
-    return sum(run["cpu_time"] * run["percent_in_parallel_loops"] for run in runs) / total
-
-
 def sampling_table(medians, kind):
     """One row for each way in which points are drawn, over all meshes; none if nothing of the kind was run."""
     clouds = runs_of(medians, kind)
@@ -187,7 +166,6 @@ TABLES_OF_PROGRAM = {
     "benchmark_stages": {
         "circumstances_of_stages": None,
         "stages": stage_table,
-        "parallel_stages": parallel_table,
     },
     "benchmark_points": {
         "samplings": lambda medians: sampling_table(medians, "cloud"),

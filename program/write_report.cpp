@@ -312,9 +312,6 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
     document["openings"].push_back({{"node", opening.node}, {"center", opening.center}, {"radius", opening.radius}});
   }
   document["seconds"] = by_stage(report.seconds);
-#ifdef CGAL_LINKED_WITH_TBB
-  document["parallel_seconds"] = by_stage(report.parallel_seconds);
-#endif
   document["warnings"] = report.warnings;
   return document;
 }
@@ -350,11 +347,7 @@ void write_summary(std::ostream& out, const Skeletonize_options& options, const 
       << ", " << counted(report.number_of_skeleton_components, "component") << ", "
       << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
       << counted(report.number_of_junctions, "junction") << "\ntime: " << std::fixed << std::setprecision(digits)
-      << sum(report.seconds) << " s on " << counted(report.number_of_threads, "thread")
-#ifdef CGAL_LINKED_WITH_TBB
-      << ", " << sum(report.parallel_seconds) << " s of it in parallel loops"
-#endif
-      << '\n';
+      << sum(report.seconds) << " s on " << counted(report.number_of_threads, "thread") << '\n';
 }
 
 std::string printable(const std::string& text)

@@ -9,3 +9,4 @@
 #include <CSCD/Surface/Triangulated_solid_impl.h>
 #include <CSCD/Surface/coarsen_triangles_impl.h>
 #include <CSCD/internal/for_each_range_impl.h>
+#include <CSCD/skeletonize_impl.h>

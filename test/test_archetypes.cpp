@@ -5,8 +5,6 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "archetypes/Policies_archetype.h"
-#include "archetypes/Separator_cost_archetype.h"
-#include "archetypes/Separator_finder_archetype.h"
 #include "archetypes/Skeleton_archetype.h"
 #include "archetypes/Skeletonization_traits_archetype.h"
 #include "archetypes/Surface_archetype.h"
@@ -42,8 +40,6 @@ using CSCD::Vector_3;
 using CSCD::test::Input_descriptor_archetype;
 using CSCD::test::Point_archetype;
 using CSCD::test::Policies_archetype;
-using CSCD::test::Separator_cost_archetype;
-using CSCD::test::Separator_finder_archetype;
 using CSCD::test::Skeletonization_traits_archetype;
 using CSCD::test::Surface_archetype;
 using CSCD::test::Triangle_mesh_archetype;
@@ -92,18 +88,13 @@ TEST(Archetypes, of_all_that_the_free_function_takes)
 {
   const Triangle_mesh_archetype mesh(shape());
   Visitor_archetype visitor;
-  std::size_t number_of_costs = 0;
   Mesh_skeleton_archetype skeleton;
-  const CSCD::Skeletonization_report report =
-      CSCD::extract_curve_skeleton(mesh, skeleton,
-                                   CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh))
-                                       .visitor(std::ref(visitor))
-                                       .separator_cost(Separator_cost_archetype(number_of_costs)));
+  const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(
+      mesh, skeleton, CSCD::parameters::vertex_point_map(Vertex_point_map_archetype(mesh)).visitor(std::ref(visitor)));
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(num_vertices(skeleton), report.number_of_nodes);
   EXPECT_EQ(num_edges(skeleton), report.number_of_edges);
   EXPECT_GT(visitor.number_of_calls(), 0u);
-  EXPECT_GE(number_of_costs, report.number_of_separators);
   EXPECT_FALSE(CSCD::has_radius_v<Mesh_skeleton_archetype>);
   expect_partition(skeleton, shape().points.size());
 }
@@ -122,27 +113,6 @@ TEST(Archetypes, of_traits_for_the_local_method_step_by_step)
   for (const auto packed : skeletonization.packed_separators()) {
     EXPECT_GE(skeletonization.polyline(skeletonization.separators()[packed]).size(), 3u);
   }
-}
-
-TEST(Archetypes, of_cost_finder_and_visitor_for_the_local_method)
-{
-  const Solid solid(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
-  const Skeletonization_traits_archetype<Triangulated_solid> traits(solid);
-  Visitor_archetype visitor;
-  std::size_t number_of_costs = 0;
-  const CSCD::Local_policies policies(Separator_cost_archetype(number_of_costs), [](const Triangulated_solid& s) {
-    return CSCD::Separator_finder(Separator_finder_archetype(s.triangulation()));
-  });
-  CSCD::Curve_skeletonization<Skeletonization_traits_archetype<Triangulated_solid>, CSCD::Local_policies,
-                              Visitor_archetype&>
-      skeletonization(traits, policies, visitor);
-  Skeleton_archetype skeleton;
-  const CSCD::Skeletonization_report& report = skeletonization.run<CGAL::Parallel_if_available_tag>(skeleton);
-  expect_partition(skeleton, traits.surface().triangulation().number_of_vertices());
-  EXPECT_EQ(report.number_of_skeleton_components, 1u);
-  EXPECT_EQ(report.number_of_tips, 2u);
-  EXPECT_GT(visitor.number_of_calls(), 0u);
-  EXPECT_GE(number_of_costs, report.number_of_separators);
 }
 
 /// The torus around the z axis with radii 3 and 1.

@@ -5,7 +5,6 @@
 // no more is asked for in test_archetypes.cpp.
 
 #include <CSCD/Local_policies.h>
-#include <CSCD/Packing/Separator_cost.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Separator/Separator.h>
@@ -48,8 +47,6 @@ TEST(Concepts, have_models)
   CSCD::check_skeletonization_policies<CSCD::Local_policies, CSCD::Triangulated_solid>();
   CSCD::check_skeletonization_policies<CSCD::Published_policies, CSCD::Triangulated_solid>();
   CSCD::check_skeletonization_policies<CSCD::Published_policies, CSCD::Point_solid>();
-  CSCD::check_separator_cost<CSCD::Length_and_planarity_cost>();
-  CSCD::check_separator_cost<float (*)(CSCD::Separator)>();
   CSCD::check_skeletonization_visitor<CSCD::Default_skeletonization_visitor>();
   CSCD::check_triangle_mesh<Mesh>();
   CSCD::check_triangle_mesh<Polyhedron>();

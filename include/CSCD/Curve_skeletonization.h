@@ -7,6 +7,8 @@
 #define CSCD_CURVE_SKELETONIZATION_H
 
 #include <CSCD/Local_policies.h>
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Options.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
@@ -14,10 +16,11 @@
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/concepts.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Parallel_clock.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
@@ -214,11 +217,9 @@ private:
     m_visitor.on_stage_begin(stage);
     progress(0);
     const auto start = std::chrono::steady_clock::now();
-    const double parallel_start = internal::Parallel_clock::seconds();
     run();
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
-    m_report.parallel_seconds[static_cast<std::size_t>(stage)] = internal::Parallel_clock::seconds() - parallel_start;
     progress(1);
     m_visitor.on_stage_end(stage);
   }
@@ -272,6 +273,58 @@ private:
   Skeletonization_report m_report;
 };
 
+namespace internal {
+
+/// The policies that `np` gives; by default the local ones, with the detail that `np` gives.
+template <class NamedParameters>
+auto skeletonization_policies(const NamedParameters& np)
+{
+  if constexpr (has_policies_v<NamedParameters>) {
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::detail_t>::value,
+                  "CSCD: detail belongs to the default policies and cannot be given with policies");
+    return parameters::get_parameter(np, internal_np::policies);
+  } else {
+    return Local_policies(Detail(to_options<CGAL::Sequential_tag>(np).detail));
+  }
+}
+
+/// Runs the pipeline on the surface traits that `make_traits()` returns, with the parameters that all inputs have in
+/// common.
+template <class ConcurrencyTag, class Traits, class MakeTraits, class Policies, class Skeleton, class NamedParameters>
+Skeletonization_report skeletonize(const MakeTraits& make_traits, const Policies& policies, Skeleton& skeleton,
+                                   const NamedParameters& np)
+{
+  return with_visitor(np, [&](auto& visitor) {
+    visitor.on_stage_begin(Skeletonization_stage::compile_surface);
+    const Traits traits = make_traits();
+    visitor.on_stage_end(Skeletonization_stage::compile_surface);
+    const Options options = to_options<ConcurrencyTag>(np);
+    Curve_skeletonization<Traits, Policies, decltype(visitor)> skeletonization(traits, policies, visitor);
+    skeletonization.set_random_seed(options.random_seed)
+        .set_number_of_threads(options.number_of_threads)
+        .set_maximum_number_of_sources(options.maximum_number_of_sources);
+    return skeletonization.template run<ConcurrencyTag>(skeleton);
+  });
+}
+
+/// Skeletonizes meshes by the policies that `np` gives.
+template <class ConcurrencyTag>
+struct Mesh_skeletonization_by_policies
+{
+  template <class TriangleMesh, class VertexPointMap, class Skeleton, class NamedParameters>
+  static Skeletonization_report run(const TriangleMesh& mesh, const VertexPointMap& point_map, Skeleton& skeleton,
+                                    const NamedParameters& np)
+  {
+    check_triangle_mesh<TriangleMesh>();
+    using Traits = Triangle_mesh_traits<TriangleMesh, VertexPointMap>;
+    const Options options = to_options<ConcurrencyTag>(np);
+    return skeletonize<ConcurrencyTag, Traits>(
+        [&] { return Traits(mesh, point_map, options.border_treatment, options.number_of_threads); },
+        skeletonization_policies(np), skeleton, np);
+  }
+};
+
+} // namespace internal
 } // namespace CSCD
 
 #endif // CSCD_CURVE_SKELETONIZATION_H

@@ -6,7 +6,6 @@
 #ifndef CSCD_LOCAL_POLICIES_H
 #define CSCD_LOCAL_POLICIES_H
 
-#include <CSCD/Packing/Separator_cost.h>
 #include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
@@ -16,7 +15,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 
-#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -33,9 +31,6 @@ class Separator_packing;
 class Local_policies
 {
 public:
-  /// Makes the finder of one thread; see the concept `SeparatorFinder`.
-  using Make_finder = std::function<Separator_finder(const Triangulated_solid&)>;
-
   /// The packed separators, and the surface cut along them.
   class Packing
   {
@@ -56,12 +51,8 @@ public:
     std::unique_ptr<const internal::Separator_packing> m_packing;
   };
 
-  /// \param cost of two separators that overlap, the one of lower cost is packed
-  /// \param make_finder makes the finders of separators; without it, they are `Local_separator_finder`
-  explicit Local_policies(Separator_cost cost = Length_and_planarity_cost(), Make_finder make_finder = nullptr)
-      : m_cost(std::move(cost)), m_make_finder(std::move(make_finder))
-  {
-  }
+  /// \param detail how small a limb may be to get a branch
+  explicit Local_policies(const Detail& detail = Detail()) : m_detail(detail) {}
 
   /// How small a limb may be to get a branch.
   const Detail& detail() const { return m_detail; }
@@ -86,8 +77,6 @@ public:
                                    const Packing& packing, Skeletonization_report& report) const;
 
 private:
-  Separator_cost m_cost;
-  Make_finder m_make_finder;
   Detail m_detail;
 };
 

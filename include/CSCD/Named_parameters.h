@@ -7,8 +7,13 @@
 #ifndef CSCD_NAMED_PARAMETERS_H
 #define CSCD_NAMED_PARAMETERS_H
 
-#include <CGAL/Named_function_parameters.h>
+#include <CSCD/Options.h>
+#include <CSCD/Skeletonization_visitor.h>
 
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
 #include <type_traits>
 
 // Later versions of CGAL have further kinds of entries in their list; here all of them are ordinary parameters.
@@ -224,6 +229,55 @@ auto combine(const NamedParameters& np, const MoreNamedParameters&... more)
 }
 
 } // namespace parameters
+
+namespace internal {
+
+/// The number of threads that `ConcurrencyTag` and `np` ask for, 0 for as many as TBB allows; any integer type will do.
+template <class ConcurrencyTag, class NamedParameters>
+unsigned requested_threads(const NamedParameters& np)
+{
+  constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
+  const auto number = parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_threads), 0u);
+  return is_parallel ? unsigned(number) : 1;
+}
+
+/// The options that `ConcurrencyTag` and `np` give. Any integer type will do for a number.
+template <class ConcurrencyTag, class NamedParameters>
+Options to_options(const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  Options options;
+  options.random_seed =
+      unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), options.random_seed));
+  options.number_of_threads = requested_threads<ConcurrencyTag>(np);
+  options.maximum_number_of_sources = std::size_t(
+      choose_parameter(get_parameter(np, internal_np::maximum_number_of_sources), options.maximum_number_of_sources));
+  options.detail = double(choose_parameter(get_parameter(np, internal_np::detail), options.detail));
+  options.border_treatment =
+      choose_parameter(get_parameter(np, internal_np::border_treatment), options.border_treatment);
+  return options;
+}
+
+/// Calls `function` with the visitor that `np` gives: a copy, or a reference where it was given as one.
+template <class NamedParameters, class Function>
+auto with_visitor(const NamedParameters& np, const Function& function)
+{
+  Default_skeletonization_visitor default_visitor;
+  using Visitor = typename CGAL::internal_np::Lookup_named_param_def<CGAL::internal_np::visitor_t, NamedParameters,
+                                                                     Default_skeletonization_visitor>::reference;
+  Visitor visitor = parameters::choose_parameter(parameters::get_parameter_reference(np, CGAL::internal_np::visitor),
+                                                 default_visitor);
+  check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
+  return function(visitor);
+}
+
+/// Whether `np` gives policies, the algorithms of the stages.
+template <class NamedParameters>
+inline constexpr bool has_policies_v =
+    !parameters::is_default_parameter<NamedParameters, internal_np::policies_t>::value;
+
+} // namespace internal
 } // namespace CSCD
 
 #undef CGAL_add_named_parameter_with_compatibility

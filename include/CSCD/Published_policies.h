@@ -6,6 +6,7 @@
 #ifndef CSCD_PUBLISHED_POLICIES_H
 #define CSCD_PUBLISHED_POLICIES_H
 
+#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Region_packing.h>

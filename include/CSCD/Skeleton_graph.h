@@ -6,6 +6,8 @@
 #ifndef CSCD_SKELETON_GRAPH_H
 #define CSCD_SKELETON_GRAPH_H
 
+#include <CSCD/Skeleton.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/internal/detection.h>
 
 #include <boost/graph/adjacency_list.hpp>
@@ -153,6 +155,42 @@ constexpr void check_curve_skeleton_graph()
                 "CSCD: CurveSkeletonGraph requires a default constructor and a move assignment");
 }
 
+namespace internal {
+
+/// `skeleton` as a graph.
+/// \tparam Graph a model of `CurveSkeletonGraph` \tparam Point constructible from three coordinates
+/// \param descriptors identifies, by its number, each input vertex that `skeleton.vertices` names
+template <class Graph, class Point, class Descriptors>
+Graph make_skeleton_graph(const Skeleton& skeleton, const Descriptors& descriptors)
+{
+  Graph graph;
+  std::vector<decltype(add_vertex(graph))> vertex;
+  vertex.reserve(skeleton.number_of_nodes());
+  for (std::size_t node = 0; node < skeleton.number_of_nodes(); ++node) {
+    vertex.push_back(add_vertex(graph));
+    auto& bundle = graph[vertex[node]];
+    bundle.point = make_point<Point>(skeleton.points[node]);
+    if constexpr (has_radius_v<Graph>) {
+      bundle.radius = skeleton.radii[node];
+    }
+    if constexpr (has_is_opening_v<Graph>) {
+      bundle.is_opening = skeleton.is_opening[node] != 0;
+    }
+    for (const Index number : skeleton.vertices[node]) {
+      bundle.vertices.push_back(descriptors[number]);
+    }
+  }
+  for (std::size_t i = 0; i < skeleton.edges.size(); ++i) {
+    [[maybe_unused]] const auto edge =
+        add_edge(vertex[skeleton.edges[i][0]], vertex[skeleton.edges[i][1]], graph).first;
+    if constexpr (has_significance_v<Graph>) {
+      graph[edge].significance = skeleton.significance[i];
+    }
+  }
+  return graph;
+}
+
+} // namespace internal
 } // namespace CSCD
 
 #endif // CSCD_SKELETON_GRAPH_H

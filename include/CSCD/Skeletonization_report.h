@@ -120,9 +120,6 @@ struct Skeletonization_report
   std::size_t number_of_threads = 1;
   /// Wall-clock seconds of each stage.
   std::array<double, number_of_skeletonization_stages> seconds{};
-  /// Of these, those in which the calling thread was in parallel loops. Where it was alone, the rest is what further
-  /// threads cannot share. 0 without TBB.
-  std::array<double, number_of_skeletonization_stages> parallel_seconds{};
   /// One sentence each.
   std::vector<std::string> warnings;
 

@@ -6,8 +6,11 @@
 #ifndef CSCD_SKELETONIZATION_VISITOR_H
 #define CSCD_SKELETONIZATION_VISITOR_H
 
+#include <CSCD/internal/detection.h>
+
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace CSCD {
 
@@ -44,6 +47,80 @@ struct Default_skeletonization_visitor
   void progress(double /* fraction */) {}
   /// Whether to continue: `false` makes the computation throw `Cancelled_error` at once. Called between batches.
   bool go_further() { return true; }
+};
+
+#ifdef DOXYGEN_RUNNING
+/// Is told the progress of a skeletonization and can stop it. All calls come from the thread that runs the pipeline.
+///
+/// | expression | when, and what it means |
+/// |---|---|
+/// | `v.on_stage_begin(stage)`, `v.on_stage_end(stage)` | a `Skeletonization_stage` begins, and is done |
+/// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |
+/// | `v.go_further()` | after each call of `progress()`: false stops the work by a `Cancelled_error` |
+///
+/// What it throws is passed on.
+///
+/// \cgalHasModels{`Default_skeletonization_visitor`}
+/// \cgalArchetype{Visitor_archetype.h}
+/// \cgalConcept
+class SkeletonizationVisitor
+{
+};
+#endif
+
+/// \addtogroup PkgCSCDConceptChecks
+/// @{
+
+/// refuses at compile time a type that is no model of `SkeletonizationVisitor`.
+template <class T>
+constexpr void check_skeletonization_visitor()
+{
+  static_assert(CSCD_IS_VALID(T&, t.on_stage_begin(Skeletonization_stage())),
+                "CSCD: SkeletonizationVisitor requires v.on_stage_begin(Skeletonization_stage)");
+  static_assert(CSCD_IS_VALID(T&, t.on_stage_end(Skeletonization_stage())),
+                "CSCD: SkeletonizationVisitor requires v.on_stage_end(Skeletonization_stage)");
+  static_assert(CSCD_IS_VALID(T&, t.progress(0.5)), "CSCD: SkeletonizationVisitor requires v.progress(double)");
+  static_assert(CSCD_GIVES(bool, T&, t.go_further()),
+                "CSCD: SkeletonizationVisitor requires v.go_further(), convertible to bool");
+}
+
+/// @}
+
+/// A visitor of any type. Engines that are not templates call it.
+class Any_skeletonization_visitor
+{
+public:
+  Any_skeletonization_visitor() = default;
+  Any_skeletonization_visitor(const Any_skeletonization_visitor&) = delete;
+  Any_skeletonization_visitor& operator=(const Any_skeletonization_visitor&) = delete;
+  virtual ~Any_skeletonization_visitor() = default;
+
+  /// `stage` begins.
+  virtual void on_stage_begin(Skeletonization_stage stage) = 0;
+  /// `stage` has ended.
+  virtual void on_stage_end(Skeletonization_stage stage) = 0;
+  /// The running stage has done the part `fraction` of its work.
+  virtual void progress(double fraction) = 0;
+  /// Whether to continue.
+  virtual bool go_further() = 0;
+};
+
+/// Passes all calls on to a visitor.
+/// \tparam Visitor a model of `SkeletonizationVisitor`
+template <class Visitor>
+class Skeletonization_visitor_reference final : public Any_skeletonization_visitor
+{
+public:
+  /// \param visitor is referred to
+  explicit Skeletonization_visitor_reference(Visitor& visitor) : m_visitor(visitor) {}
+
+  void on_stage_begin(Skeletonization_stage stage) override { m_visitor.on_stage_begin(stage); }
+  void on_stage_end(Skeletonization_stage stage) override { m_visitor.on_stage_end(stage); }
+  void progress(double fraction) override { m_visitor.progress(fraction); }
+  bool go_further() override { return m_visitor.go_further(); }
+
+private:
+  Visitor& m_visitor;
 };
 
 } // namespace CSCD

@@ -177,46 +177,6 @@ constexpr void check_skeletonization_surface()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// The cost of separators: of two that overlap, the one of lower cost is packed. A function object `c` that can be
-/// copied, with `c(separator)` const and convertible to double; equal costs are ordered by when the separators were
-/// found.
-///
-/// \cgalHasModels{`Length_and_planarity_cost`}
-/// \cgalArchetype{Separator_cost_archetype.h}
-/// \cgalConcept
-class SeparatorCost
-{
-};
-
-/// Finds the separator of one source after the other; one object serves one thread. A function object that can be
-/// copied: `f(source, level_hint, result)` seeks the separator of `source`, a vertex of the finest level, preferably on
-/// the level `level_hint`, and writes all members of `result`, a `Search_result&` that may hold an earlier answer. What
-/// it writes depends on its arguments alone, not on earlier calls: else the answer would depend on the number of
-/// threads.
-///
-/// \cgalHasModels{`Local_separator_finder`}
-/// \cgalArchetype{Policies_archetype.h}
-/// \cgalConcept
-class SeparatorFinder
-{
-};
-#endif
-
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
-/// refuses at compile time a type that is no model of `SeparatorCost`.
-template <class T>
-constexpr void check_separator_cost()
-{
-  static_assert(CSCD_GIVES(double, const T&, t(std::declval<const Separator&>())),
-                "CSCD: SeparatorCost requires c(separator) const, convertible to double");
-  static_assert(std::is_copy_constructible_v<T>, "CSCD: SeparatorCost requires a copy constructor");
-}
-
-/// @}
-
-#ifdef DOXYGEN_RUNNING
 /// The algorithms of the pipeline's stages, for surfaces of type `S`. All functions are const.
 ///
 /// | expression | value |
@@ -270,43 +230,6 @@ constexpr void check_skeletonization_policies()
       "CSCD: SkeletonizationPolicies requires p.build_skeleton(s, separators, packing, report) const, an "
       "Embedded_skeleton");
   static_assert(std::is_copy_constructible_v<P>, "CSCD: SkeletonizationPolicies requires a copy constructor");
-}
-
-/// @}
-
-#ifdef DOXYGEN_RUNNING
-/// Is told the progress of a skeletonization and can stop it. All calls come from the thread that runs the pipeline.
-///
-/// | expression | when, and what it means |
-/// |---|---|
-/// | `v.on_stage_begin(stage)`, `v.on_stage_end(stage)` | a `Skeletonization_stage` begins, and is done |
-/// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |
-/// | `v.go_further()` | after each call of `progress()`: false stops the work by a `Cancelled_error` |
-///
-/// What it throws is passed on.
-///
-/// \cgalHasModels{`Default_skeletonization_visitor`}
-/// \cgalArchetype{Visitor_archetype.h}
-/// \cgalConcept
-class SkeletonizationVisitor
-{
-};
-#endif
-
-/// \addtogroup PkgCSCDConceptChecks
-/// @{
-
-/// refuses at compile time a type that is no model of `SkeletonizationVisitor`.
-template <class T>
-constexpr void check_skeletonization_visitor()
-{
-  static_assert(CSCD_IS_VALID(T&, t.on_stage_begin(Skeletonization_stage())),
-                "CSCD: SkeletonizationVisitor requires v.on_stage_begin(Skeletonization_stage)");
-  static_assert(CSCD_IS_VALID(T&, t.on_stage_end(Skeletonization_stage())),
-                "CSCD: SkeletonizationVisitor requires v.on_stage_end(Skeletonization_stage)");
-  static_assert(CSCD_IS_VALID(T&, t.progress(0.5)), "CSCD: SkeletonizationVisitor requires v.progress(double)");
-  static_assert(CSCD_GIVES(bool, T&, t.go_further()),
-                "CSCD: SkeletonizationVisitor requires v.go_further(), convertible to bool");
 }
 
 /// @}

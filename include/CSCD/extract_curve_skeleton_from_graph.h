@@ -6,6 +6,7 @@
 #ifndef CSCD_EXTRACT_CURVE_SKELETON_FROM_GRAPH_H
 #define CSCD_EXTRACT_CURVE_SKELETON_FROM_GRAPH_H
 
+#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeletonization_report.h>

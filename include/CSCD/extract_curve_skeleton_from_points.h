@@ -6,6 +6,7 @@
 #ifndef CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H
 #define CSCD_EXTRACT_CURVE_SKELETON_FROM_POINTS_H
 
+#include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Skeletonization_report.h>
@@ -72,11 +73,6 @@ namespace CSCD {
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.5}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{separator_cost}
-///     \cgalParamDescription{of two separators that overlap, the one of lower cost is packed; not with `policies`}
-///     \cgalParamType{a copyable function object `double operator()(const Separator&) const`}
-///     \cgalParamDefault{`Length_and_planarity_cost`}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is informed of progress and may stop the work}
 ///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
@@ -96,7 +92,7 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
                                    CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::separator_cost_t, internal_np::detail_t, internal_np::policies_t>();
+                                   internal_np::detail_t, internal_np::policies_t>();
   const auto point_map = internal::point_map(points, np);
   const auto policies = internal::skeletonization_policies(np);
   using Point_map = std::decay_t<decltype(point_map)>;

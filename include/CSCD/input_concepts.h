@@ -40,6 +40,11 @@ template <class T>
 inline constexpr bool is_point_range_v = CSCD_IS_VALID(const T&, std::begin(t)) &&
                                          CSCD_IS_VALID(const T&, std::end(t)) && !is_triangle_mesh_v<T>;
 
+/// Whether `T` is a graph without faces: it has vertices and edges, as Boost's graphs; for any type.
+template <class T>
+inline constexpr bool is_spatial_graph_v = CSCD_IS_VALID(const T&, vertices(t)) && CSCD_IS_VALID(const T&, edges(t)) &&
+                                           !is_triangle_mesh_v<T> && !is_point_range_v<T>;
+
 /// refuses at compile time a type that is no `FaceListGraph`.
 template <class T>
 constexpr void check_triangle_mesh()

@@ -120,20 +120,20 @@ TEST(Separator_packing, keeps_the_cycles_of_handles)
   EXPECT_EQ(packing.cut_graph().pieces().size(), 2u);
 }
 
-TEST(Length_and_planarity_cost, prefers_short_and_planar_separators)
+TEST(Separator_cost, prefers_short_and_planar_separators)
 {
-  const CSCD::Length_and_planarity_cost weight;
+  using CSCD::internal::separator_cost;
   Separator separator;
   separator.length = 2;
-  EXPECT_EQ(weight(separator), 2);
+  EXPECT_EQ(separator_cost(separator), 2);
   Separator longer = separator;
   longer.length = 2.1;
-  EXPECT_LT(weight(separator), weight(longer));
+  EXPECT_LT(separator_cost(separator), separator_cost(longer));
   Separator bent = separator;
   bent.planarity = 0.01;
-  EXPECT_LT(weight(separator), weight(bent));
+  EXPECT_LT(separator_cost(separator), separator_cost(bent));
   bent.planarity = 0.25;
-  EXPECT_EQ(weight(bent), 4) << "as documented";
+  EXPECT_EQ(separator_cost(bent), 4) << "as documented";
 }
 
 class Disjoint_separators_test : public testing::Test

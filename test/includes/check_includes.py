@@ -13,8 +13,8 @@ import sys
 FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "Points", "Volume", "Graph", "Published",
            "Traits", "", "Measure", "Tree", "Application", "IO"]
 # Headers of the top level that every folder may include. They include nothing but each other and `internal`.
-LEAVES = {"input_concepts.h", "Named_parameters.h", "Skeleton_graph.h", "Skeletonization_report.h", "Skeletonization_visitor.h",
-          "Vector_3.h", "exceptions.h", "version.h"}
+LEAVES = {"Named_parameters.h", "Options.h", "Skeleton.h", "Skeleton_graph.h", "Skeletonization_report.h",
+          "Skeletonization_visitor.h", "Vector_3.h", "exceptions.h", "input_concepts.h", "version.h"}
 INCLUDE = re.compile(r"^#\s*include <CSCD/([\w/.]+)>", re.MULTILINE)
 
 

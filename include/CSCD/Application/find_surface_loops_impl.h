@@ -47,16 +47,10 @@ namespace CSCD::internal {
 /// The local separators of `solid`, from sources all over the surface.
 inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
 {
-  const Detail detail;
-  const auto make_finder = [&]() -> Separator_finder {
-    const auto finder = std::make_shared<Local_separator_finder>(solid.levels(), detail.min_loop_area_ratio());
-    return [finder](Index source, Index level_hint, Search_result& result) { (*finder)(source, level_hint, result); };
-  };
   Search_settings settings;
   settings.random_seed = random_seed;
   Skeletonization_report report;
-  return Covering_search(solid.levels(), settings, make_finder,
-                         detail.min_branch_area_ratio())(Length_and_planarity_cost(), report, [](double) {});
+  return Covering_search(solid, Detail(), settings)(report, [](double) {});
 }
 
 /// The lengths of the curves parallel to a closed curve that separates a surface.

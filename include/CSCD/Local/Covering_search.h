@@ -13,13 +13,14 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/Spurious_branches.h>
 #include <CSCD/Packing/Surface_regions.h>
+#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Parallel_clock.h>
 #include <CSCD/internal/for_each_index.h>
 
 #include <algorithm>
@@ -39,14 +40,15 @@ namespace CSCD::internal {
 class Separator_search
 {
 public:
-  /// \param make_finder makes the finder of one thread
-  Separator_search(const Surface_levels& levels, const Search_settings& settings,
-                   std::function<Separator_finder()> make_finder)
-      : m_coverage(levels), m_sources(levels, settings.random_seed),
-        m_failure_radius([radius = Coverage_band::max_failure_radius(levels)](Index) { return radius; }),
+  /// \param solid is referred to
+  Separator_search(const Triangulated_solid& solid, const Detail& detail, const Search_settings& settings)
+      : m_solid(solid), m_coverage(solid.levels()), m_sources(solid.levels(), settings.random_seed),
+        m_failure_radius([radius = Coverage_band::max_failure_radius(solid.levels())](Index) { return radius; }),
         m_for_each(
-            [&levels, make_finder = std::move(make_finder)] {
-              return Worker{make_finder(), Coverage_band(levels)};
+            [&solid, min_area_ratio = detail.min_loop_area_ratio()] {
+              return Worker{Local_separator_finder(solid.levels(), min_area_ratio,
+                                                   [&solid](Index vertex) { return solid.side_of_sheet(vertex); }),
+                            Coverage_band(solid.levels())};
             },
             settings.number_of_threads)
   {
@@ -86,7 +88,7 @@ private:
   /// What one thread works with.
   struct Worker
   {
-    Separator_finder finder;
+    Local_separator_finder finder;
     Coverage_band band;
   };
 
@@ -98,6 +100,9 @@ private:
     }
     const auto search = [&](Index i, Worker& worker) {
       worker.finder(m_batch[i], hints[i], m_results[i]);
+      if (m_solid.number_of_sheets() > 0) {
+        mark_open(m_solid, m_results[i].separator);
+      }
       worker.band(m_batch[i], m_results[i], m_failure_radius(m_batch[i]), m_bands[i]);
     };
     const auto take = [&](Index i) { take_result(i, separators, report); };
@@ -107,7 +112,7 @@ private:
       m_for_each(size, [&](Index i, Worker& worker) {
         if (!m_coverage.is_covered(m_batch[i])) {
           search(i, worker);
-          Parallel_clock::run_serial_part([&] { take(i); });
+          take(i);
         }
       });
       return;
@@ -140,6 +145,7 @@ private:
     }
   }
 
+  const Triangulated_solid& m_solid;
   Coverage m_coverage;
   Source_sequence m_sources;
   std::function<float(Index)> m_failure_radius;
@@ -155,22 +161,20 @@ private:
 class Covering_search
 {
 public:
-  /// \param min_branch_area_ratio see `Spurious_branches`
-  Covering_search(const Surface_levels& levels, const Search_settings& settings,
-                  std::function<Separator_finder()> make_finder, double min_branch_area_ratio)
-      : m_levels(levels), m_min_branch_area_ratio(min_branch_area_ratio),
+  /// \param solid is referred to \param detail how small a limb may be
+  Covering_search(const Triangulated_solid& solid, const Detail& detail, const Search_settings& settings)
+      : m_levels(solid.levels()), m_min_branch_area_ratio(detail.min_branch_area_ratio()),
         m_max_sources(settings.maximum_number_of_sources), m_number_of_threads(settings.number_of_threads),
-        m_search(levels, settings, std::move(make_finder))
+        m_search(solid, detail, settings)
   {
   }
 
   /// Finds separators and counts in `report`; `progress(fraction)` is called often and may throw.
-  std::vector<Separator> operator()(const Separator_cost& cost, Skeletonization_report& report,
-                                    const Progress& progress)
+  std::vector<Separator> operator()(Skeletonization_report& report, const Progress& progress)
   {
     std::vector<Separator> separators;
     m_search(m_max_sources, separators, report, [&](double fraction) { progress(first_pass_share * fraction); });
-    explore_ends(separators, separator_costs(separators, cost));
+    explore_ends(separators, separator_costs(separators));
     m_search(m_max_sources, separators, report,
              [&](double fraction) { progress(first_pass_share + (1 - first_pass_share) * fraction); });
     return separators;

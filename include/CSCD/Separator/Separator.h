@@ -82,9 +82,6 @@ struct Search_result
   double loop_length = 0;  ///< length of the loop before shortening, 0 where there was none
 };
 
-/// Any model of `SeparatorFinder`: seeks the separator of `source`, preferably on the level `level_hint`.
-using Separator_finder = std::function<void(Index source, Index level_hint, Search_result& result)>;
-
 } // namespace CSCD
 
 namespace CSCD::internal {

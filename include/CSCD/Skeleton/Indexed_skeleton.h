@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_INDEXED_SKELETON_H
 #define CSCD_SKELETON_INDEXED_SKELETON_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
@@ -22,20 +23,7 @@
 
 namespace CSCD::internal {
 
-/// Nodes and straight edges of a skeleton.
-struct Indexed_skeleton
-{
-  std::vector<Vector_3> points;
-  std::vector<double> radii; ///< one for each node, or empty if they are not known
-  std::vector<std::array<Index, 2>> edges;
-  std::vector<char> is_joined{}; ///< for each edge, whether it was added to join components
-  std::vector<char>
-      is_opening{}; ///< for each node, whether a limb ends there at a border; empty where nothing is known
-
-  std::size_t number_of_nodes() const { return points.size(); }
-  bool has_radii() const { return radii.size() == points.size(); }
-  double length(const std::array<Index, 2>& edge) const { return (points[edge[1]] - points[edge[0]]).norm(); }
-};
+using Indexed_skeleton = Skeleton;
 
 /// The neighbors of the nodes of `skeleton`, in the order of its edges. An edge from a node to itself counts twice.
 inline std::vector<std::vector<Index>> node_neighbors(const Indexed_skeleton& skeleton)

@@ -112,6 +112,29 @@ void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use&
 Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
                                 unsigned number_of_threads = 1);
 
+/// Triangles of which the halfedges are paired, and the vertices of the input that they use.
+struct Checked_triangles
+{
+  Indexed_triangles triangles;
+  Halfedge_pairing pairing;
+  std::vector<Index> input_number; ///< for each point, its number in the input
+  std::size_t number_of_isolated_vertices = 0;
+};
+
+/// Leaves out the points without a face, and pairs the halfedges of the rest. Linear.
+/// \param number_of_threads 0 for as many as TBB allows
+/// \pre each face has three different corners, which are less than the number of points
+/// \throw Input_error naming the element, by its number in the input, if there are no faces, or an edge has more than two
+///        faces or faces of opposite orientation, a vertex is pinched, or a coordinate is not finite
+Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+                                  unsigned number_of_threads = 1);
+
+/// The same for triangles of which the halfedges are paired already.
+/// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
+/// \throw Input_error if a coordinate is not finite
+Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                  unsigned number_of_threads = 1);
+
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
 /// appended. Linear. \return for every copy, in order, the vertex of which it is one
 /// \pre `pairing`, that of the faces, has no conflict; it is kept so

@@ -45,6 +45,23 @@ namespace CSCD::internal {
                            "CGAL::Polygon_mesh_processing::orient_polygon_soup; a one-sided surface has no inside");
 }
 
+/// Removes the points of `checked` that no face uses.
+/// \throw Input_error if one of the others has a coordinate that is not finite
+inline void keep_used_points(Checked_triangles& checked)
+{
+  std::vector<Vector_3>& points = checked.triangles.points;
+  checked.input_number = compact_numbers(checked.triangles.faces, points.size());
+  checked.number_of_isolated_vertices = points.size() - checked.input_number.size();
+  for (std::size_t i = 0; i < checked.input_number.size(); ++i) {
+    points[i] = Vector_3(points[checked.input_number[i]]);
+    if (!points[i].allFinite()) {
+      throw Input_error("vertex " + std::to_string(checked.input_number[i]) +
+                        " has a coordinate that is not finite: correct it or remove the vertex");
+    }
+  }
+  points.resize(checked.input_number.size());
+}
+
 } // namespace CSCD::internal
 
 namespace CSCD {
@@ -210,6 +227,36 @@ CSCD_INLINE Halfedge_pairing check_manifold(const Indexed_triangles& triangles, 
                       "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
   }
   return pairing;
+}
+
+CSCD_INLINE Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+                                              unsigned number_of_threads)
+{
+  if (faces.empty()) {
+    throw Input_error(
+        "the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
+  }
+  Checked_triangles result;
+  result.triangles.points = std::move(points);
+  result.triangles.faces = std::move(faces);
+  result.triangles.first_hole_filling_face = result.triangles.faces.size();
+  internal::keep_used_points(result);
+  result.pairing = check_manifold(
+      result.triangles, [&result](Index vertex) { return result.input_number[vertex]; }, number_of_threads);
+  return result;
+}
+
+CSCD_INLINE Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                              unsigned number_of_threads)
+{
+  Checked_triangles result;
+  result.triangles = std::move(triangles);
+  result.pairing = std::move(pairing);
+  internal::keep_used_points(result);
+  if (result.number_of_isolated_vertices > 0) {
+    result.pairing = Halfedge_pairing(result.triangles.faces, result.triangles.points.size(), number_of_threads);
+  }
+  return result;
 }
 
 CSCD_INLINE std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)

@@ -6,6 +6,7 @@
 #ifndef CSCD_SURFACE_INDEXED_TRIANGLES_H
 #define CSCD_SURFACE_INDEXED_TRIANGLES_H
 
+#include <CSCD/Options.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/for_each_range.h>
@@ -63,14 +64,6 @@ inline std::vector<double> face_areas(const Indexed_triangles& triangles)
 }
 
 } // namespace internal
-
-/// What becomes of the borders of a surface.
-enum class Border_treatment
-{
-  automatic, ///< components that are sheets are doubled along their wide borders, all other borders are bridged
-  bridge,    ///< all are bridged by faces without weight: the surface is that of a body with holes
-  open       ///< components with borders are sheets, and all of their borders wide
-};
 
 /// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
 /// order.

@@ -7,15 +7,14 @@
 #define CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Prepared_mesh.h>
 #include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/Parallel_clock.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>
@@ -23,8 +22,6 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
-#include <chrono>
-#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -63,8 +60,14 @@ public:
   explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
-    compile([&] { return internal::collect_triangles(mesh, point_map, number_of_threads); }, treatment,
-            number_of_threads);
+    m_mesh.emplace(
+        [&] {
+          auto arrays = internal::read_mesh(mesh, point_map);
+          m_descriptors = std::move(arrays.descriptors);
+          return check_triangles(std::move(arrays.points), std::move(arrays.faces), number_of_threads);
+        },
+        treatment, number_of_threads);
+    sort_descriptors();
   }
   /// Compiles a mesh that need not exist: that of `triangles`, whose vertices are constructed from the numbers of the
   /// points, as those of a `CGAL::Surface_mesh` are. This takes less than half of the memory. Otherwise as above.
@@ -72,12 +75,13 @@ public:
   explicit Triangle_mesh_traits(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
-    compile(
-        [&] {
-          return internal::take_triangles<Input_descriptor>(std::move(triangles), std::move(pairing),
-                                                            number_of_threads);
-        },
-        treatment, number_of_threads);
+    m_descriptors.reserve(triangles.points.size());
+    for (Index vertex = 0; vertex < triangles.points.size(); ++vertex) {
+      m_descriptors.emplace_back(vertex);
+    }
+    m_mesh.emplace([&] { return check_triangles(std::move(triangles), std::move(pairing), number_of_threads); },
+                   treatment, number_of_threads);
+    sort_descriptors();
   }
   /// The same, with the point map of `mesh`.
   explicit Triangle_mesh_traits(const TriangleMesh& mesh) : Triangle_mesh_traits(mesh, get(CGAL::vertex_point, mesh)) {}
@@ -86,80 +90,43 @@ public:
   Triangle_mesh_traits(TriangleMesh&&, const VertexPointMap&) = delete;
 
   /// The surface of the mesh.
-  const Triangulated_solid& surface() const { return *m_surface; }
+  const Triangulated_solid& surface() const { return m_mesh->solid(); }
 
   /// \name Back to the input
   /// @{
 
   /// The vertices of the input that belong to `vertex`: the one that it is, unless it was inserted, and those of
   /// cavities that are nearest to it.
-  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const
-  {
-    if (m_surface->number_of_cavities() > 0) {
-      return m_rows[vertex];
-    }
-    const Index input = m_surface->input_vertex(vertex);
-    const Input_descriptor* first = m_descriptors.data() + (input == no_index ? 0 : input);
-    return {first, input == no_index ? first : first + 1};
-  }
+  CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_rows[vertex]; }
   /// A point of the surface in the coordinates of the input.
   Point to_input_point(const Vector_3& point) const
   {
-    return CSCD::to_input_point<Point>(m_surface->normalization(), point);
+    return CSCD::to_input_point<Point>(surface().normalization(), point);
   }
   /// A length on the surface in the unit of the input.
-  double to_input_length(double length) const { return length * m_surface->normalization().unit; }
+  double to_input_length(double length) const { return length * surface().normalization().unit; }
   /// Writes what is known of the input to `report`.
-  void describe_input(Skeletonization_report& report) const
-  {
-    report.number_of_input_vertices = m_descriptors.size();
-    report.number_of_isolated_vertices = m_number_of_isolated_vertices;
-    report.seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_seconds;
-    report.parallel_seconds[std::size_t(Skeletonization_stage::compile_surface)] = m_parallel_seconds;
-    m_surface->describe(report);
-    m_surface->warn(report);
-  }
+  void describe_input(Skeletonization_report& report) const { m_mesh->describe(report); }
   /// @}
 
 private:
-  template <class Collect>
-  void compile(const Collect& collect, Border_treatment treatment, unsigned number_of_threads)
-  {
-    const auto start = std::chrono::steady_clock::now();
-    const double parallel_start = internal::Parallel_clock::seconds();
-    auto collected = collect();
-    m_descriptors = std::move(collected.descriptors);
-    m_number_of_isolated_vertices = collected.number_of_isolated_vertices;
-    m_surface.emplace(std::move(collected.triangles), std::move(collected.pairing), treatment, number_of_threads);
-    if (m_surface->number_of_cavities() > 0) {
-      sort_descriptors();
-    }
-    m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    m_parallel_seconds = internal::Parallel_clock::seconds() - parallel_start;
-  }
-
   /// Sorts the vertices of the input by the vertices of the surface to which they belong.
   void sort_descriptors()
   {
-    const Index n = m_surface->triangulation().number_of_vertices();
+    const Index n = surface().triangulation().number_of_vertices();
     m_rows = internal::Compressed_rows<Input_descriptor>(n, [&](const auto& add) {
       for (Index vertex = 0; vertex < n; ++vertex) {
-        if (m_surface->input_vertex(vertex) != no_index) {
-          add(vertex, m_descriptors[m_surface->input_vertex(vertex)]);
+        for (const Index input : m_mesh->input_vertices(vertex)) {
+          add(vertex, m_descriptors[input]);
         }
       }
-      for (const auto& [vertex, input] : m_surface->cavity_vertices()) {
-        add(vertex, m_descriptors[input]);
-      }
     });
+    m_descriptors = {};
   }
 
-  std::vector<Input_descriptor> m_descriptors;        // of the points of the input
-  internal::Compressed_rows<Input_descriptor> m_rows; // by vertices of the surface, where there are cavities
-  std::optional<Triangulated_solid> m_surface;
-  std::size_t m_number_of_isolated_vertices = 0;
-  double m_seconds = 0;
-  double m_parallel_seconds = 0;
+  std::optional<internal::Prepared_mesh> m_mesh;
+  std::vector<Input_descriptor> m_descriptors;        // of the vertices of the input, until they are sorted
+  internal::Compressed_rows<Input_descriptor> m_rows; // by vertices of the surface
 };
 
 } // namespace CSCD

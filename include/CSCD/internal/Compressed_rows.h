@@ -7,7 +7,6 @@
 #define CSCD_INTERNAL_COMPRESSED_ROWS_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Parallel_clock.h>
 #include <CSCD/internal/for_each_range.h>
 
 #include <CGAL/Iterator_range.h>
@@ -90,7 +89,6 @@ private:
   {
     const bool is_worth_threads = number_of_rows() > range_size;
     if (number_of_threads == 1 || !is_worth_threads) {
-      const Parallel_clock::Loop measured(is_worth_threads);
       for_each_value(use);
       return;
     }

@@ -7,7 +7,6 @@
 #define CSCD_INTERNAL_FOR_EACH_INDEX_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Parallel_clock.h>
 
 #include <algorithm>
 #include <utility>
@@ -97,7 +96,6 @@ public:
   template <class Function>
   void operator()(Index size, const Function& function)
   {
-    const Parallel_clock::Loop measured(size > 1);
 #ifdef CGAL_LINKED_WITH_TBB
     if (m_number_of_threads > 1) {
       [[maybe_unused]] const Tsan_ordering::Loop loop;

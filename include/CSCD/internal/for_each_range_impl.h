@@ -6,7 +6,6 @@
 #ifndef CSCD_INTERNAL_FOR_EACH_RANGE_IMPL_H
 #define CSCD_INTERNAL_FOR_EACH_RANGE_IMPL_H
 
-#include <CSCD/internal/Parallel_clock.h>
 #include <CSCD/internal/for_each_index.h>
 #include <CSCD/internal/for_each_range.h>
 
@@ -36,7 +35,8 @@ CSCD_INLINE void call_both(unsigned number_of_threads, const std::function<void(
                            const std::function<void()>& second)
 {
   if (number_of_loop_threads(number_of_threads) == 1) {
-    Parallel_clock::run_both(first, second);
+    first();
+    second();
     return;
   }
   For_each_index<char> for_each([] { return '\0'; }, number_of_threads);

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The options of a skeletonization, with their defaults, ranges and help.
+
+#ifndef CSCD_OPTIONS_H
+#define CSCD_OPTIONS_H
+
+#include <cstddef>
+#include <limits>
+
+namespace CSCD {
+
+/// How the borders of a surface are treated.
+enum class Border_treatment
+{
+  automatic, ///< components that are sheets are doubled along their wide borders, all other borders are bridged
+  bridge,    ///< all borders are bridged by faces without weight: the surface bounds a body with holes
+  open       ///< components with borders are sheets, and all of their borders are wide
+};
+
+/// The options of a skeletonization by the local method. None has a unit: lengths are relative to the shape.
+struct Options
+{
+  /// The seed of the order in which vertices are tried as sources.
+  unsigned random_seed = 0;
+  /// The number of threads; 0 means as many as TBB allows. The skeleton is the same for any number.
+  unsigned number_of_threads = 1;
+  /// The bound on the number of sources from which separators are sought. By default, the shape decides.
+  std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
+  /// How small a limb may be to get a branch, from 0 (no limb) to 1 (every bump). See `Detail`.
+  double detail = 0.5;
+  /// Which components are sheets.
+  Border_treatment border_treatment = Border_treatment::automatic;
+};
+
+} // namespace CSCD
+
+#endif // CSCD_OPTIONS_H

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads a mesh of any type into plain arrays.
+
+#ifndef CSCD_TRAITS_READ_MESH_H
+#define CSCD_TRAITS_READ_MESH_H
+
+#include <CSCD/Named_parameters.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/double.h>
+#include <CGAL/float.h>
+#include <CGAL/number_utils.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The point map that `np` gives, else that of the mesh; a mesh whose map is given need not have one of its own.
+template <class TriangleMesh, class NamedParameters>
+auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters, CGAL::internal_np::vertex_point_t>::value) {
+    return get(CGAL::vertex_point, mesh);
+  } else {
+    return parameters::get_parameter(np, CGAL::internal_np::vertex_point);
+  }
+}
+
+/// With more faces than this the halfedges of the refined surface could no longer be indexed.
+inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
+
+/// The points and triangles of a mesh as arrays, in the order in which the mesh iterates them.
+template <class VertexDescriptor>
+struct Mesh_arrays
+{
+  std::vector<Vector_3> points;
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<VertexDescriptor> descriptors; ///< of the points
+};
+
+/// Reads the corners of `face`, as the `numbers` of their vertices.
+/// \throw Input_error if there are not three different ones; `face_number` names the face
+template <class TriangleMesh, class VertexNumbers, class FaceDescriptor>
+std::array<Index, 3> read_corners(const TriangleMesh& mesh, const VertexNumbers& numbers, FaceDescriptor face,
+                                  std::size_t face_number)
+{
+  std::array<Index, 3> corners{};
+  std::size_t number_of_sides = 0;
+  const auto first = halfedge(face, mesh);
+  auto side = first;
+  do {
+    if (number_of_sides < 3) {
+      corners[number_of_sides] = get(numbers, target(side, mesh));
+    }
+    ++number_of_sides;
+    side = next(side, mesh);
+  } while (side != first);
+  if (number_of_sides != 3) {
+    throw Input_error("face " + std::to_string(face_number) + " has " + std::to_string(number_of_sides) +
+                      " sides: triangulate the mesh first, for instance by "
+                      "CGAL::Polygon_mesh_processing::triangulate_faces");
+  }
+  if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
+    throw Input_error("face " + std::to_string(face_number) + " uses a vertex twice: remove the face");
+  }
+  return corners;
+}
+
+/// Reads `mesh`. Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
+/// \param mesh a model of `FaceListGraph`
+/// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
+/// \throw Input_error naming the face that is not a triangle or uses a vertex twice; or if there are more faces than can
+///        be indexed
+template <class TriangleMesh, class VertexPointMap>
+Mesh_arrays<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> read_mesh(const TriangleMesh& mesh,
+                                                                                     const VertexPointMap& point_map)
+{
+  using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  if (std::size_t(num_faces(mesh)) > maximum_number_of_faces ||
+      std::size_t(num_vertices(mesh)) > maximum_number_of_faces) {
+    throw Input_error("the mesh has more than 2^26 faces or vertices: simplify it first");
+  }
+  Mesh_arrays<Vertex_descriptor> result;
+  auto numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  result.descriptors.reserve(num_vertices(mesh));
+  result.points.reserve(num_vertices(mesh));
+  for (const Vertex_descriptor vertex : vertices(mesh)) {
+    put(numbers, vertex, Index(result.descriptors.size()));
+    result.descriptors.push_back(vertex);
+    const auto& point = get(point_map, vertex);
+    result.points.emplace_back(CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z()));
+  }
+  result.faces.reserve(num_faces(mesh));
+  for (const auto face : faces(mesh)) {
+    result.faces.push_back(read_corners(mesh, numbers, face, result.faces.size()));
+  }
+  return result;
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_TRAITS_READ_MESH_H

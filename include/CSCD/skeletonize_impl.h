@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The default engine, from triangles to the skeleton.
+
+#ifndef CSCD_SKELETONIZE_IMPL_H
+#define CSCD_SKELETONIZE_IMPL_H
+
+#include <CSCD/Local/local_stages.h>
+#include <CSCD/Packing/Separator_packing.h>
+#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/Search_settings.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Prepared_mesh.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/config.h>
+#include <CSCD/skeletonize.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Runs the stages of one skeletonization: informs the visitor and measures time.
+class Stage_runner
+{
+public:
+  Stage_runner(Any_skeletonization_visitor& visitor, Skeletonization_report& report)
+      : m_visitor(visitor), m_report(report)
+  {
+  }
+
+  /// Calls `run()`. \throw Cancelled_error if the visitor stops the work
+  template <class Run>
+  void operator()(Skeletonization_stage stage, const Run& run)
+  {
+    m_visitor.on_stage_begin(stage);
+    progress(0);
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
+    progress(1);
+    m_visitor.on_stage_end(stage);
+  }
+
+  /// Reports that a part of the stage is done. \throw Cancelled_error if the visitor stops the work
+  void progress(double fraction)
+  {
+    m_visitor.progress(fraction);
+    if (!m_visitor.go_further()) {
+      throw Cancelled_error();
+    }
+  }
+
+private:
+  Any_skeletonization_visitor& m_visitor;
+  Skeletonization_report& m_report;
+};
+
+/// The skeleton `embedded` of `mesh` in the coordinates of the input.
+inline Skeleton to_input(const Embedded_skeleton& embedded, const Prepared_mesh& mesh)
+{
+  const Normalization& normalization = mesh.solid().normalization();
+  const Skeleton_builder& builder = embedded.graph;
+  Skeleton result;
+  for (Index node = 0; node < builder.size(); ++node) {
+    result.points.push_back(normalization.to_input(builder[node].position));
+    result.radii.push_back(embedded.radius[node] * normalization.unit);
+    result.is_opening.push_back(builder[node].is_opening ? 1 : 0);
+  }
+  builder.for_each_edge([&result](Index a, Index b) { result.edges.push_back({a, b}); });
+  result.is_joined.assign(result.edges.size(), 0);
+  result.significance = significance_levels(result);
+  result.vertices.resize(builder.size());
+  for (Index vertex = 0; vertex < embedded.node_of_vertex.size(); ++vertex) {
+    for (const Index input : mesh.input_vertices(vertex)) {
+      result.vertices[embedded.node_of_vertex[vertex]].push_back(input);
+    }
+  }
+  return result;
+}
+
+/// The curve of `separator` in the coordinates of the input.
+inline std::vector<Vector_3> to_input(const Separator& separator, const Triangulated_solid& solid)
+{
+  std::vector<Vector_3> points;
+  curve_points(solid.triangulation(), separator, points);
+  for (Vector_3& point : points) {
+    point = solid.normalization().to_input(point);
+  }
+  return points;
+}
+
+} // namespace CSCD::internal
+
+namespace CSCD {
+
+CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std::vector<std::array<Index, 3>> faces,
+                                               const Options& options, Any_skeletonization_visitor& visitor,
+                                               Skeleton& skeleton)
+{
+  const Detail detail(options.detail);
+  Skeletonization_report report;
+  visitor.on_stage_begin(Skeletonization_stage::compile_surface);
+  const internal::Prepared_mesh mesh(
+      [&] { return check_triangles(std::move(points), std::move(faces), options.number_of_threads); },
+      options.border_treatment, options.number_of_threads);
+  mesh.describe(report);
+  visitor.on_stage_end(Skeletonization_stage::compile_surface);
+
+  internal::Stage_runner run_stage(visitor, report);
+  std::vector<Separator> separators;
+  run_stage(Skeletonization_stage::find_separators, [&] {
+    const Search_settings settings{options.random_seed, options.number_of_threads, options.maximum_number_of_sources};
+    separators = internal::find_local_separators(mesh.solid(), detail, settings, report,
+                                                 [&](double fraction) { run_stage.progress(fraction); });
+    report.number_of_separators = separators.size();
+  });
+  std::unique_ptr<internal::Separator_packing> packing;
+  run_stage(Skeletonization_stage::pack_separators, [&] {
+    packing = internal::pack_local_separators(mesh.solid(), detail, separators, report);
+    report.number_of_packed_separators = packing->packed().size();
+    report.number_of_open_separators =
+        std::size_t(std::count_if(packing->packed().begin(), packing->packed().end(),
+                                  [&](Index separator) { return separators[separator].is_open; }));
+  });
+  Skeleton result;
+  run_stage(Skeletonization_stage::build_skeleton, [&] {
+    const Embedded_skeleton embedded =
+        internal::build_cut_graph_skeleton(mesh.solid(), separators, packing->packed(), packing->cut_graph(), report);
+    result = internal::to_input(embedded, mesh);
+    for (const Index separator : packing->packed()) {
+      result.separators.push_back(internal::to_input(separators[separator], mesh.solid()));
+    }
+    describe_skeleton(embedded.graph, report);
+  });
+  skeleton = std::move(result);
+  return report;
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SKELETONIZE_IMPL_H
