@@ -92,11 +92,11 @@ constexpr const char* batch_examples =
 )";
 
 constexpr const char* explanations = R"(
-Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh .3mf; points: .xyz .pwn .pts .txt
+Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt
 .csv .asc .pcd .las, or .ply .off .vtp .vtk without faces; volumes, by cscd skeletonize alone: .nrrd .nhdr .nii .nii.gz
 .mha .mhd .tif .tiff; meshes and points also with .gz or .zst behind. What has to be repaired is named on standard error.
-Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
-Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
+Output: .graph .json .obj .ply .polylines.txt .swc .vtp .graphml; a file appears only when it is complete.
+Rigs, by cscd skeletonize alone: .glb with the mesh and weights.
 Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc .vtp.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 

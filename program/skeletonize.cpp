@@ -66,15 +66,10 @@ std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletoni
            {"--html", options.html}}};
 }
 
-bool is_glb(const std::string& output)
-{
-  return boost::algorithm::iends_with(output, ".glb");
-}
-
 /// Whether a rig is written to `output`, by its ending.
 bool is_rig(const std::string& output)
 {
-  return is_glb(output) || boost::algorithm::iends_with(output, ".bvh");
+  return boost::algorithm::iends_with(output, ".glb");
 }
 
 void check_outputs(const Skeletonize_options& options)
@@ -199,16 +194,13 @@ void write_labels(CSCD::File_group& files, const Input& input, const Skeletoniza
 void write_rig(CSCD::File_group& files, const std::string& output, const Input& input,
                const Skeletonization_result& result, const Skeletonize_options& options)
 {
-  if (is_glb(output) && !bounds_body(result, options)) {
-    throw CSCD::Input_error(name_of(options.input) + ": has no surface that a rig could move; .bvh holds joints alone");
+  if (!bounds_body(result, options)) {
+    throw CSCD::Input_error(name_of(options.input) +
+                            ": has no surface that a rig could move; name another format by --output");
   }
   const CSCD::Rig rig = CSCD::make_rig(input.mesh, result.skeleton, result.roots);
   files.write(output, [&](std::ostream& out) {
-    if (is_glb(output)) {
-      CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
-    } else {
-      CSCD::write_bvh(out, rig);
-    }
+    CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
   });
 }
 

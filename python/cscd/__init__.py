@@ -253,7 +253,7 @@ class Skeleton:
         return typing.cast("dict[str, typing.Any]", json.loads(self._core.evaluate(radii, resolution)))
 
     def save(self, filename: str | os.PathLike[str]) -> None:
-        """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp .dot
+        """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
         .graphml, or .html for the viewer page. The file appears when it is complete.
 
         Raises FileError if the ending is not known or the file cannot be written.

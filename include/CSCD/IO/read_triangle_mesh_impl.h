@@ -11,7 +11,6 @@
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/find_flaps.h>
 #include <CSCD/IO/internal/has_unmatched_side.h>
-#include <CSCD/IO/internal/parse_3mf.h>
 #include <CSCD/IO/internal/parse_gltf.h>
 #include <CSCD/IO/internal/parse_mesh.h>
 #include <CSCD/IO/internal/parse_ply.h>
@@ -313,8 +312,8 @@ inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format for
     throw File_error(filename + ": the file is empty; fetch or write it again");
   }
   // In the order of `Mesh_format`.
-  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 8> parsers{
-      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer, parse_3mf};
+  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 7> parsers{
+      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer};
   Polygon_soup soup = parsers[std::size_t(format)](content, filename);
   if (soup.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
     throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
