@@ -100,7 +100,6 @@ struct Skeletonize_options
   std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
   std::string borders;                 ///< what becomes of those of a mesh; `automatic_borders` if empty
   std::optional<double> wrap;          ///< size of the gaps of a mesh that a wrap around it closes, to its diagonal
-  std::size_t max_memory = 0;          ///< bytes to which a mesh is coarsened to fit into, or 0
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has

@@ -6,7 +6,6 @@
 
 #include "compute_skeleton.h"
 
-#include "bound_memory.h"
 #include "roots.h"
 #include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
@@ -226,12 +225,6 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
           ? run_other_method(traits, published_policies(options, false), options, visitor, skeleton)
           : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (input.coarse) {
-    result.memory_bound = input.coarse->bound;
-    result.report.warnings.insert(result.report.warnings.begin(), sentence(input.coarse->bound));
-  }
-#endif
   return result;
 }
 
@@ -366,16 +359,6 @@ std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeleto
     return labels;
   }
   const std::vector<CSCD::Vector_3> points = CSCD::internal::to_vectors(input.mesh.points());
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (input.coarse) {
-    const auto labels_of_points = CSCD::internal::labels_of_file(input.coarse->points, points, labels);
-    labels.clear();
-    for (const CSCD::Index point : input.coarse->point_of_file) {
-      labels.push_back(labels_of_points[point]);
-    }
-    return labels;
-  }
-#endif
   if (!input.is_wrapped) {
     return CSCD::internal::labels_of_file(input.as_read.points, points, labels);
   }

@@ -3,9 +3,9 @@
 //
 // The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
-#include "cscd/applications.h"
-#include "cscd/commands.h"
-#include "cscd/memory.h"
+#include "applications.h"
+#include "commands.h"
+#include "memory.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -50,7 +50,6 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
   cscd skeletonize vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
   cscd skeletonize labels.nrrd --all-labels -o cell.swc     cell_1.swc, cell_2.swc and so on
-  cscd skeletonize huge.ply --max-memory 4G -o huge.graph     coarsened as far as memory demands
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 
@@ -337,8 +336,6 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and "
                    "closes holes, gaps and hollows narrower than SIZE, relative to the diagonal, such as 0.01")
       ->type_name("SIZE");
-  add_memory_size(*command, "--max-memory", options.max_memory,
-                  "of a mesh: coarsen it as far as its skeletonization would take more memory: megabytes, or as in 2G");
   command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")

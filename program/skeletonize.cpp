@@ -4,7 +4,6 @@
 // The command `cscd skeletonize`: from arguments to files.
 
 #include "Progress_bar.h"
-#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "roots.h"
@@ -369,8 +368,7 @@ void check_domain(const Skeletonize_options& options)
        {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
         std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
-        std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
-        std::pair(!options.cylinders.empty(), "--cylinders")}) {
+        std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
       throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
     }
@@ -388,11 +386,6 @@ void check_method(const Skeletonize_options& options)
     throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
   }
   const bool is_published = options.method == published_method;
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0 && (options.wrap || is_published)) {
-    throw Usage_error("--max-memory: how much --wrap and --method published take is not known; leave it out");
-  }
-#endif
   if (!is_published && !options.target.empty()) {
     throw Usage_error("--target: only the published method has a choice of targets; add --method published");
   }
@@ -431,8 +424,7 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
     throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
   }
   for (const auto& [is_given, option] :
-       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
-        std::pair(options.is_multiscale, "--multiscale"),
+       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.is_multiscale, "--multiscale"),
         std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
     if (input.is_point_set && is_given) {
       throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
@@ -493,11 +485,6 @@ bool needs_mesh(const Skeletonize_options& options)
 /// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0) {
-    return read_within_memory(options, needs_mesh(options));
-  }
-#endif
   try {
     return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
                       options.number_of_threads);

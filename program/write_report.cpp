@@ -262,13 +262,6 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   if (options.wrap) {
     document["wrap"] = *options.wrap;
   }
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0) {
-    document["max_memory"] = options.max_memory;
-    document["number_of_vertices_before_coarsening"] =
-        result.memory_bound ? Json(result.memory_bound->number_of_file_vertices) : Json();
-  }
-#endif
   if (options.domain == graph_domain) {
     document["method"] = graph_domain;
   } else if (options.method == local_method) {

@@ -4,10 +4,8 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
 // cscd/__init__.py.
 
-#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
-#include "memory.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"
@@ -137,17 +135,14 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
-/// Makes the mesh of `source` from polygons, repaired as the program repairs them, and coarsened if `options` demand.
+/// Makes the mesh of `source` from polygons, repaired as the program repairs them.
 void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_options& options, Source& source)
 {
+  constexpr bool keeps_file = false; // only its points are needed
   constexpr bool makes_mesh = true;
   std::vector<CSCD::Vector_3> points = soup.points;
-  const std::size_t bytes = (sizeof(CSCD::Vector_3) + sizeof(CSCD::Vertex_label) + sizeof(Index)) * points.size();
-  std::optional<cscd::Coarse_triangles> coarse;
-  if (options.max_memory > 0) {
-    coarse = cscd::bound_memory(soup, options, 0, bytes, makes_mesh);
-  }
-  source.input = cscd::to_input(std::move(soup), std::move(coarse), options, makes_mesh);
+  source.input = cscd::to_input(std::move(soup), options.input, options.is_quiet, keeps_file, makes_mesh,
+                                options.number_of_threads);
   source.input.as_read.points = std::move(points);
 }
 
@@ -227,8 +222,6 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
   options.is_quiet = true;
   if (soup) {
     make_mesh(std::move(*soup), options, *source);
-  } else if (options.max_memory > 0) {
-    throw cscd::Usage_error("max_memory: is for meshes only; leave it out");
   }
   options.report = cscd::standard_stream; // with all that a report has
   cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
@@ -265,10 +258,9 @@ std::string page(const Shown_skeleton& skeleton, const std::string& title)
 cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
-  if (input.is_point_set || input.is_wrapped || input.coarse || !input.repairs.sentences().empty() ||
-      num_faces(input.mesh) == 0) {
+  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
     throw cscd::Usage_error(
-        "only a mesh that was neither repaired, wrapped nor coarsened has values of its own vertices and faces");
+        "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
   }
   return input.mesh;
 }
@@ -414,7 +406,6 @@ void define_options(py::module_& module)
       .def_readwrite("shape", &Skeletonize_options::shape)
       .def_readwrite("borders", &Skeletonize_options::borders)
       .def_readwrite("wrap", &Skeletonize_options::wrap)
-      .def_readwrite("max_memory", &Skeletonize_options::max_memory)
       .def_readwrite("domain", &Skeletonize_options::domain)
       .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)
@@ -508,8 +499,5 @@ PYBIND11_MODULE(_core, module)
       });
   module.def("classify", &classify, "descriptions"_a, "classes"_a);
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
-  module.def(
-      "parse_memory_size", [](const std::string& size) { return cscd::parse_memory_size(size, "max_memory"); },
-      "size"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

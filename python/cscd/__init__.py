@@ -348,7 +348,6 @@ def skeletonize(
     shape: str = "auto",
     borders: str | None = None,
     wrap: float | None = None,
-    max_memory: str | float | None = None,
     root: npt.ArrayLike | str | None = None,
     target: str | None = None,
     shortening: str | None = None,
@@ -381,8 +380,6 @@ def skeletonize(
         "open", or let their shape decide, "auto"
     wrap: of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and closes holes,
         gaps and hollows narrower than this, relative to the diagonal, such as 0.01
-    max_memory: of a mesh: coarsen it as far as its skeletonization would take more memory, the copy of the arrays
-        included and the arrays not: megabytes, or a size such as "2G". `report` and its warnings tell of it
     root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
         `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
         points
@@ -444,8 +441,6 @@ def skeletonize(
     options.multiscale = multiscale
     options.detail = detail
     options.wrap = wrap
-    if max_memory is not None:
-        options.max_memory = _core.parse_memory_size(str(max_memory))
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)
     options.separators = _count("separators", separators)

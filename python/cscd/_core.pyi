@@ -22,7 +22,6 @@ class SkeletonizeOptions:
     shape: str
     borders: str
     wrap: float | None
-    max_memory: int
     domain: str
     neighbors: int
     root: str
@@ -79,7 +78,6 @@ def classify(
 def find_loops(
     V: npt.NDArray[np.float64], F: npt.NDArray[np.int64], seed: int, min_depth: float
 ) -> list[tuple[str, float, float, list[list[float]]]]: ...
-def parse_memory_size(size: str) -> int: ...
 def skeletonize(
     V: npt.NDArray[np.float64],
     F: npt.NDArray[np.int64] | None,

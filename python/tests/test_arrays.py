@@ -207,22 +207,6 @@ def test_parts_that_cut_each_other_are_wrapped():
         cscd.skeletonize(parts, faces, wrap=2)
 
 
-def test_a_mesh_too_large_for_memory_is_coarsened():
-    V, F = shapes.torus(600, 240)
-    skeleton = cscd.skeletonize(V, F, max_memory=80)
-    assert skeleton.report["betti_number"] == 1
-    assert skeleton.report["number_of_vertices_before_coarsening"] == len(V)
-    assert skeleton.report["number_of_sites"] < len(V) / 2
-    assert len(skeleton.vertex_to_node) == len(V)
-    assert (skeleton.vertex_to_node >= 0).all()
-    with pytest.raises(ValueError, match="has to be .* at least"):
-        cscd.skeletonize(V, F, max_memory="20M")
-    with pytest.raises(ValueError, match="max_memory"):
-        cscd.skeletonize(V, F, max_memory="much")
-    with pytest.raises(ValueError, match="max_memory"):
-        cscd.skeletonize(V, max_memory="2G")
-
-
 def test_points_get_the_skeleton_of_their_surface():
     V, _ = shapes.torus(120, 48)
     skeleton = cscd.skeletonize(V)

@@ -376,42 +376,6 @@ TEST(Read_triangle_mesh, stitches_a_soup)
   EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
 }
 
-TEST(Read_triangle_mesh, a_soup_is_stitched_before_it_is_coarsened)
-{
-  // A torus of squares, each with points of its own.
-  constexpr std::size_t around = 120;
-  constexpr std::size_t across = 50;
-  constexpr double turn = 6.283185307179586;
-  CSCD::internal::Polygon_soup soup;
-  for (std::size_t square = 0; square < around * across; ++square) {
-    for (const std::size_t corner : {0, 1, 2, 3}) {
-      const std::size_t i = (square / across + (corner == 1 || corner == 2 ? 1 : 0)) % around;
-      const std::size_t j = (square + (corner > 1 ? 1 : 0)) % across;
-      const double u = turn * double(i) / double(around);
-      const double v = turn * double(j) / double(across);
-      soup.corners.push_back(CSCD::Index(soup.points.size()));
-      soup.points.emplace_back((3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v));
-    }
-    soup.end_polygon();
-  }
-  const std::vector<CSCD::Vector_3> points = soup.points;
-  CSCD::Mesh_repair_report report;
-  const std::vector<CSCD::Index> coarse = CSCD::internal::coarsen_soup(soup, 1000, 1, report);
-  EXPECT_EQ(around * across, report.number_of_triangulated_polygons);
-  EXPECT_EQ(3 * around * across, report.number_of_merged_points);
-  EXPECT_LE(soup.points.size(), 1000U);
-  ASSERT_EQ(points.size(), coarse.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_LT(coarse[i], soup.points.size());
-    EXPECT_LT((points[i] - soup.points[coarse[i]]).norm(), 1);
-  }
-  Result result;
-  result.report = CSCD::internal::convert_to_triangle_mesh(std::move(soup), "soup", result.mesh);
-  EXPECT_TRUE(result.report.is_empty());
-  EXPECT_TRUE(CGAL::is_closed(result.mesh));
-  EXPECT_EQ(2 * num_vertices(result.mesh), num_faces(result.mesh)); // genus 1
-}
-
 TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbors)
 {
   Mesh_file_content mesh = cube();

@@ -601,38 +601,6 @@ TEST_F(Cscd, wraps_parts_that_cut_each_other)
   expect_refusal("skeletonize parts.off --wrap 0", 1, {"--wrap"});
 }
 
-TEST_F(Cscd, coarsens_what_does_not_fit_into_memory)
-{
-  const Mesh_file_content mesh = torus(600, 240);
-  m_folder.write("torus.off", off(mesh));
-  const auto json = [this](const std::string& name) { return nlohmann::json::parse(content(name)); };
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o fine.graph --report fine.json").status);
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o same.graph --report same.json --max-memory 2G").status);
-  EXPECT_EQ(content("fine.graph"), content("same.graph"));
-  EXPECT_TRUE(json("same.json").at("number_of_vertices_before_coarsening").is_null());
-
-  const Outcome outcome = run("skeletonize torus.off -o coarse.graph --report coarse.json --correspondence coarse.csv "
-                              "--labelled coarse.ply --max-memory 70 --threads 2");
-  EXPECT_EQ(0, outcome.status) << outcome.err;
-  EXPECT_NE(std::string::npos, outcome.err.find("coarsened from 144000 to")) << outcome.err;
-  EXPECT_EQ(70 << 20, json("coarse.json").at("max_memory"));
-  EXPECT_EQ(mesh.points.size(), json("coarse.json").at("number_of_vertices_before_coarsening"));
-  EXPECT_LT(json("coarse.json").at("number_of_sites"), mesh.points.size() / 2);
-  EXPECT_EQ(1, json("coarse.json").at("betti_number"));
-  EXPECT_EQ(mesh.points.size() + 1, number_of_lines(content("coarse.csv")));
-  EXPECT_EQ(std::string::npos, content("coarse.csv").find(",,")) << "a vertex without a node";
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o again.graph --max-memory 60M --threads 1").status);
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o threads.graph --max-memory 60M --threads 2").status);
-  EXPECT_EQ(content("again.graph"), content("threads.graph"));
-
-  m_folder.write("pole.xyz", pole());
-  expect_refusal("skeletonize torus.off --max-memory 20M", 2, {"torus.off", "--max-memory 20M", "at least"});
-  expect_refusal("skeletonize torus.off --max-memory 1K", 2, {"torus.off", "--max-memory", "to read the file"});
-  expect_refusal("skeletonize torus.off --max-memory much", 1, {"--max-memory", "2G"});
-  expect_refusal("skeletonize pole.xyz --max-memory 2G", 1, {"--max-memory", "not for points"});
-  expect_refusal("skeletonize torus.off --max-memory 2G --wrap 0.1", 1, {"--max-memory", "--wrap"});
-}
-
 TEST_F(Cscd, writes_which_node_each_point_belongs_to)
 {
   m_folder.write("pole.xyz", pole());
