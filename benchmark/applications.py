@@ -53,14 +53,6 @@ class Runner:
             print(mesh.name, method, self.kept[key] and self.kept[key].get("rand_error"), file=sys.stderr, flush=True)
         return self.kept[key]
 
-    def classify(self, descriptions, classes):
-        """Accuracy and F1 score of the class of the nearest other shape."""
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump({"descriptions": descriptions, "classes": classes}, file)
-            file.flush()
-            scores = json.loads(self.run(self.folder / "benchmark/benchmark_applications", file.name, "classify"))
-        return scores["accuracy"], scores["macro_f1"]
-
     def measure_all(self, arguments):
         """Measures several at once; what a run takes is CPU time."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
@@ -130,23 +122,6 @@ def face_normals(points, faces):
         p, q, r = points[a], points[b], points[c]
         result.append(cross([q[k] - p[k] for k in range(3)], [r[k] - p[k] for k in range(3)]))
     return result
-
-
-def classes_table(runner, shapes):
-    """`shapes`: by the name of a set, files and classes. Only shapes for which all methods have an answer count."""
-    ways = (("diameters of our skeletons", "skeleton", "described_by_diameter"),
-            ("diameters of skeletons by mean curvature flow", "mcf", "described_by_diameter"),
-            ("diameters by CGAL's rays", "rays", "described_by_diameter"), ("our skeletons", "skeleton", "described_by_skeleton"),
-            ("skeletons by mean curvature flow", "mcf", "described_by_skeleton"))
-    rows = []
-    for set_name, files in shapes.items():
-        runner.measure_all([(file, method) for file, _ in files for method in ("skeleton", "mcf", "rays")])
-        files = [(file, name) for file, name in files
-                 if all(runner.measure(file, method) for method in ("skeleton", "mcf", "rays"))]
-        for title, method, key in ways:
-            scores = runner.classify([runner.measure(file, method)[key] for file, _ in files], [name for _, name in files])
-            rows.append([f"{set_name}, {len(files)} meshes: {title}"] + [f"{score:.3f}" for score in scores])
-    return markdown(["shapes and what describes them", "accuracy", "F1 score"], rows)
 
 
 def rank_correlation(first, second):
@@ -393,7 +368,7 @@ def main():
     parser.add_argument("--princeton", type=pathlib.Path, help="off/N.off and seg/Benchmark/N/N_*.seg")
     parser.add_argument("--tosca", type=pathlib.Path, help="off/NAME.off, vts/NAME.vts and vts/NAME.sym.vts")
     parser.add_argument("--faust", type=pathlib.Path, help="likewise")
-    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "classes", "poses", "constrictions"])
+    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "poses", "constrictions"])
     parser.add_argument("--methods", nargs="+", default=["skeleton", "diameter", "rays"], help="of segmentation")
     parser.add_argument("--parities", nargs="+", type=int, default=[0, 1], help="of numbers: 0 is even; 1 was tuned on")
     parser.add_argument("--timeout", type=float, default=60, help="seconds for each mesh and method")
@@ -414,13 +389,6 @@ def main():
             (files[0], files[2], list(zip(*(read_numbers(m.parent.parent / "vts" / f"{m.stem}.vts") for m in files[:3:2]))))
             for files in poses[::options.step] if len(files) > 2]
         print("\n" + diameters_table(runner, [first for first, _, _ in correspondences], correspondences), flush=True)
-    if "classes" in options.tables:
-        shapes = {}
-        if options.princeton:
-            shapes["Princeton, even"] = [(mesh, class_of(number)) for number, mesh in princeton_meshes(options.princeton, 0, options.step)]
-        if options.tosca:
-            shapes["TOSCA"] = [(mesh, re.sub(r"_?\d+$", "", mesh.stem)) for mesh in sorted(options.tosca.glob("off/*.off"))[::options.step]]
-        print("\n" + classes_table(runner, shapes), flush=True)
     if "poses" in options.tables:
         for folder in (options.tosca, options.faust):
             if folder:

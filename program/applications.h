@@ -63,25 +63,6 @@ struct Loops_options : Application_options
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void write_loops(const Loops_options& options);
 
-/// \name What shapes are compared by
-/// @{
-inline constexpr const char* diameter_descriptor = "diameter";
-inline constexpr const char* skeleton_descriptor = "skeleton";
-/// @}
-
-/// Which shapes to classify.
-struct Classify_options
-{
-  std::string manifest; ///< file name of a table of mesh files and classes
-  std::string output;   ///< a file name, or `standard_stream`
-  std::string descriptor = skeleton_descriptor;
-  bool is_quiet = false;
-};
-
-/// Reads meshes and writes the class of each, as found by the nearest of the others, as JSON.
-/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
-void classify(const Classify_options& options);
-
 } // namespace cscd
 
 #endif // CSCD_PROGRAM_APPLICATIONS_H

@@ -81,10 +81,6 @@ constexpr const char* loops_examples =
   cscd loops bunny.off -o necks.vtp --constrictions
 )";
 
-constexpr const char* classify_examples =
-    R"(  cscd classify shapes.csv -o classes.json           lines of file,class; the nearest other shape tells the class
-)";
-
 constexpr const char* batch_examples =
     R"(  cscd batch meshes/*.off --output-dir skeletons --timeout 60     each in a process of its own
   cscd batch --list names.txt --output-dir out --resume -- -o {}.json --html {}.html --detail 0.3
@@ -111,8 +107,7 @@ public:
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
           std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
           std::pair("diameter", diameter_examples), std::pair("segment", segment_examples),
-          std::pair("classify", classify_examples), std::pair("loops", loops_examples),
-          std::pair("batch", batch_examples)}) {
+          std::pair("loops", loops_examples), std::pair("batch", batch_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -499,26 +494,6 @@ void add_segment(CLI::App& app, cscd::Segment_options& options)
       ->type_name("FILE");
 }
 
-void add_classify(CLI::App& app, cscd::Classify_options& options)
-{
-  CLI::App* command = app.add_subcommand("classify", "find the classes of shapes by those that are most alike");
-  command
-      ->add_option(
-          "MANIFEST", options.manifest,
-          "table of lines file,class; names of meshes are relative to its folder; rows without a class get one")
-      ->required();
-  command->add_option("-o,--output", options.output, "JSON file for classes, accuracy and F1 score, or -")
-      ->type_name("OUT")
-      ->check(check_name)
-      ->required();
-  command
-      ->add_option("--descriptor", options.descriptor,
-                   "what is compared: the thickness of the bodies alone, or also limbs of their skeletons")
-      ->check(CLI::IsMember({cscd::diameter_descriptor, cscd::skeleton_descriptor}))
-      ->capture_default_str();
-  command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
-}
-
 void add_loops(CLI::App& app, cscd::Loops_options& options)
 {
   CLI::App* command = add_application(
@@ -620,8 +595,6 @@ int run(int argc, char** argv)
                   "file for one value a line, in the order of the vertices, or -", diameter_options);
   cscd::Segment_options segment_options;
   add_segment(app, segment_options);
-  cscd::Classify_options classify_options;
-  add_classify(app, classify_options);
   cscd::Loops_options loops_options;
   add_loops(app, loops_options);
   cscd::Batch_options batch_options;
@@ -644,8 +617,6 @@ int run(int argc, char** argv)
     cscd::segment(segment_options);
   } else if (app.got_subcommand("diameter")) {
     cscd::write_diameters(diameter_options);
-  } else if (app.got_subcommand("classify")) {
-    cscd::classify(classify_options);
   } else if (app.got_subcommand("loops")) {
     cscd::write_loops(loops_options);
   } else if (app.got_subcommand("batch")) {

@@ -10,7 +10,6 @@
 #include "types.h"
 #include "write_measures.h"
 #include "write_report.h"
-#include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/match_skeletons.h>
@@ -311,19 +310,6 @@ std::vector<Signed_index> carry_labels(const Shown_skeleton& skeleton, const Sho
   return values_of<Signed_index>(mesh.faces(), map);
 }
 
-CSCD::Shape_description describe(const Shown_skeleton& skeleton, bool by_skeleton)
-{
-  return CSCD::describe_shape(skeletonized_mesh(skeleton), skeleton.result().skeleton,
-                              by_skeleton ? CSCD::Shape_descriptor::skeleton : CSCD::Shape_descriptor::diameter);
-}
-
-/// Class, nearest other shape and distance of each shape, then accuracy and F1 score.
-py::tuple classify(const std::vector<CSCD::Shape_description>& descriptions, const std::vector<std::string>& classes)
-{
-  const CSCD::Shape_classification result = CSCD::classify_shapes(descriptions, classes);
-  return py::make_tuple(result.found, result.nearest, result.distance, result.accuracy, result.macro_f1);
-}
-
 /// Kind, length, depth and points of each loop.
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
@@ -481,7 +467,6 @@ PYBIND11_MODULE(_core, module)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
       .def("carry_labels", &carry_labels, "other"_a, "labels"_a, without_gil)
-      .def("describe", &describe, "by_skeleton"_a, without_gil)
       .def(
           "save",
           [](const Shown_skeleton& skeleton, const std::string& filename) {
@@ -497,7 +482,6 @@ PYBIND11_MODULE(_core, module)
         }
         return result;
       });
-  module.def("classify", &classify, "descriptions"_a, "classes"_a);
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

@@ -30,12 +30,10 @@ if typing.TYPE_CHECKING:
 
 __all__ = [
     "Branch",
-    "Classification",
     "FileError",
     "InputError",
     "Loop",
     "Skeleton",
-    "classify",
     "find_loops",
     "skeletonize",
     "__version__",
@@ -80,21 +78,6 @@ class Loop(typing.NamedTuple):
     """Of a constriction: how much longer a loop must become if it is to move away, relative to its length."""
     points: FloatArray
     """Along the loop, a row of three coordinates each; the last and the first are neighbors."""
-
-
-class Classification(typing.NamedTuple):
-    """The classes of shapes."""
-
-    found: list[str]
-    """The class of the nearest other shape that has one."""
-    nearest: IndexArray
-    """The number of that shape."""
-    distance: FloatArray
-    """The sum of the differences of both descriptions."""
-    accuracy: float
-    """Of the shapes that have a class, the part of which it is found."""
-    macro_f1: float
-    """The mean over the classes of the harmonic mean of precision and recall."""
 
 
 class Skeleton:
@@ -172,15 +155,6 @@ class Skeleton:
         if values.ndim != 1 or values.dtype.kind not in "iu":
             raise ValueError(f"labels: is an array of shape {values.shape} of {values.dtype}; integers in a row are needed")
         return np.array(self._core.carry_labels(other._core, values.astype(np.int32)), dtype=np.int32)
-
-    def describe(self, *, by: str = "skeleton") -> FloatArray:
-        """Numbers that are alike for shapes of one kind, for `classify()`. Raises ValueError unless `F` is a mesh that
-        needed no repair.
-
-        by: the distribution of "diameter", or besides the lengths in the "skeleton"
-        """
-        _check_choice("by", by, ("diameter", "skeleton"))
-        return np.array(self._core.describe(by == "skeleton"))
 
     def branches(self) -> list[Branch]:
         """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
@@ -447,22 +421,6 @@ def skeletonize(
     options.min_component = _count("min_component", min_component)
     options.join = join
     return Skeleton(_core.skeletonize(points, faces, directions, ends, options))
-
-
-def classify(descriptions: typing.Sequence[npt.ArrayLike], classes: typing.Sequence[str]) -> Classification:
-    """The class of each shape, that of the nearest other: what `cscd classify` writes. Shapes of known class are found
-    like the others, so that accuracy and F1 score are those of leaving one out.
-
-    descriptions: of the shapes, as `Skeleton.describe()` gives them, all alike
-    classes: of the shapes, empty where it is not known; two have one at least
-    """
-    rows = [np.asarray(row, dtype=np.float64) for row in descriptions]
-    if len({row.shape for row in rows}) != 1 or rows[0].ndim != 1:
-        raise ValueError(f"descriptions: have the shapes {sorted({row.shape for row in rows})}; one is needed")
-    if len(classes) != len(rows) or sum(name != "" for name in classes) < 2:
-        raise ValueError(f"classes: are {len(classes)} for {len(rows)} descriptions; two at least must be known")
-    found, nearest, distance, accuracy, macro_f1 = _core.classify(rows, list(classes))
-    return Classification(found, np.array(nearest, dtype=np.int32), np.array(distance), accuracy, macro_f1)
 
 
 def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:

@@ -67,26 +67,12 @@ def test_parts_are_carried_to_the_same_body_turned(crossing):
         turned.carry_labels(crossing, labels / 2)
 
 
-def test_shapes_are_classified_by_the_nearest_other(ring, crossing):
-    V, F = shapes.torus()
-    for by in ("skeleton", "diameter"):
-        other = cscd.skeletonize(2 * V[:, [1, 2, 0]], F).describe(by=by)
-        result = cscd.classify([ring.describe(by=by), crossing.describe(by=by), other], ["ring", "cross", ""])
-        assert result.found[2] == "ring" and result.nearest[2] == 0
-        assert result.distance[2] < result.distance[0]
-    with pytest.raises(ValueError, match="descriptions"):
-        cscd.classify([[1, 2], [3]], ["one", "other"])
-    with pytest.raises(ValueError, match="classes"):
-        cscd.classify([[1, 2], [3, 4]], ["one", ""])
-
-
 def test_applications_refuse_what_has_no_rows(ring):
     V, F = shapes.torus()
     for skeleton in (cscd.skeletonize(V), cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))):
         for call in (
             skeleton.shape_diameters,
             skeleton.segment,
-            skeleton.describe,
             lambda skeleton=skeleton: skeleton.carry_labels(ring, np.zeros(len(F), int)),
             lambda skeleton=skeleton: ring.carry_labels(skeleton, np.zeros(len(F), int)),
         ):

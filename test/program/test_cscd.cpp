@@ -197,39 +197,6 @@ TEST_F(Cscd, parts_are_carried_over_from_another_mesh)
   expect_refusal("segment torus.off -o a.seg --like torus.off --labels torus.seg --parts 3", 1, {"--parts"});
 }
 
-TEST_F(Cscd, classes_are_those_of_the_nearest_other_shapes)
-{
-  m_folder.write("torus.off", off(torus()));
-  m_folder.write("copy.off", off(torus()));
-  m_folder.write("cube, one.off", off(cube()));
-  m_folder.write("cube.off", off(cube_of_squares()));
-  m_folder.write("shapes.csv", "file,class\ntorus.off,ring\r\ncube, one.off, box\ncube.off,box\n\ncopy.off\n");
-  for (const std::string options : {"", "--descriptor diameter"}) {
-    const Outcome outcome = run("classify shapes.csv -o classes.json " + options);
-    EXPECT_EQ(0, outcome.status) << outcome.err;
-    EXPECT_NE(std::string::npos, outcome.out.find("accuracy 0.667"));
-    const auto result = nlohmann::json::parse(content("classes.json"));
-    EXPECT_DOUBLE_EQ(2. / 3, result.at("accuracy").get<double>());
-    const auto& shapes = result.at("shapes");
-    ASSERT_EQ(4U, shapes.size());
-    EXPECT_EQ("box", shapes[1].at("found"));
-    EXPECT_EQ("cube.off", shapes[1].at("nearest"));
-    EXPECT_TRUE(shapes[3].at("class").is_null());
-    EXPECT_EQ("ring", shapes[3].at("found"));
-    EXPECT_EQ(0, shapes[3].at("distance").get<double>());
-  }
-  m_folder.write("latin.csv", "torus.off,r\xefng\ncube.off,box\n"); // no UTF-8, which JSON has to be
-  EXPECT_EQ(0, run("classify latin.csv -o latin.json").status);
-  EXPECT_EQ("r\xEF\xBF\xBDng", nlohmann::json::parse(content("latin.json")).at("shapes")[0].at("class"));
-  m_folder.write("one.csv", "torus.off,ring\ncube.off\n");
-  m_folder.write("missing.csv", "torus.off,ring\nmissing.off,ring\n");
-  expect_refusal("classify one.csv -o a.json", 2, {"one.csv"});
-  expect_refusal("classify missing.csv -o a.json", 2, {"missing.off"});
-  expect_refusal("classify none.csv -o a.json", 2, {"none.csv"});
-  expect_refusal("classify shapes.csv -o a.json --descriptor color", 1, {"--descriptor"});
-  expect_refusal("classify shapes.csv -o shapes.csv", 1, {"is the input"});
-}
-
 TEST_F(Cscd, loops_are_written_by_kind_and_format)
 {
   m_folder.write("torus.off", off(torus()));
@@ -262,11 +229,11 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
   for (const std::string command :
-       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
+       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
     for (const std::string other :
-         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
+         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
