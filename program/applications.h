@@ -38,8 +38,6 @@ struct Segment_options : Application_options
 {
   std::size_t number_of_parts = 0; ///< 0 lets the shape decide
   std::string by = by_skeleton;
-  std::string like;   ///< file name of a mesh whose parts are carried over, or empty
-  std::string labels; ///< file name of the parts of the faces of that mesh; empty to segment it
 };
 
 /// Reads a mesh, segments it and writes the number of the part of each face, one a line.

@@ -73,7 +73,6 @@ constexpr const char* diameter_examples =
 constexpr const char* segment_examples =
     R"(  cscd segment bunny.off -o bunny.seg                the part of each face, one number a line
   cscd segment bunny.off -o bunny.seg --parts 5
-  cscd segment run.off -o run.seg --like stand.off   the parts of a body in another pose
 )";
 
 constexpr const char* loops_examples =
@@ -485,13 +484,6 @@ void add_segment(CLI::App& app, cscd::Segment_options& options)
                    "what decides: the skeleton and the shape of the parts, or the thickness of the body alone")
       ->check(CLI::IsMember({cscd::by_skeleton, cscd::by_diameter}))
       ->capture_default_str();
-  command
-      ->add_option("--like", options.like, "mesh of the same body in another pose, of which the parts are carried over")
-      ->check(check_name)
-      ->type_name("OTHER");
-  command->add_option("--labels", options.labels, "the parts of OTHER, one a line; without, it is segmented")
-      ->check(check_name)
-      ->type_name("FILE");
 }
 
 void add_loops(CLI::App& app, cscd::Loops_options& options)

@@ -12,7 +12,6 @@
 #include "write_report.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
-#include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_points.h>
@@ -291,25 +290,6 @@ std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t nu
   return values_of<Signed_index>(mesh.faces(), map);
 }
 
-/// \param labels of the faces of `other`
-std::vector<Signed_index> carry_labels(const Shown_skeleton& skeleton, const Shown_skeleton& other,
-                                       const std::vector<Signed_index>& labels)
-{
-  cscd::Mesh mesh = skeletonized_mesh(skeleton);
-  cscd::Mesh other_mesh = skeletonized_mesh(other);
-  if (labels.size() != other_mesh.number_of_faces()) {
-    throw cscd::Usage_error("labels: are " + std::to_string(labels.size()) + " for " +
-                            std::to_string(other_mesh.number_of_faces()) + " rows of F");
-  }
-  const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
-  const auto other_map = other_mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
-  for (const auto face : other_mesh.faces()) {
-    other_map[face] = std::size_t(labels[face]);
-  }
-  CSCD::carry_labels(other_mesh, other.result().skeleton, other_map, mesh, skeleton.result().skeleton, map);
-  return values_of<Signed_index>(mesh.faces(), map);
-}
-
 /// Kind, length, depth and points of each loop.
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
@@ -466,7 +446,6 @@ PYBIND11_MODULE(_core, module)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
-      .def("carry_labels", &carry_labels, "other"_a, "labels"_a, without_gil)
       .def(
           "save",
           [](const Shown_skeleton& skeleton, const std::string& filename) {

@@ -6,5 +6,4 @@
 #include <CSCD/Application/estimate_shape_diameters_impl.h>
 #include <CSCD/Application/find_surface_loops_impl.h>
 #include <CSCD/Application/make_rig_impl.h>
-#include <CSCD/Application/match_skeletons_impl.h>
 #include <CSCD/Application/segment_mesh_impl.h>

@@ -143,19 +143,6 @@ class Skeleton:
         """
         return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
 
-    def carry_labels(self, other: Skeleton, labels: npt.ArrayLike) -> IndexArray:
-        """Labels of each row of `F`, carried over from another pose of the same body, which needs to have neither the
-        same vertices nor the same number of them: what `cscd segment --like` writes. Raises ValueError unless both `F`
-        are meshes that needed no repair.
-
-        other: the skeleton of the other pose
-        labels: an integer for each row of its `F`
-        """
-        values = np.asarray(labels)
-        if values.ndim != 1 or values.dtype.kind not in "iu":
-            raise ValueError(f"labels: is an array of shape {values.shape} of {values.dtype}; integers in a row are needed")
-        return np.array(self._core.carry_labels(other._core, values.astype(np.int32)), dtype=np.int32)
-
     def branches(self) -> list[Branch]:
         """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
         return [Branch(np.array(row[0], dtype=np.int32), *row[1:]) for row in self._core.branches()]

@@ -55,26 +55,12 @@ def test_a_torus_is_as_thick_as_its_tube_and_has_two_loops(ring):
         assert np.isclose(sides.sum(), loop.length)
 
 
-def test_parts_are_carried_to_the_same_body_turned(crossing):
-    V, F = shapes.cross()
-    turned = cscd.skeletonize(V @ np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]), F)
-    labels = crossing.segment() + 7
-    carried = turned.carry_labels(crossing, labels)
-    assert carried.shape == labels.shape and set(carried) <= set(labels)
-    with pytest.raises(ValueError, match="labels"):
-        turned.carry_labels(crossing, labels[1:])
-    with pytest.raises(ValueError, match="labels"):
-        turned.carry_labels(crossing, labels / 2)
-
-
 def test_applications_refuse_what_has_no_rows(ring):
     V, F = shapes.torus()
     for skeleton in (cscd.skeletonize(V), cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))):
         for call in (
             skeleton.shape_diameters,
             skeleton.segment,
-            lambda skeleton=skeleton: skeleton.carry_labels(ring, np.zeros(len(F), int)),
-            lambda skeleton=skeleton: ring.carry_labels(skeleton, np.zeros(len(F), int)),
         ):
             with pytest.raises(ValueError, match="repaired"):
                 call()

@@ -132,8 +132,6 @@ TEST_F(Cscd, results_follow_the_file_although_the_mesh_was_repaired)
   EXPECT_EQ(diameters, lines("diameter", "torus.off", "torus.txt"));
   std::vector<double> parts = lines("segment --parts 3", "repaired.off", "repaired.seg");
   ASSERT_EQ(parts.size(), mesh.polygons.size());
-  // Its labels are read back for the same faces.
-  EXPECT_EQ(0, run("segment torus.off -o same.seg --like repaired.off --labels repaired.seg").status);
   parts.erase(parts.begin() + 5);
   parts.erase(parts.begin());
   EXPECT_EQ(parts, lines("segment --parts 3", "torus.off", "torus.seg"));
@@ -167,34 +165,6 @@ TEST_F(Cscd, commands_that_use_skeletons_write_reports)
     expect_refusal(command + " torus.off -o - --report -", 1, {"standard output"});
     expect_refusal(command + " torus.off -o a.json --report torus.off", 1, {"is the input"});
   }
-}
-
-TEST_F(Cscd, parts_are_carried_over_from_another_mesh)
-{
-  m_folder.write("torus.off", off(torus()));
-  EXPECT_EQ(0, run("segment torus.off -o torus.seg --parts 3").status);
-  const Outcome outcome = run("segment torus.off -o same.seg --like torus.off --labels torus.seg");
-  EXPECT_EQ(0, outcome.status) << outcome.err;
-  EXPECT_EQ(0, run("segment torus.off -o segmented.seg --like torus.off --parts 3").status);
-  EXPECT_EQ(content("same.seg"), content("segmented.seg"));
-  std::istringstream carried(content("same.seg"));
-  std::istringstream expected(content("torus.seg"));
-  std::size_t number = 0;
-  std::size_t number_of_equal = 0;
-  for (std::size_t part = 0, other = 0; carried >> part && expected >> other; ++number) {
-    number_of_equal += part == other ? 1 : 0;
-  }
-  EXPECT_EQ(number, torus().polygons.size());
-  EXPECT_GT(double(number_of_equal), 0.9 * double(number)); // faces at boundaries may go to either side
-  m_folder.write("short.seg", "1\n2\n");
-  m_folder.write("long.seg", content("torus.seg") + "1\n");
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels short.seg", 2, {"short.seg"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels long.seg", 2, {"long.seg"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels missing.seg", 2, {"missing.seg"});
-  expect_refusal("segment torus.off -o a.seg --like missing.off", 2, {"missing.off"});
-  expect_refusal("segment torus.off -o a.seg --labels torus.seg", 1, {"--like"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --by diameter", 1, {"--like"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels torus.seg --parts 3", 1, {"--parts"});
 }
 
 TEST_F(Cscd, loops_are_written_by_kind_and_format)
