@@ -132,14 +132,6 @@ CSCD::Local_policies local_policies(const Skeletonize_options& options)
   return policies;
 }
 
-CSCD::Weight_rule weight_rule(const Skeletonize_options& options)
-{
-  return options.weight == balance_weight     ? CSCD::Weight_rule::balance
-         : options.weight == shortness_weight ? CSCD::Weight_rule::shortness
-         : options.weight == no_weight        ? CSCD::Weight_rule::none
-                                              : CSCD::Weight_rule::balance_and_roundness;
-}
-
 CSCD::Published_policies published_policies(const Skeletonize_options& options, bool is_of_points)
 {
   CSCD::Field_search_settings settings;
@@ -148,21 +140,6 @@ CSCD::Published_policies published_policies(const Skeletonize_options& options, 
   }
   if (is_of_points) {
     settings.overlap_rule = CSCD::Overlap_rule::nearest_vertex;
-  }
-  if (!options.cut_locus.empty()) {
-    settings.cut_locus_rule =
-        options.cut_locus == tree_cut_locus ? CSCD::Cut_locus_rule::tree : CSCD::Cut_locus_rule::points;
-  }
-  settings.weight_rule = weight_rule(options);
-  settings.placement_rule =
-      options.placement == section_placement ? CSCD::Placement_rule::sections : CSCD::Placement_rule::centroids;
-  settings.is_multiscale = options.is_multiscale;
-  settings.is_intrinsic = options.is_intrinsic;
-  settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
-                                                           : CSCD::Target_rule::nearest_in_space;
-  if (!options.shortening.empty()) {
-    settings.shortening_rule = options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
-                                                                            : CSCD::Shortening_rule::edge_flips;
   }
   return CSCD::Published_policies(settings);
 }

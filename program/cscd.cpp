@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -234,35 +233,6 @@ void add_volume(CLI::App& command, cscd::Volume_options& options)
                    "of a volume: the surfaces of cavities get skeletons, too, instead of being filled");
 }
 
-/// Adds the variants of the published method.
-void add_published_method(CLI::App& command, cscd::Skeletonize_options& options)
-{
-  command
-      .add_option("--target", options.target,
-                  "published method: whether loops close at the cut point nearest in space or along the surface")
-      ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
-  command.add_option("--shortening", options.shortening, "published method: how loops are shortened")
-      ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
-  command
-      .add_option("--cut-locus", options.cut_locus,
-                  "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
-      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
-  command.add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
-      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
-  command
-      .add_option("--placement", options.placement,
-                  "published method: nodes are centroids of regions or in the middle of sections, with tips at the "
-                  "ends of limbs")
-      ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
-  command.add_flag("--literal", options.is_literal,
-                   "published method: as printed, with the tree, sources one by one, overlap by crossings");
-  command.add_flag_function(
-      "--intrinsic,!--extrinsic", [&options](std::int64_t count) { options.is_intrinsic = count > 0; },
-      "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
-  command.add_flag("--multiscale", options.is_multiscale,
-                   "published method: distances on coarse levels of a mesh; several times as fast on large ones");
-}
-
 /// Adds the files that are written besides the skeleton.
 void add_further_outputs(CLI::App& command, cscd::Skeletonize_options& options)
 {
@@ -313,7 +283,8 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();
-  add_published_method(*command, options);
+  command->add_flag("--literal", options.is_literal,
+                    "published method: as printed, with the tree, sources one by one, overlap by crossings");
   command
       ->add_option(
           "--shape", options.shape,

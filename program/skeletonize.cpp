@@ -365,8 +365,7 @@ void check_domain(const Skeletonize_options& options)
     return;
   }
   for (const auto& [is_given, option] :
-       {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
-        std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
+       {std::pair(options.method != local_method, "--method"), std::pair(options.detail.has_value(), "--detail"),
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
         std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
@@ -386,23 +385,8 @@ void check_method(const Skeletonize_options& options)
     throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
   }
   const bool is_published = options.method == published_method;
-  if (!is_published && !options.target.empty()) {
-    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
-  }
-  if (!is_published && !options.shortening.empty()) {
-    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
-  }
-  for (const auto& [is_given, option] :
-       {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
-        std::pair(!options.placement.empty(), "--placement"), std::pair(options.is_literal, "--literal"),
-        std::pair(options.is_intrinsic.has_value(), "--intrinsic and --extrinsic"),
-        std::pair(options.is_multiscale, "--multiscale")}) {
-    if (!is_published && is_given) {
-      throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
-    }
-  }
-  if (options.is_intrinsic.value_or(false) && (options.is_multiscale || options.shortening == variational_shortening)) {
-    throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
+  if (!is_published && options.is_literal) {
+    throw Usage_error("--literal: is for the published method only; add --method published");
   }
   if (is_published && options.detail) {
     throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
@@ -420,15 +404,8 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && !options.borders.empty()) {
     throw Usage_error("--borders: points have none; leave the option out");
   }
-  if (input.is_point_set && options.shortening == flip_shortening) {
-    throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
-  }
-  for (const auto& [is_given, option] :
-       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.is_multiscale, "--multiscale"),
-        std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
-    if (input.is_point_set && is_given) {
-      throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
-    }
+  if (input.is_point_set && options.wrap) {
+    throw Usage_error("--wrap: is for meshes only, not for points; leave the option out");
   }
   Skeletonization_result result;
   try {

@@ -310,14 +310,7 @@ def skeletonize(
     borders: str | None = None,
     wrap: float | None = None,
     root: npt.ArrayLike | str | None = None,
-    target: str | None = None,
-    shortening: str | None = None,
-    cut_locus: str | None = None,
-    weight: str | None = None,
-    placement: str | None = None,
     literal: bool = False,
-    intrinsic: bool | None = None,
-    multiscale: bool = False,
     separators: int = 0,
     min_component: int = 0,
     join: bool = False,
@@ -344,17 +337,7 @@ def skeletonize(
     root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
         `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
         points
-    target: published method: whether loops close at the cut point nearest in space, "euclidean", or along the surface,
-        "geodesic"
-    shortening: published method: how loops are shortened, by "flips" or "variational"
-    cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
-    weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
-        "shortness" or "none"
-    placement: published method: where nodes are, at "centroids" of regions or in the middle of "sections", with tips
     literal: published method: as printed where the default differs
-    intrinsic: published method: whether targets and loops are on the intrinsic triangulation, as distances are; by
-        default wherever that can be
-    multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
     separators: greatest number of points from which separators are sought; 0 lets the method decide
     min_component: leave out components of fewer vertices or points, but for the largest
     join: join components into one by the shortest straight edges
@@ -370,11 +353,6 @@ def skeletonize(
         ("method", method, ("local", "published")),
         ("shape", shape, ("auto", "surface", "tree")),
         ("borders", borders, ("auto", "bridge", "open")),
-        ("target", target, ("euclidean", "geodesic")),
-        ("shortening", shortening, ("flips", "variational")),
-        ("cut_locus", cut_locus, ("points", "tree")),
-        ("weight", weight, ("balance-roundness", "balance", "shortness", "none")),
-        ("placement", placement, ("centroids", "sections")),
     ):
         if value is not None:
             _check_choice(name, value, choices)
@@ -398,8 +376,6 @@ def skeletonize(
         is_rule = isinstance(root, str)
         options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
     options.literal = literal
-    options.intrinsic = intrinsic
-    options.multiscale = multiscale
     options.detail = detail
     options.wrap = wrap
     options.seed = _count("seed", seed)

@@ -11,14 +11,7 @@ class FileError(OSError): ...
 
 class SkeletonizeOptions:
     method: str
-    target: str
-    shortening: str
-    cut_locus: str
-    weight: str
-    placement: str
     literal: bool
-    intrinsic: bool | None
-    multiscale: bool
     shape: str
     borders: str
     wrap: float | None

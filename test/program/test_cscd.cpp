@@ -227,18 +227,7 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
   expect_refusal("skeletonize torus.off -o", 1, {"--output"});
   expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
-  expect_refusal("skeletonize torus.off --target geodesic", 1, {"--target", "published"});
-  expect_refusal("skeletonize torus.off --shortening flips", 1, {"--shortening", "published"});
-  expect_refusal("skeletonize torus.off --cut-locus tree", 1, {"--cut-locus", "published"});
-  expect_refusal("skeletonize torus.off --weight none", 1, {"--weight", "published"});
   expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
-  expect_refusal("skeletonize torus.off --placement sections", 1, {"--placement", "published"});
-  expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
-  expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
-  expect_refusal("skeletonize torus.off --extrinsic", 1, {"--extrinsic", "published"});
-  expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
-                 {"--intrinsic", "--multiscale"});
-  expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
   expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
@@ -326,9 +315,6 @@ TEST_F(Cscd, skeletonizes_points)
   EXPECT_EQ(0, published.status) << published.err;
   EXPECT_TRUE(is_graph_of_a_cycle(published.out));
   EXPECT_EQ("published", nlohmann::json::parse(content("p.json")).at("method"));
-  const Outcome in_sections = run("skeletonize torus.xyz --method published --separators 32 --placement sections -o -");
-  EXPECT_TRUE(is_graph_of_a_cycle(in_sections.out)) << in_sections.err;
-  EXPECT_NE(published.out, in_sections.out);
   m_folder.write("torus.off", off({torus().points, {}}));
   for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
     const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json --html t.html ") + name);
@@ -960,53 +946,22 @@ TEST_F(Cscd, knows_the_published_method)
   m_folder.write("torus.off", off(torus()));
   const std::string command =
       "skeletonize torus.off --method published --separators 64 --threads 1 --report r.json -o -";
-  const std::string flips = run(command).out;
-  EXPECT_TRUE(is_graph_of_a_cycle(flips));
+  const std::string plain = run(command).out;
+  EXPECT_TRUE(is_graph_of_a_cycle(plain));
   const nlohmann::json report = nlohmann::json::parse(content("r.json"));
   EXPECT_EQ("published", report.at("method"));
-  EXPECT_EQ("euclidean", report.at("target"));
-  EXPECT_EQ("flips", report.at("shortening"));
+  EXPECT_EQ(false, report.at("literal"));
   EXPECT_EQ(64, report.at("number_of_sources"));
   std::size_t number_of_rejections = 0;
   for (const auto& [reason, number] : report.at("number_of_rejections").items()) {
     number_of_rejections += number.get<std::size_t>();
   }
   EXPECT_EQ(number_of_rejections, report.at("number_of_sources_without_cut"));
-  const std::string flow = run(command + " --target geodesic --shortening variational").out;
-  EXPECT_TRUE(is_graph_of_a_cycle(flow));
-  EXPECT_NE(flips, flow);
-  EXPECT_EQ(flips, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
-}
-
-TEST_F(Cscd, knows_variants_of_the_published_method)
-{
-  m_folder.write("torus.off", off(torus()));
-  const std::string command = "skeletonize torus.off --method published --separators 32 --report r.json -o - ";
-  const std::string plain = run(command).out;
-  const auto report = [this] { return nlohmann::json::parse(content("r.json")); };
-  EXPECT_EQ("points", report().at("cut_locus"));
-  EXPECT_EQ(true, report().at("intrinsic"));
-  EXPECT_EQ("balance-roundness", report().at("weight"));
-  EXPECT_EQ(plain, run(command + "--cut-locus points --weight balance-roundness").out);
-  const std::string literal = run(command + "--literal --weight none").out;
+  EXPECT_EQ(plain, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
+  const std::string literal = run(command + " --literal").out;
   EXPECT_TRUE(is_graph_of_a_cycle(literal));
   EXPECT_NE(plain, literal);
-  EXPECT_EQ(true, report().at("literal"));
-  EXPECT_EQ("tree", report().at("cut_locus"));
-  EXPECT_EQ("none", report().at("weight"));
-  EXPECT_NE(literal, run(command + "--literal --weight shortness --cut-locus points").out);
-  EXPECT_EQ("points", report().at("cut_locus"));
-  EXPECT_EQ("centroids", report().at("placement"));
-  const std::string in_sections = run(command + "--placement sections").out;
-  EXPECT_TRUE(is_graph_of_a_cycle(in_sections));
-  EXPECT_NE(plain, in_sections);
-  EXPECT_EQ("sections", report().at("placement"));
-  EXPECT_EQ(plain, run(command + "--intrinsic").out);
-  EXPECT_EQ(true, report().at("intrinsic"));
-  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--extrinsic").out));
-  EXPECT_EQ(false, report().at("intrinsic"));
-  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));
-  EXPECT_EQ(true, report().at("multiscale"));
+  EXPECT_EQ(true, nlohmann::json::parse(content("r.json")).at("literal"));
 }
 
 TEST_F(Cscd, writes_a_page_with_all_in_it)
