@@ -9,7 +9,6 @@ import collections
 import concurrent.futures
 import json
 import math
-import os
 import pathlib
 import random
 import re
@@ -52,14 +51,6 @@ class Runner:
             self.kept[key] = json.loads(text) if text else None
             print(mesh.name, method, self.kept[key] and self.kept[key].get("rand_error"), file=sys.stderr, flush=True)
         return self.kept[key]
-
-    def classify(self, descriptions, classes):
-        """Accuracy and F1 score of the class of the nearest other shape."""
-        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            json.dump({"descriptions": descriptions, "classes": classes}, file)
-            file.flush()
-            scores = json.loads(self.run(self.folder / "benchmark/benchmark_applications", file.name, "classify"))
-        return scores["accuracy"], scores["macro_f1"]
 
     def measure_all(self, arguments):
         """Measures several at once; what a run takes is CPU time."""
@@ -130,23 +121,6 @@ def face_normals(points, faces):
         p, q, r = points[a], points[b], points[c]
         result.append(cross([q[k] - p[k] for k in range(3)], [r[k] - p[k] for k in range(3)]))
     return result
-
-
-def classes_table(runner, shapes):
-    """`shapes`: by the name of a set, files and classes. Only shapes for which all methods have an answer count."""
-    ways = (("diameters of our skeletons", "skeleton", "described_by_diameter"),
-            ("diameters of skeletons by mean curvature flow", "mcf", "described_by_diameter"),
-            ("diameters by CGAL's rays", "rays", "described_by_diameter"), ("our skeletons", "skeleton", "described_by_skeleton"),
-            ("skeletons by mean curvature flow", "mcf", "described_by_skeleton"))
-    rows = []
-    for set_name, files in shapes.items():
-        runner.measure_all([(file, method) for file, _ in files for method in ("skeleton", "mcf", "rays")])
-        files = [(file, name) for file, name in files
-                 if all(runner.measure(file, method) for method in ("skeleton", "mcf", "rays"))]
-        for title, method, key in ways:
-            scores = runner.classify([runner.measure(file, method)[key] for file, _ in files], [name for _, name in files])
-            rows.append([f"{set_name}, {len(files)} meshes: {title}"] + [f"{score:.3f}" for score in scores])
-    return markdown(["shapes and what describes them", "accuracy", "F1 score"], rows)
 
 
 def rank_correlation(first, second):
@@ -271,64 +245,6 @@ def pose_files(folder):
     return {name: [mesh for _, mesh in sorted(meshes)] for name, meshes in sorted(bodies.items())}
 
 
-def vertex_labels(mesh, labels):
-    points, faces = read_off(mesh)
-    areas = [collections.Counter() for _ in points]
-    weights = [0.] * len(points)
-    for face, label, normal in zip(faces, labels, face_normals(points, faces)):
-        for vertex in face:
-            areas[vertex][label] += math.hypot(*normal) / 2
-            weights[vertex] += math.hypot(*normal) / 6
-    return [counter.most_common(1)[0][0] if counter else 0 for counter in areas], weights
-
-
-def adjusted_rand_index(first, second):
-    def pairs(values):
-        return sum(n * (n - 1) / 2 for n in collections.Counter(values).values())
-
-    both, one, other, n = pairs(zip(first, second)), pairs(first), pairs(second), len(first)
-    expected, greatest = one * other / (n * (n - 1) / 2), (one + other) / 2
-    return (both - expected) / (greatest - expected) if greatest != expected else 1.
-
-
-def poses_table(runner, folder, parity):
-    """The parts of the first pose of each body carried over to others, and these segmented on their own."""
-    rows, all_values = [], []
-    program = runner.folder / "cscd"
-    with tempfile.TemporaryDirectory() as temporary:
-        first_parts, parts = (os.path.join(temporary, name) for name in ("first.seg", "other.seg"))
-        for body, (first, *others) in pose_files(folder).items():
-            runner.run(program, "segment", first, "-o", first_parts, "-q")
-            first_labels, _ = vertex_labels(first, pathlib.Path(first_parts).read_text().split())
-
-            def true_labels(ending, first=first, labels=first_labels):
-                return [labels[v] for v in read_numbers(folder / "vts" / (first.stem + ending))]
-
-            true, mirrored = true_labels(".vts"), true_labels(".sym.vts")
-            values = []
-            for number, mesh in enumerate(others, 1):
-                if number % 2 != parity:
-                    continue
-                vertices = read_numbers(folder / "vts" / f"{mesh.stem}.vts")
-
-                def labels_of(*options, mesh=mesh, vertices=vertices):
-                    runner.run(program, "segment", mesh, "-o", parts, "-q", *options)
-                    found, weights = vertex_labels(mesh, pathlib.Path(parts).read_text().split())
-                    return [found[v] for v in vertices], [weights[v] for v in vertices]
-
-                carried, weights = labels_of("--like", first, "--labels", first_parts)
-                own, _ = labels_of()
-                right = max(sum(w for w, a, b in zip(weights, wanted, carried) if a == b) / sum(weights)
-                            for wanted in (true, mirrored))
-                values.append((right, right >= .9, adjusted_rand_index(true, carried), adjusted_rand_index(true, own)))
-            all_values += values
-            if values:
-                rows.append([body] + [f"{statistics.fmean(v):.3f}" for v in zip(*values)] + [str(len(values))])
-    rows.append(["**all**"] + [f"{statistics.fmean(v):.3f}" for v in zip(*all_values)] + [str(len(all_values))])
-    return markdown(["body", "rightly labelled", "poses with 0.9", "adjusted Rand index, carried", "of its own parts",
-                     "poses"], rows)
-
-
 def center(points):
     return [statistics.fmean(point[k] for point in points) for k in range(3)]
 
@@ -391,9 +307,9 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder bin of the build")
     parser.add_argument("--princeton", type=pathlib.Path, help="off/N.off and seg/Benchmark/N/N_*.seg")
-    parser.add_argument("--tosca", type=pathlib.Path, help="off/NAME.off, vts/NAME.vts and vts/NAME.sym.vts")
+    parser.add_argument("--tosca", type=pathlib.Path, help="off/NAME.off, vts/NAME.vts")
     parser.add_argument("--faust", type=pathlib.Path, help="likewise")
-    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "classes", "poses", "constrictions"])
+    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "constrictions"])
     parser.add_argument("--methods", nargs="+", default=["skeleton", "diameter", "rays"], help="of segmentation")
     parser.add_argument("--parities", nargs="+", type=int, default=[0, 1], help="of numbers: 0 is even; 1 was tuned on")
     parser.add_argument("--timeout", type=float, default=60, help="seconds for each mesh and method")
@@ -414,17 +330,6 @@ def main():
             (files[0], files[2], list(zip(*(read_numbers(m.parent.parent / "vts" / f"{m.stem}.vts") for m in files[:3:2]))))
             for files in poses[::options.step] if len(files) > 2]
         print("\n" + diameters_table(runner, [first for first, _, _ in correspondences], correspondences), flush=True)
-    if "classes" in options.tables:
-        shapes = {}
-        if options.princeton:
-            shapes["Princeton, even"] = [(mesh, class_of(number)) for number, mesh in princeton_meshes(options.princeton, 0, options.step)]
-        if options.tosca:
-            shapes["TOSCA"] = [(mesh, re.sub(r"_?\d+$", "", mesh.stem)) for mesh in sorted(options.tosca.glob("off/*.off"))[::options.step]]
-        print("\n" + classes_table(runner, shapes), flush=True)
-    if "poses" in options.tables:
-        for folder in (options.tosca, options.faust):
-            if folder:
-                print(f"\n{folder.name}, even-numbered poses:\n\n" + poses_table(runner, folder, 0), flush=True)
     if options.faust and "constrictions" in options.tables:
         print("\n" + constrictions_table(runner, options.faust), flush=True)
     if runner.failed:

@@ -5,8 +5,7 @@
 # Prints the tables of doc/applications.md.
 # Usage: benchmark/applications.sh PRINCETON [TOSCA [FAUST]] [OPTION...]
 # PRINCETON is the Princeton segmentation benchmark: off/N.off and seg/Benchmark/N/N_*.seg. TOSCA and FAUST, remeshed,
-# are off/NAME.off with correspondences vts/NAME.vts and those of the mirrored body, vts/NAME.sym.vts (J. Ren et al.,
-# 2018). Options of applications.py choose tables and methods, such as --tables classes, and a time limit a mesh. All
+# are off/NAME.off with correspondences vts/NAME.vts (J. Ren et al., 2018). Options of applications.py choose tables and methods, such as --tables diameters, and a time limit a mesh. All
 # tables take about an hour, most of it for CGAL's rays and mean curvature flow.
 
 set -euo pipefail

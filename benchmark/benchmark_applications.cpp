@@ -7,13 +7,9 @@
 // Methods: `skeleton`, CSCD::segment_mesh() and our shape diameters; `diameter`, CGAL's segmentation by our shape
 // diameters; `rays`, CGAL's segmentation by its own shape diameters, which are found by rays; `mcf`, our shape
 // diameters of CGAL's skeleton by mean curvature flow, without a segmentation. FOLDER holds segmentations by people.
-// Writes one JSON object: CPU seconds, shape diameters of the vertices, numbers that describe the shape, the errors of
-// the segmentation, in the mean over the people, and of segment_mesh() the boundaries beside separators.
-//
-// Usage: benchmark_applications DESCRIPTIONS.json classify
-// Writes accuracy and F1 score of CSCD::classify_shapes() for `descriptions` of shapes and their `classes`.
+// Writes one JSON object: CPU seconds, shape diameters of the vertices, the errors of the segmentation,
+// in the mean over the people, and of segment_mesh() the boundaries beside separators.
 
-#include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/Curve_skeletonization.h>
@@ -21,7 +17,6 @@
 #include <CSCD/Measure/compare_segmentations.h>
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -82,14 +77,6 @@ void to_vertices(const Mesh& mesh, const Face_values& of_faces, Vertex_values of
     }
     of_vertices[vertex] /= number > 0 ? number : 1;
   }
-}
-
-/// Adds the descriptions of a mesh by its skeleton.
-template <class AnySkeleton>
-void describe(const Mesh& mesh, const AnySkeleton& skeleton, Json& result)
-{
-  result["described_by_diameter"] = CSCD::describe_shape(mesh, skeleton, CSCD::Shape_descriptor::diameter);
-  result["described_by_skeleton"] = CSCD::describe_shape(mesh, skeleton, CSCD::Shape_descriptor::skeleton);
 }
 
 CSCD::Vector_3 to_vector(const Mesh::Point& point)
@@ -202,12 +189,6 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
     CGAL::sdf_values(mesh, face_diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults but for the postprocessing
     diameter_end = cpu_seconds();
     to_vertices(mesh, face_diameters, diameters);
-    std::vector<double> values;
-    for (const Mesh::Face_index face : mesh.faces()) {
-      values.push_back(std::max(face_diameters[face], 0.)); // -1 where no ray ends at the surface
-    }
-    const auto triangles = CSCD::internal::collect_triangles(mesh, get(CGAL::vertex_point, mesh)).triangles;
-    result["described_by_diameter"] = CSCD::internal::describe_diameters(triangles, values);
     number_of_parts = segment_by_diameters(mesh, face_diameters, 0.26, labels); // CGAL's default
   } else if (method == "mcf") {
     CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton skeleton;
@@ -215,7 +196,6 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
     skeleton_end = cpu_seconds();
     CSCD::estimate_vertex_shape_diameters(mesh, skeleton, diameters);
     diameter_end = cpu_seconds();
-    describe(mesh, skeleton, result);
   } else if (method == "skeleton" || method == "diameter") {
     const CSCD::Triangle_mesh_traits<Mesh> traits(mesh);
     Skeletonization skeletonization(traits);
@@ -229,7 +209,6 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
     if (method == "skeleton") {
       number_of_parts = CSCD::segment_mesh(mesh, skeleton, labels);
       segmentation_end = cpu_seconds();
-      describe(mesh, skeleton, result);
       result.update(compare_with_separators(skeletonization, mesh, labels));
     } else {
       CSCD::estimate_face_shape_diameters(mesh, skeleton, face_diameters);
@@ -286,27 +265,13 @@ Json compare_with_people(const std::filesystem::path& folder, const Mesh& mesh, 
           {"local_consistency_error", sum.local_consistency_error / people}};
 }
 
-Json classify(const char* file)
-{
-  std::ifstream in(file);
-  const Json shapes = Json::parse(in);
-  const CSCD::Shape_classification result =
-      CSCD::classify_shapes(shapes.at("descriptions").get<std::vector<CSCD::Shape_description>>(),
-                            shapes.at("classes").get<std::vector<std::string>>());
-  return {{"accuracy", result.accuracy}, {"macro_f1", result.macro_f1}};
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 try {
   if (argc < 3) {
-    std::cerr << "usage: benchmark_applications MESH METHOD [FOLDER] or DESCRIPTIONS.json classify\n";
+    std::cerr << "usage: benchmark_applications MESH METHOD [FOLDER]\n";
     return 1;
-  }
-  if (argv[2] == std::string("classify")) {
-    std::cout << classify(argv[1]) << '\n';
-    return 0;
   }
   Mesh mesh;
   CSCD::read_triangle_mesh(argv[1], mesh);

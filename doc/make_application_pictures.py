@@ -4,7 +4,6 @@
 #
 # Draws what the applications find on meshes, the pictures of doc/applications.md. Needs NumPy.
 # Usage: make_application_pictures.py diameter|segment|loops OUT.png PROGRAM MESH.off...
-#        make_application_pictures.py like OUT.png PROGRAM FIRST.off OTHER.off...
 
 import json
 import os
@@ -106,7 +105,7 @@ def diameter_colors(values, faces):
     return np.stack([np.interp(place, np.linspace(0, 1, len(stops)), stops[:, k]) for k in range(3)], axis=1)
 
 
-def picture(task, program, mesh, first, first_parts):
+def picture(task, program, mesh):
     points, faces = read_off(mesh)
     if task == "diameter":
         return draw(points, faces, diameter_colors(np.array(run(program, task, mesh).split(), float), faces), [])
@@ -114,19 +113,13 @@ def picture(task, program, mesh, first, first_parts):
     if task == "loops":
         loops = json.loads(run(program, task, mesh))
         return draw(points, faces, blank, [(loop["points"], LOOP_COLORS[loop["kind"]]) for loop in loops])
-    like = ["--like", first, "--labels", first_parts] if task == "like" and mesh != first else []
-    labels = np.array(run(program, "segment", mesh, *like).split(), int)
+    labels = np.array(run(program, "segment", mesh).split(), int)
     return draw(points, faces, PART_COLORS[labels % len(PART_COLORS)], [])
 
 
 def main():
     task, output, program, *meshes = sys.argv[1:]
-    with tempfile.TemporaryDirectory() as folder:
-        first_parts = os.path.join(folder, "first.seg")
-        if task == "like":
-            with open(first_parts, "w", encoding="ascii") as file:
-                file.write(run(program, "segment", meshes[0]))
-        cells = [picture(task, program, mesh, meshes[0], first_parts) for mesh in meshes]
+    cells = [picture(task, program, mesh) for mesh in meshes]
     cells += [np.full((CELL, CELL, 3), 255.)] * (-len(cells) % COLUMNS)
     rows = [np.concatenate(cells[i:i + COLUMNS], axis=1) for i in range(0, len(cells), COLUMNS)]
     # Few shades compress better, and look the same.

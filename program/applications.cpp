@@ -10,7 +10,6 @@
 #include "write_report.h"
 #include "write_with_report.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
-#include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -25,13 +24,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
 #include <numeric>
 #include <ostream>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,20 +56,15 @@ struct Skeletonized_input
   }
 };
 
-Skeletonized_input skeletonized_mesh(const std::string& name, const std::string& format, bool is_quiet)
-{
-  Skeletonized_input result;
-  result.options.input = name;
-  constexpr bool keeps_file = true; // what is written follows the order of the file
-  result.input = read_mesh(name, format, is_quiet, keeps_file);
-  result.result = skeletonize_input(result.input, result.options, nullptr);
-  return result;
-}
-
 Skeletonized_input skeletonized_input(const Application_options& options)
 {
   check_files(options);
-  return skeletonized_mesh(options.input, options.format, options.is_quiet);
+  Skeletonized_input result;
+  result.options.input = options.input;
+  constexpr bool keeps_file = true; // what is written follows the order of the file
+  result.input = read_mesh(options.input, options.format, options.is_quiet, keeps_file);
+  result.result = skeletonize_input(result.input, result.options, nullptr);
+  return result;
 }
 
 /// CGAL's segmentation of shape diameters: the number of thicknesses that it tells apart is its default. Its default of
@@ -112,58 +104,11 @@ CSCD::internal::Faces_of_file faces_of_file(const Input& input)
   return match_faces(input.as_read, CSCD::internal::to_vectors(input.mesh.points()), faces);
 }
 
-/// Reads a label for each face of the file of `input`, and gives them to those of its mesh.
-void read_labels(const std::string& filename, const Input& input, Labels labels)
-{
-  std::ifstream in(filename);
-  if (!in) {
-    throw CSCD::File_error(filename + ": cannot be read; check the name and the permissions");
-  }
-  std::vector<std::size_t> read(input.as_read.number_of_polygons());
-  for (std::size_t& label : read) {
-    if (!(in >> label)) {
-      throw CSCD::Input_error(filename + ": has not a label for each of the " + std::to_string(read.size()) +
-                              " faces of the mesh of --like; write one number a line");
-    }
-  }
-  if (std::string rest; in >> rest) {
-    throw CSCD::Input_error(filename + ": has more labels than the mesh of --like has faces");
-  }
-  const CSCD::internal::Faces_of_file faces = faces_of_file(input);
-  for (const Mesh::Face_index face : input.mesh.faces()) {
-    labels[face] = read[faces.polygon_of_face[face]];
-  }
-}
-
-/// Carries the parts of the mesh of `--like` over. \return the number of parts
-std::size_t segment_like(const Segment_options& options, Skeletonized_input& input, Labels labels)
-{
-  Skeletonized_input other = skeletonized_mesh(options.like, "", options.is_quiet);
-  const Labels parts = other.mesh().add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
-  if (options.labels.empty()) {
-    CSCD::segment_mesh(other.mesh(), other.skeleton(), parts, CSCD::parameters::default_values(),
-                       options.number_of_parts);
-  } else {
-    read_labels(options.labels, other.input, parts);
-  }
-  CSCD::carry_labels(other.mesh(), other.skeleton(), parts, input.mesh(), input.skeleton(), labels);
-  return std::set<std::size_t>(labels.begin(), labels.end()).size();
-}
-
 /// Checks options that exclude each other.
 void check(const Segment_options& options)
 {
   if (options.by == by_diameter && options.number_of_parts > 0) {
     throw Usage_error("--parts: only a segmentation by the skeleton has a choice of parts; leave out --by diameter");
-  }
-  if (!options.like.empty() && options.by == by_diameter) {
-    throw Usage_error("--like: the parts of the other mesh are carried over by skeletons; leave out --by diameter");
-  }
-  if (options.like.empty() && !options.labels.empty()) {
-    throw Usage_error("--labels: are of the faces of another mesh; name it by --like");
-  }
-  if (!options.labels.empty() && options.number_of_parts > 0) {
-    throw Usage_error("--parts: the labels are what decides; leave out --parts or --labels");
   }
 }
 
@@ -182,7 +127,7 @@ nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh
   for (const auto& [label, part] : parts) {
     list.push_back({{"label", label}, {"number_of_faces", part.first}, {"area", part.second}});
   }
-  nlohmann::ordered_json result{{"by", options.like.empty() ? options.by : "like"}, {"number_of_parts", parts.size()}};
+  nlohmann::ordered_json result{{"by", options.by}, {"number_of_parts", parts.size()}};
   result["parts"] = std::move(list);
   return result;
 }
@@ -218,10 +163,9 @@ void segment(const Segment_options& options)
   Skeletonized_input input = skeletonized_input(options);
   const Labels labels = input.mesh().add_property_map<Mesh::Face_index, std::size_t>("f:part").first;
   const std::size_t number_of_parts =
-      !options.like.empty()       ? segment_like(options, input, labels)
-      : options.by == by_diameter ? segment_by_diameter(input, labels)
-                                  : CSCD::segment_mesh(input.mesh(), input.skeleton(), labels,
-                                                       CSCD::parameters::default_values(), options.number_of_parts);
+      options.by == by_diameter ? segment_by_diameter(input, labels)
+                                : CSCD::segment_mesh(input.mesh(), input.skeleton(), labels,
+                                                     CSCD::parameters::default_values(), options.number_of_parts);
   write_with_report(
       options,
       [&](std::ostream& out) {

@@ -38,8 +38,6 @@ struct Segment_options : Application_options
 {
   std::size_t number_of_parts = 0; ///< 0 lets the shape decide
   std::string by = by_skeleton;
-  std::string like;   ///< file name of a mesh whose parts are carried over, or empty
-  std::string labels; ///< file name of the parts of the faces of that mesh; empty to segment it
 };
 
 /// Reads a mesh, segments it and writes the number of the part of each face, one a line.
@@ -62,25 +60,6 @@ struct Loops_options : Application_options
 /// Reads a mesh and writes its handle loops, tunnel loops and constrictions, in the format of the output's ending.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void write_loops(const Loops_options& options);
-
-/// \name What shapes are compared by
-/// @{
-inline constexpr const char* diameter_descriptor = "diameter";
-inline constexpr const char* skeleton_descriptor = "skeleton";
-/// @}
-
-/// Which shapes to classify.
-struct Classify_options
-{
-  std::string manifest; ///< file name of a table of mesh files and classes
-  std::string output;   ///< a file name, or `standard_stream`
-  std::string descriptor = skeleton_descriptor;
-  bool is_quiet = false;
-};
-
-/// Reads meshes and writes the class of each, as found by the nearest of the others, as JSON.
-/// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
-void classify(const Classify_options& options);
 
 } // namespace cscd
 

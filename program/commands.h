@@ -29,20 +29,6 @@ inline constexpr const char* standard_stream = "-";
 inline constexpr const char* local_method = "local";
 inline constexpr const char* published_method = "published";
 inline constexpr const char* graph_domain = "graph";
-inline constexpr const char* euclidean_target = "euclidean";
-inline constexpr const char* geodesic_target = "geodesic";
-inline constexpr const char* flip_shortening = "flips";
-inline constexpr const char* variational_shortening = "variational";
-inline constexpr const char* points_cut_locus = "points";
-inline constexpr const char* tree_cut_locus = "tree";
-inline constexpr const char* default_weight = "balance-roundness";
-inline constexpr const char* balance_weight = "balance";
-inline constexpr const char* shortness_weight = "shortness";
-inline constexpr const char* no_weight = "none";
-
-/// The names of the places of nodes of the published method.
-inline constexpr const char* centroid_placement = "centroids";
-inline constexpr const char* section_placement = "sections";
 inline constexpr const char* automatic_borders = "auto";
 inline constexpr const char* bridged_borders = "bridge";
 inline constexpr const char* open_borders = "open";
@@ -88,19 +74,11 @@ struct Skeletonize_options
   std::string method = local_method;
   std::string domain;                   ///< what the input is taken for: `graph_domain`, or by what it has if empty
   unsigned int number_of_neighbors = 0; ///< to which points of a graph are joined; 0 for the default
-  std::string target;                   ///< of the published method: which cut point; `euclidean_target` if empty
-  std::string shortening;              ///< of the published method: how loops are shortened; `flip_shortening` if empty
-  std::string cut_locus;               ///< of the published method: what targets are chosen from
-  std::string weight;                  ///< of the published method: which separators are preferred
-  std::string placement;               ///< of the published method: where nodes are placed
-  bool is_literal = false;             ///< of the published method: as printed where the default differs
-  std::optional<bool> is_intrinsic;    ///< of the published method: all on the intrinsic triangulation, if it can be
-  bool is_multiscale = false;          ///< of the published method: distances on coarse levels
-  std::string shape = automatic_shape; ///< what points sample: the surface of a body, or trees and other thin shapes
-  std::string root;                    ///< three coordinates with commas between, the name of a rule, or empty
-  std::string borders;                 ///< what becomes of those of a mesh; `automatic_borders` if empty
-  std::optional<double> wrap;          ///< size of the gaps of a mesh that a wrap around it closes, to its diagonal
-  std::size_t max_memory = 0;          ///< bytes to which a mesh is coarsened to fit into, or 0
+  bool is_literal = false;              ///< of the published method: as printed where the default differs
+  std::string shape = automatic_shape;  ///< what points sample: the surface of a body, or trees and other thin shapes
+  std::string root;                     ///< three coordinates with commas between, the name of a rule, or empty
+  std::string borders;                  ///< what becomes of those of a mesh; `automatic_borders` if empty
+  std::optional<double> wrap;           ///< size of the gaps of a mesh that a wrap around it closes, to its diagonal
   std::optional<double> detail; ///< how small a limb may be to get a branch, from 0 to 1; of the local method only
   unsigned int seed = 0;
   unsigned int number_of_threads = 0;        ///< 0 for all that the machine has

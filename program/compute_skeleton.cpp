@@ -6,7 +6,6 @@
 
 #include "compute_skeleton.h"
 
-#include "bound_memory.h"
 #include "roots.h"
 #include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
@@ -133,14 +132,6 @@ CSCD::Local_policies local_policies(const Skeletonize_options& options)
   return policies;
 }
 
-CSCD::Weight_rule weight_rule(const Skeletonize_options& options)
-{
-  return options.weight == balance_weight     ? CSCD::Weight_rule::balance
-         : options.weight == shortness_weight ? CSCD::Weight_rule::shortness
-         : options.weight == no_weight        ? CSCD::Weight_rule::none
-                                              : CSCD::Weight_rule::balance_and_roundness;
-}
-
 CSCD::Published_policies published_policies(const Skeletonize_options& options, bool is_of_points)
 {
   CSCD::Field_search_settings settings;
@@ -149,21 +140,6 @@ CSCD::Published_policies published_policies(const Skeletonize_options& options, 
   }
   if (is_of_points) {
     settings.overlap_rule = CSCD::Overlap_rule::nearest_vertex;
-  }
-  if (!options.cut_locus.empty()) {
-    settings.cut_locus_rule =
-        options.cut_locus == tree_cut_locus ? CSCD::Cut_locus_rule::tree : CSCD::Cut_locus_rule::points;
-  }
-  settings.weight_rule = weight_rule(options);
-  settings.placement_rule =
-      options.placement == section_placement ? CSCD::Placement_rule::sections : CSCD::Placement_rule::centroids;
-  settings.is_multiscale = options.is_multiscale;
-  settings.is_intrinsic = options.is_intrinsic;
-  settings.target_rule = options.target == geodesic_target ? CSCD::Target_rule::nearest_along_surface
-                                                           : CSCD::Target_rule::nearest_in_space;
-  if (!options.shortening.empty()) {
-    settings.shortening_rule = options.shortening == variational_shortening ? CSCD::Shortening_rule::variational
-                                                                            : CSCD::Shortening_rule::edge_flips;
   }
   return CSCD::Published_policies(settings);
 }
@@ -226,12 +202,6 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
           ? run_other_method(traits, published_policies(options, false), options, visitor, skeleton)
           : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
   result.skeleton = std::move(skeleton);
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (input.coarse) {
-    result.memory_bound = input.coarse->bound;
-    result.report.warnings.insert(result.report.warnings.begin(), sentence(input.coarse->bound));
-  }
-#endif
   return result;
 }
 
@@ -366,16 +336,6 @@ std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeleto
     return labels;
   }
   const std::vector<CSCD::Vector_3> points = CSCD::internal::to_vectors(input.mesh.points());
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (input.coarse) {
-    const auto labels_of_points = CSCD::internal::labels_of_file(input.coarse->points, points, labels);
-    labels.clear();
-    for (const CSCD::Index point : input.coarse->point_of_file) {
-      labels.push_back(labels_of_points[point]);
-    }
-    return labels;
-  }
-#endif
   if (!input.is_wrapped) {
     return CSCD::internal::labels_of_file(input.as_read.points, points, labels);
   }

@@ -3,9 +3,9 @@
 //
 // The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
 
-#include "cscd/applications.h"
-#include "cscd/commands.h"
-#include "cscd/memory.h"
+#include "applications.h"
+#include "commands.h"
+#include "memory.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -50,7 +49,6 @@ constexpr const char* skeletonize_examples =
   cscd skeletonize soup.obj --as graph -o soup.graph     no surface: the edges as a graph
   cscd skeletonize vessels.nii.gz --threshold 150 -o vessels.swc -o nodes.nrrd
   cscd skeletonize labels.nrrd --all-labels -o cell.swc     cell_1.swc, cell_2.swc and so on
-  cscd skeletonize huge.ply --max-memory 4G -o huge.graph     coarsened as far as memory demands
   cat bunny.ply | cscd skeletonize - --format ply -o - > bunny.graph
 )";
 
@@ -74,16 +72,11 @@ constexpr const char* diameter_examples =
 constexpr const char* segment_examples =
     R"(  cscd segment bunny.off -o bunny.seg                the part of each face, one number a line
   cscd segment bunny.off -o bunny.seg --parts 5
-  cscd segment run.off -o run.seg --like stand.off   the parts of a body in another pose
 )";
 
 constexpr const char* loops_examples =
     R"(  cscd loops bunny.off -o loops.json                 closed geodesics around handles, tunnels and constrictions
   cscd loops bunny.off -o necks.vtp --constrictions
-)";
-
-constexpr const char* classify_examples =
-    R"(  cscd classify shapes.csv -o classes.json           lines of file,class; the nearest other shape tells the class
 )";
 
 constexpr const char* batch_examples =
@@ -92,11 +85,11 @@ constexpr const char* batch_examples =
 )";
 
 constexpr const char* explanations = R"(
-Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh .3mf; points: .xyz .pwn .pts .txt
+Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt
 .csv .asc .pcd .las, or .ply .off .vtp .vtk without faces; volumes, by cscd skeletonize alone: .nrrd .nhdr .nii .nii.gz
 .mha .mhd .tif .tiff; meshes and points also with .gz or .zst behind. What has to be repaired is named on standard error.
-Output: .graph .json .obj .ply .polylines.txt .swc .vtp .dot .graphml; a file appears only when it is complete.
-Rigs, by cscd skeletonize alone: .glb with the mesh and weights, .bvh of the joints.
+Output: .graph .json .obj .ply .polylines.txt .swc .vtp .graphml; a file appears only when it is complete.
+Rigs, by cscd skeletonize alone: .glb with the mesh and weights.
 Skeletons to measure or simplify: .graph .json .obj .ply .polylines.txt .swc .vtp.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
@@ -112,8 +105,7 @@ public:
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
           std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
           std::pair("diameter", diameter_examples), std::pair("segment", segment_examples),
-          std::pair("classify", classify_examples), std::pair("loops", loops_examples),
-          std::pair("batch", batch_examples)}) {
+          std::pair("loops", loops_examples), std::pair("batch", batch_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -241,35 +233,6 @@ void add_volume(CLI::App& command, cscd::Volume_options& options)
                    "of a volume: the surfaces of cavities get skeletons, too, instead of being filled");
 }
 
-/// Adds the variants of the published method.
-void add_published_method(CLI::App& command, cscd::Skeletonize_options& options)
-{
-  command
-      .add_option("--target", options.target,
-                  "published method: whether loops close at the cut point nearest in space or along the surface")
-      ->check(CLI::IsMember({cscd::euclidean_target, cscd::geodesic_target}));
-  command.add_option("--shortening", options.shortening, "published method: how loops are shortened")
-      ->check(CLI::IsMember({cscd::flip_shortening, cscd::variational_shortening}));
-  command
-      .add_option("--cut-locus", options.cut_locus,
-                  "published method: targets are vertices tested one by one, or those of the tree of the cut locus")
-      ->check(CLI::IsMember({cscd::points_cut_locus, cscd::tree_cut_locus}));
-  command.add_option("--weight", options.weight, "published method: which of overlapping separators are preferred")
-      ->check(CLI::IsMember({cscd::default_weight, cscd::balance_weight, cscd::shortness_weight, cscd::no_weight}));
-  command
-      .add_option("--placement", options.placement,
-                  "published method: nodes are centroids of regions or in the middle of sections, with tips at the "
-                  "ends of limbs")
-      ->check(CLI::IsMember({cscd::centroid_placement, cscd::section_placement}));
-  command.add_flag("--literal", options.is_literal,
-                   "published method: as printed, with the tree, sources one by one, overlap by crossings");
-  command.add_flag_function(
-      "--intrinsic,!--extrinsic", [&options](std::int64_t count) { options.is_intrinsic = count > 0; },
-      "published method: whether targets and loops are on the intrinsic triangulation, as distances are");
-  command.add_flag("--multiscale", options.is_multiscale,
-                   "published method: distances on coarse levels of a mesh; several times as fast on large ones");
-}
-
 /// Adds the files that are written besides the skeleton.
 void add_further_outputs(CLI::App& command, cscd::Skeletonize_options& options)
 {
@@ -320,7 +283,8 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
   command->add_option("--method", options.method, "the algorithms: those of CSCD, or those of the paper, much slower")
       ->check(CLI::IsMember({cscd::local_method, cscd::published_method}))
       ->capture_default_str();
-  add_published_method(*command, options);
+  command->add_flag("--literal", options.is_literal,
+                    "published method: as printed, with the tree, sources one by one, overlap by crossings");
   command
       ->add_option(
           "--shape", options.shape,
@@ -337,8 +301,6 @@ void add_skeletonize(CLI::App& app, cscd::Skeletonize_options& options)
                    "of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and "
                    "closes holes, gaps and hollows narrower than SIZE, relative to the diagonal, such as 0.01")
       ->type_name("SIZE");
-  add_memory_size(*command, "--max-memory", options.max_memory,
-                  "of a mesh: coarsen it as far as its skeletonization would take more memory: megabytes, or as in 2G");
   command
       ->add_option("--detail", options.detail,
                    "how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5")
@@ -493,33 +455,6 @@ void add_segment(CLI::App& app, cscd::Segment_options& options)
                    "what decides: the skeleton and the shape of the parts, or the thickness of the body alone")
       ->check(CLI::IsMember({cscd::by_skeleton, cscd::by_diameter}))
       ->capture_default_str();
-  command
-      ->add_option("--like", options.like, "mesh of the same body in another pose, of which the parts are carried over")
-      ->check(check_name)
-      ->type_name("OTHER");
-  command->add_option("--labels", options.labels, "the parts of OTHER, one a line; without, it is segmented")
-      ->check(check_name)
-      ->type_name("FILE");
-}
-
-void add_classify(CLI::App& app, cscd::Classify_options& options)
-{
-  CLI::App* command = app.add_subcommand("classify", "find the classes of shapes by those that are most alike");
-  command
-      ->add_option(
-          "MANIFEST", options.manifest,
-          "table of lines file,class; names of meshes are relative to its folder; rows without a class get one")
-      ->required();
-  command->add_option("-o,--output", options.output, "JSON file for classes, accuracy and F1 score, or -")
-      ->type_name("OUT")
-      ->check(check_name)
-      ->required();
-  command
-      ->add_option("--descriptor", options.descriptor,
-                   "what is compared: the thickness of the bodies alone, or also limbs of their skeletons")
-      ->check(CLI::IsMember({cscd::diameter_descriptor, cscd::skeleton_descriptor}))
-      ->capture_default_str();
-  command->add_flag("-q,--quiet", options.is_quiet, "do not print what was repaired");
 }
 
 void add_loops(CLI::App& app, cscd::Loops_options& options)
@@ -623,8 +558,6 @@ int run(int argc, char** argv)
                   "file for one value a line, in the order of the vertices, or -", diameter_options);
   cscd::Segment_options segment_options;
   add_segment(app, segment_options);
-  cscd::Classify_options classify_options;
-  add_classify(app, classify_options);
   cscd::Loops_options loops_options;
   add_loops(app, loops_options);
   cscd::Batch_options batch_options;
@@ -647,8 +580,6 @@ int run(int argc, char** argv)
     cscd::segment(segment_options);
   } else if (app.got_subcommand("diameter")) {
     cscd::write_diameters(diameter_options);
-  } else if (app.got_subcommand("classify")) {
-    cscd::classify(classify_options);
   } else if (app.got_subcommand("loops")) {
     cscd::write_loops(loops_options);
   } else if (app.got_subcommand("batch")) {

@@ -47,19 +47,6 @@ std::size_t parse_memory_size(const std::string& size, const std::string& option
   return std::size_t(bytes);
 }
 
-std::string memory_size_text(std::size_t bytes)
-{
-  const double megabytes = std::ceil(double(bytes) / (kilobyte * kilobyte));
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  if (megabytes < kilobyte) {
-    out << megabytes << 'M';
-  } else {
-    out << std::ceil(10 * megabytes / kilobyte) / 10 << 'G';
-  }
-  return out.str();
-}
-
 void limit_memory(std::size_t bytes)
 {
 #ifdef __linux__

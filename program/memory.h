@@ -15,9 +15,6 @@ namespace cscd {
 /// \throw Usage_error naming `option` if it means none
 std::size_t parse_memory_size(const std::string& size, const std::string& option);
 
-/// A size as `parse_memory_size()` reads it, rounded up to megabytes or tenths of gigabytes.
-std::string memory_size_text(std::size_t bytes);
-
 /// Limits the memory that this process may write to, unless its limit is lower: more ends it with a message. May be
 /// called between fork and exec.
 void limit_memory(std::size_t bytes);

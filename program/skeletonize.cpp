@@ -4,7 +4,6 @@
 // The command `cscd skeletonize`: from arguments to files.
 
 #include "Progress_bar.h"
-#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "roots.h"
@@ -66,15 +65,10 @@ std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletoni
            {"--html", options.html}}};
 }
 
-bool is_glb(const std::string& output)
-{
-  return boost::algorithm::iends_with(output, ".glb");
-}
-
 /// Whether a rig is written to `output`, by its ending.
 bool is_rig(const std::string& output)
 {
-  return is_glb(output) || boost::algorithm::iends_with(output, ".bvh");
+  return boost::algorithm::iends_with(output, ".glb");
 }
 
 void check_outputs(const Skeletonize_options& options)
@@ -199,16 +193,13 @@ void write_labels(CSCD::File_group& files, const Input& input, const Skeletoniza
 void write_rig(CSCD::File_group& files, const std::string& output, const Input& input,
                const Skeletonization_result& result, const Skeletonize_options& options)
 {
-  if (is_glb(output) && !bounds_body(result, options)) {
-    throw CSCD::Input_error(name_of(options.input) + ": has no surface that a rig could move; .bvh holds joints alone");
+  if (!bounds_body(result, options)) {
+    throw CSCD::Input_error(name_of(options.input) +
+                            ": has no surface that a rig could move; name another format by --output");
   }
   const CSCD::Rig rig = CSCD::make_rig(input.mesh, result.skeleton, result.roots);
   files.write(output, [&](std::ostream& out) {
-    if (is_glb(output)) {
-      CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
-    } else {
-      CSCD::write_bvh(out, rig);
-    }
+    CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
   });
 }
 
@@ -374,11 +365,9 @@ void check_domain(const Skeletonize_options& options)
     return;
   }
   for (const auto& [is_given, option] :
-       {std::pair(options.method != local_method, "--method"), std::pair(!options.target.empty(), "--target"),
-        std::pair(!options.shortening.empty(), "--shortening"), std::pair(options.detail.has_value(), "--detail"),
+       {std::pair(options.method != local_method, "--method"), std::pair(options.detail.has_value(), "--detail"),
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
-        std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
-        std::pair(!options.cylinders.empty(), "--cylinders")}) {
+        std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
       throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
     }
@@ -396,28 +385,8 @@ void check_method(const Skeletonize_options& options)
     throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
   }
   const bool is_published = options.method == published_method;
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0 && (options.wrap || is_published)) {
-    throw Usage_error("--max-memory: how much --wrap and --method published take is not known; leave it out");
-  }
-#endif
-  if (!is_published && !options.target.empty()) {
-    throw Usage_error("--target: only the published method has a choice of targets; add --method published");
-  }
-  if (!is_published && !options.shortening.empty()) {
-    throw Usage_error("--shortening: only the published method has a choice of shortenings; add --method published");
-  }
-  for (const auto& [is_given, option] :
-       {std::pair(!options.cut_locus.empty(), "--cut-locus"), std::pair(!options.weight.empty(), "--weight"),
-        std::pair(!options.placement.empty(), "--placement"), std::pair(options.is_literal, "--literal"),
-        std::pair(options.is_intrinsic.has_value(), "--intrinsic and --extrinsic"),
-        std::pair(options.is_multiscale, "--multiscale")}) {
-    if (!is_published && is_given) {
-      throw Usage_error(std::string(option) + ": is for the published method only; add --method published");
-    }
-  }
-  if (options.is_intrinsic.value_or(false) && (options.is_multiscale || options.shortening == variational_shortening)) {
-    throw Usage_error("--intrinsic: is for edge flips on the mesh itself; leave out --multiscale and --shortening");
+  if (!is_published && options.is_literal) {
+    throw Usage_error("--literal: is for the published method only; add --method published");
   }
   if (is_published && options.detail) {
     throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
@@ -435,16 +404,8 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   if (input.is_point_set && !options.borders.empty()) {
     throw Usage_error("--borders: points have none; leave the option out");
   }
-  if (input.is_point_set && options.shortening == flip_shortening) {
-    throw Usage_error("--shortening flips: points have no edges to be flipped; leave the option out");
-  }
-  for (const auto& [is_given, option] :
-       {std::pair(options.wrap.has_value(), "--wrap"), std::pair(options.max_memory > 0, "--max-memory"),
-        std::pair(options.is_multiscale, "--multiscale"),
-        std::pair(options.is_intrinsic.value_or(false), "--intrinsic")}) {
-    if (input.is_point_set && is_given) {
-      throw Usage_error(std::string(option) + ": is for meshes only, not for points; leave the option out");
-    }
+  if (input.is_point_set && options.wrap) {
+    throw Usage_error("--wrap: is for meshes only, not for points; leave the option out");
   }
   Skeletonization_result result;
   try {
@@ -501,11 +462,6 @@ bool needs_mesh(const Skeletonize_options& options)
 /// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0) {
-    return read_within_memory(options, needs_mesh(options));
-  }
-#endif
   try {
     return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
                       options.number_of_threads);

@@ -37,15 +37,6 @@ using Vector = Kernel::Vector_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 
-/// The coarse triangles that a mesh was made of so that it fits into memory.
-struct Coarse_triangles
-{
-  std::vector<CSCD::Index> point_of_file;   ///< for each point of the file, the one that stands for it
-  std::vector<CSCD::Vector_3> points;       ///< before repairs
-  CSCD::Mesh_repair_report earlier_repairs; ///< before they were coarsened
-  Memory_bound bound;
-};
-
 /// A mesh, or points, if the file has no faces.
 struct Input
 {
@@ -61,9 +52,6 @@ struct Input
   bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
   CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  std::optional<Coarse_triangles> coarse; ///< if the mesh is coarser than the file's
-#endif
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.

@@ -132,7 +132,6 @@ void check_volume_options(const Skeletonize_options& options)
   }
   refuse({{!options.domain.empty(), "--as"},
           {options.wrap.has_value(), "--wrap"},
-          {options.max_memory > 0, "--max-memory"},
           {options.shape != automatic_shape, "--shape"},
           {!options.cylinders.empty(), "--cylinders"},
           {!options.correspondence.empty(), "--correspondence"},

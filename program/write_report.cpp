@@ -262,31 +262,12 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   if (options.wrap) {
     document["wrap"] = *options.wrap;
   }
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  if (options.max_memory > 0) {
-    document["max_memory"] = options.max_memory;
-    document["number_of_vertices_before_coarsening"] =
-        result.memory_bound ? Json(result.memory_bound->number_of_file_vertices) : Json();
-  }
-#endif
   if (options.domain == graph_domain) {
     document["method"] = graph_domain;
   } else if (options.method == local_method) {
     document["detail"] = options.detail.value_or(CSCD::Detail::default_value);
   } else {
-    document["target"] = options.target.empty() ? euclidean_target : options.target;
-    document["shortening"] = !options.shortening.empty() ? options.shortening
-                             : result.is_of_points       ? variational_shortening
-                                                         : flip_shortening;
     document["literal"] = options.is_literal;
-    document["intrinsic"] = options.is_intrinsic.value_or(!result.is_of_points && !options.is_multiscale &&
-                                                          options.shortening != variational_shortening);
-    document["multiscale"] = options.is_multiscale;
-    document["cut_locus"] = !options.cut_locus.empty() ? options.cut_locus
-                            : options.is_literal       ? tree_cut_locus
-                                                       : points_cut_locus;
-    document["placement"] = options.placement.empty() ? centroid_placement : options.placement;
-    document["weight"] = options.weight.empty() ? default_weight : options.weight;
   }
   for (Json part : {input_part(report), separators_part(report), skeleton_part(report)}) {
     document.update(part);

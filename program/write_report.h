@@ -42,14 +42,6 @@ struct Volume_body
   std::size_t number_of_cavities = 0;
 };
 
-/// How a mesh was made to fit into memory.
-struct Memory_bound
-{
-  std::size_t max_memory = 0;              ///< bytes
-  std::size_t number_of_file_vertices = 0; ///< as they were read
-  std::size_t number_of_vertices = 0;      ///< of the coarser mesh
-};
-
 /// What is known of a run besides the skeleton.
 struct Run_report
 {
@@ -64,15 +56,8 @@ struct Run_report
   std::vector<CSCD::Tree_measures> trees;               ///< the objects of a scan of trees
   std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
 
-#ifndef CSCD_LOCAL_METHOD_ONLY
-  std::optional<Memory_bound> memory_bound; ///< if the mesh was coarsened to keep it
-#endif
-
   /// What the user should know: one sentence each.
-  const std::vector<std::string>& warnings() const
-  {
-    return tree ? tree->warnings : report.warnings;
-  }
+  const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
 };
 
 /// The report of a run as a JSON object. \param repairs of the input, a sentence each

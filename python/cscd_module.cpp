@@ -4,18 +4,14 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
 // cscd/__init__.py.
 
-#include "bound_memory.h"
 #include "commands.h"
 #include "compute_skeleton.h"
-#include "memory.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"
 #include "write_report.h"
-#include <CSCD/Application/classify_shapes.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
-#include <CSCD/Application/match_skeletons.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/read_points.h>
@@ -137,17 +133,14 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
-/// Makes the mesh of `source` from polygons, repaired as the program repairs them, and coarsened if `options` demand.
+/// Makes the mesh of `source` from polygons, repaired as the program repairs them.
 void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_options& options, Source& source)
 {
+  constexpr bool keeps_file = false; // only its points are needed
   constexpr bool makes_mesh = true;
   std::vector<CSCD::Vector_3> points = soup.points;
-  const std::size_t bytes = (sizeof(CSCD::Vector_3) + sizeof(CSCD::Vertex_label) + sizeof(Index)) * points.size();
-  std::optional<cscd::Coarse_triangles> coarse;
-  if (options.max_memory > 0) {
-    coarse = cscd::bound_memory(soup, options, 0, bytes, makes_mesh);
-  }
-  source.input = cscd::to_input(std::move(soup), std::move(coarse), options, makes_mesh);
+  source.input = cscd::to_input(std::move(soup), options.input, options.is_quiet, keeps_file, makes_mesh,
+                                options.number_of_threads);
   source.input.as_read.points = std::move(points);
 }
 
@@ -227,8 +220,6 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
   options.is_quiet = true;
   if (soup) {
     make_mesh(std::move(*soup), options, *source);
-  } else if (options.max_memory > 0) {
-    throw cscd::Usage_error("max_memory: is for meshes only; leave it out");
   }
   options.report = cscd::standard_stream; // with all that a report has
   cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
@@ -265,10 +256,9 @@ std::string page(const Shown_skeleton& skeleton, const std::string& title)
 cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
-  if (input.is_point_set || input.is_wrapped || input.coarse || !input.repairs.sentences().empty() ||
-      num_faces(input.mesh) == 0) {
+  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
     throw cscd::Usage_error(
-        "only a mesh that was neither repaired, wrapped nor coarsened has values of its own vertices and faces");
+        "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
   }
   return input.mesh;
 }
@@ -298,38 +288,6 @@ std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t nu
   const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
   CSCD::segment_mesh(mesh, skeleton.result().skeleton, map, CSCD::parameters::default_values(), number_of_parts);
   return values_of<Signed_index>(mesh.faces(), map);
-}
-
-/// \param labels of the faces of `other`
-std::vector<Signed_index> carry_labels(const Shown_skeleton& skeleton, const Shown_skeleton& other,
-                                       const std::vector<Signed_index>& labels)
-{
-  cscd::Mesh mesh = skeletonized_mesh(skeleton);
-  cscd::Mesh other_mesh = skeletonized_mesh(other);
-  if (labels.size() != other_mesh.number_of_faces()) {
-    throw cscd::Usage_error("labels: are " + std::to_string(labels.size()) + " for " +
-                            std::to_string(other_mesh.number_of_faces()) + " rows of F");
-  }
-  const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
-  const auto other_map = other_mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
-  for (const auto face : other_mesh.faces()) {
-    other_map[face] = std::size_t(labels[face]);
-  }
-  CSCD::carry_labels(other_mesh, other.result().skeleton, other_map, mesh, skeleton.result().skeleton, map);
-  return values_of<Signed_index>(mesh.faces(), map);
-}
-
-CSCD::Shape_description describe(const Shown_skeleton& skeleton, bool by_skeleton)
-{
-  return CSCD::describe_shape(skeletonized_mesh(skeleton), skeleton.result().skeleton,
-                              by_skeleton ? CSCD::Shape_descriptor::skeleton : CSCD::Shape_descriptor::diameter);
-}
-
-/// Class, nearest other shape and distance of each shape, then accuracy and F1 score.
-py::tuple classify(const std::vector<CSCD::Shape_description>& descriptions, const std::vector<std::string>& classes)
-{
-  const CSCD::Shape_classification result = CSCD::classify_shapes(descriptions, classes);
-  return py::make_tuple(result.found, result.nearest, result.distance, result.accuracy, result.macro_f1);
 }
 
 /// Kind, length, depth and points of each loop.
@@ -403,18 +361,10 @@ void define_options(py::module_& module)
   py::class_<Skeletonize_options>(module, "SkeletonizeOptions")
       .def(py::init())
       .def_readwrite("method", &Skeletonize_options::method)
-      .def_readwrite("target", &Skeletonize_options::target)
-      .def_readwrite("shortening", &Skeletonize_options::shortening)
-      .def_readwrite("cut_locus", &Skeletonize_options::cut_locus)
-      .def_readwrite("weight", &Skeletonize_options::weight)
-      .def_readwrite("placement", &Skeletonize_options::placement)
       .def_readwrite("literal", &Skeletonize_options::is_literal)
-      .def_readwrite("intrinsic", &Skeletonize_options::is_intrinsic)
-      .def_readwrite("multiscale", &Skeletonize_options::is_multiscale)
       .def_readwrite("shape", &Skeletonize_options::shape)
       .def_readwrite("borders", &Skeletonize_options::borders)
       .def_readwrite("wrap", &Skeletonize_options::wrap)
-      .def_readwrite("max_memory", &Skeletonize_options::max_memory)
       .def_readwrite("domain", &Skeletonize_options::domain)
       .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
       .def_readwrite("root", &Skeletonize_options::root)
@@ -489,8 +439,6 @@ PYBIND11_MODULE(_core, module)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
-      .def("carry_labels", &carry_labels, "other"_a, "labels"_a, without_gil)
-      .def("describe", &describe, "by_skeleton"_a, without_gil)
       .def(
           "save",
           [](const Shown_skeleton& skeleton, const std::string& filename) {
@@ -506,10 +454,6 @@ PYBIND11_MODULE(_core, module)
         }
         return result;
       });
-  module.def("classify", &classify, "descriptions"_a, "classes"_a);
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
-  module.def(
-      "parse_memory_size", [](const std::string& size) { return cscd::parse_memory_size(size, "max_memory"); },
-      "size"_a);
   module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
 }

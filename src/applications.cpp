@@ -3,9 +3,7 @@
 //
 // What is done with skeletons, compiled once.
 
-#include <CSCD/Application/classify_shapes_impl.h>
 #include <CSCD/Application/estimate_shape_diameters_impl.h>
 #include <CSCD/Application/find_surface_loops_impl.h>
 #include <CSCD/Application/make_rig_impl.h>
-#include <CSCD/Application/match_skeletons_impl.h>
 #include <CSCD/Application/segment_mesh_impl.h>

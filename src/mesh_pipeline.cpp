@@ -7,6 +7,5 @@
 #include <CSCD/Skeleton/Skeleton_builder_impl.h>
 #include <CSCD/Surface/Halfedge_pairing_impl.h>
 #include <CSCD/Surface/Triangulated_solid_impl.h>
-#include <CSCD/Surface/coarsen_triangles_impl.h>
 #include <CSCD/internal/for_each_range_impl.h>
 #include <CSCD/skeletonize_impl.h>

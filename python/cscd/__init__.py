@@ -30,12 +30,10 @@ if typing.TYPE_CHECKING:
 
 __all__ = [
     "Branch",
-    "Classification",
     "FileError",
     "InputError",
     "Loop",
     "Skeleton",
-    "classify",
     "find_loops",
     "skeletonize",
     "__version__",
@@ -80,21 +78,6 @@ class Loop(typing.NamedTuple):
     """Of a constriction: how much longer a loop must become if it is to move away, relative to its length."""
     points: FloatArray
     """Along the loop, a row of three coordinates each; the last and the first are neighbors."""
-
-
-class Classification(typing.NamedTuple):
-    """The classes of shapes."""
-
-    found: list[str]
-    """The class of the nearest other shape that has one."""
-    nearest: IndexArray
-    """The number of that shape."""
-    distance: FloatArray
-    """The sum of the differences of both descriptions."""
-    accuracy: float
-    """Of the shapes that have a class, the part of which it is found."""
-    macro_f1: float
-    """The mean over the classes of the harmonic mean of precision and recall."""
 
 
 class Skeleton:
@@ -159,28 +142,6 @@ class Skeleton:
         parts: how many there should be; 0 lets the shape decide
         """
         return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
-
-    def carry_labels(self, other: Skeleton, labels: npt.ArrayLike) -> IndexArray:
-        """Labels of each row of `F`, carried over from another pose of the same body, which needs to have neither the
-        same vertices nor the same number of them: what `cscd segment --like` writes. Raises ValueError unless both `F`
-        are meshes that needed no repair.
-
-        other: the skeleton of the other pose
-        labels: an integer for each row of its `F`
-        """
-        values = np.asarray(labels)
-        if values.ndim != 1 or values.dtype.kind not in "iu":
-            raise ValueError(f"labels: is an array of shape {values.shape} of {values.dtype}; integers in a row are needed")
-        return np.array(self._core.carry_labels(other._core, values.astype(np.int32)), dtype=np.int32)
-
-    def describe(self, *, by: str = "skeleton") -> FloatArray:
-        """Numbers that are alike for shapes of one kind, for `classify()`. Raises ValueError unless `F` is a mesh that
-        needed no repair.
-
-        by: the distribution of "diameter", or besides the lengths in the "skeleton"
-        """
-        _check_choice("by", by, ("diameter", "skeleton"))
-        return np.array(self._core.describe(by == "skeleton"))
 
     def branches(self) -> list[Branch]:
         """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
@@ -253,7 +214,7 @@ class Skeleton:
         return typing.cast("dict[str, typing.Any]", json.loads(self._core.evaluate(radii, resolution)))
 
     def save(self, filename: str | os.PathLike[str]) -> None:
-        """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp .dot
+        """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
         .graphml, or .html for the viewer page. The file appears when it is complete.
 
         Raises FileError if the ending is not known or the file cannot be written.
@@ -348,16 +309,8 @@ def skeletonize(
     shape: str = "auto",
     borders: str | None = None,
     wrap: float | None = None,
-    max_memory: str | float | None = None,
     root: npt.ArrayLike | str | None = None,
-    target: str | None = None,
-    shortening: str | None = None,
-    cut_locus: str | None = None,
-    weight: str | None = None,
-    placement: str | None = None,
     literal: bool = False,
-    intrinsic: bool | None = None,
-    multiscale: bool = False,
     separators: int = 0,
     min_component: int = 0,
     join: bool = False,
@@ -381,22 +334,10 @@ def skeletonize(
         "open", or let their shape decide, "auto"
     wrap: of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and closes holes,
         gaps and hollows narrower than this, relative to the diagonal, such as 0.01
-    max_memory: of a mesh: coarsen it as far as its skeletonization would take more memory, the copy of the arrays
-        included and the arrays not: megabytes, or a size such as "2G". `report` and its warnings tell of it
     root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
         `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
         points
-    target: published method: whether loops close at the cut point nearest in space, "euclidean", or along the surface,
-        "geodesic"
-    shortening: published method: how loops are shortened, by "flips" or "variational"
-    cut_locus: published method: whether targets are vertices tested one by one, "points", or those of the "tree"
-    weight: published method: which of overlapping separators are preferred, by "balance-roundness", "balance",
-        "shortness" or "none"
-    placement: published method: where nodes are, at "centroids" of regions or in the middle of "sections", with tips
     literal: published method: as printed where the default differs
-    intrinsic: published method: whether targets and loops are on the intrinsic triangulation, as distances are; by
-        default wherever that can be
-    multiscale: published method: distances on coarse levels of a mesh, several times as fast on large ones
     separators: greatest number of points from which separators are sought; 0 lets the method decide
     min_component: leave out components of fewer vertices or points, but for the largest
     join: join components into one by the shortest straight edges
@@ -412,11 +353,6 @@ def skeletonize(
         ("method", method, ("local", "published")),
         ("shape", shape, ("auto", "surface", "tree")),
         ("borders", borders, ("auto", "bridge", "open")),
-        ("target", target, ("euclidean", "geodesic")),
-        ("shortening", shortening, ("flips", "variational")),
-        ("cut_locus", cut_locus, ("points", "tree")),
-        ("weight", weight, ("balance-roundness", "balance", "shortness", "none")),
-        ("placement", placement, ("centroids", "sections")),
     ):
         if value is not None:
             _check_choice(name, value, choices)
@@ -440,34 +376,14 @@ def skeletonize(
         is_rule = isinstance(root, str)
         options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
     options.literal = literal
-    options.intrinsic = intrinsic
-    options.multiscale = multiscale
     options.detail = detail
     options.wrap = wrap
-    if max_memory is not None:
-        options.max_memory = _core.parse_memory_size(str(max_memory))
     options.seed = _count("seed", seed)
     options.threads = _count("threads", threads)
     options.separators = _count("separators", separators)
     options.min_component = _count("min_component", min_component)
     options.join = join
     return Skeleton(_core.skeletonize(points, faces, directions, ends, options))
-
-
-def classify(descriptions: typing.Sequence[npt.ArrayLike], classes: typing.Sequence[str]) -> Classification:
-    """The class of each shape, that of the nearest other: what `cscd classify` writes. Shapes of known class are found
-    like the others, so that accuracy and F1 score are those of leaving one out.
-
-    descriptions: of the shapes, as `Skeleton.describe()` gives them, all alike
-    classes: of the shapes, empty where it is not known; two have one at least
-    """
-    rows = [np.asarray(row, dtype=np.float64) for row in descriptions]
-    if len({row.shape for row in rows}) != 1 or rows[0].ndim != 1:
-        raise ValueError(f"descriptions: have the shapes {sorted({row.shape for row in rows})}; one is needed")
-    if len(classes) != len(rows) or sum(name != "" for name in classes) < 2:
-        raise ValueError(f"classes: are {len(classes)} for {len(rows)} descriptions; two at least must be known")
-    found, nearest, distance, accuracy, macro_f1 = _core.classify(rows, list(classes))
-    return Classification(found, np.array(nearest, dtype=np.int32), np.array(distance), accuracy, macro_f1)
 
 
 def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:

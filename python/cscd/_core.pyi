@@ -11,18 +11,10 @@ class FileError(OSError): ...
 
 class SkeletonizeOptions:
     method: str
-    target: str
-    shortening: str
-    cut_locus: str
-    weight: str
-    placement: str
     literal: bool
-    intrinsic: bool | None
-    multiscale: bool
     shape: str
     borders: str
     wrap: float | None
-    max_memory: int
     domain: str
     neighbors: int
     root: str
@@ -69,17 +61,11 @@ class Skeleton:
     def save(self, filename: str) -> None: ...
     def shape_diameters(self) -> list[float]: ...
     def segment(self, parts: int) -> list[int]: ...
-    def carry_labels(self, other: Skeleton, labels: npt.NDArray[np.int32]) -> list[int]: ...
-    def describe(self, by_skeleton: bool) -> list[float]: ...
     def branches(self) -> list[tuple[list[int], tuple[str, str], float, float, float, float, float, float]]: ...
 
-def classify(
-    descriptions: list[npt.NDArray[np.float64]], classes: list[str]
-) -> tuple[list[str], list[int], list[float], float, float]: ...
 def find_loops(
     V: npt.NDArray[np.float64], F: npt.NDArray[np.int64], seed: int, min_depth: float
 ) -> list[tuple[str, float, float, list[list[float]]]]: ...
-def parse_memory_size(size: str) -> int: ...
 def skeletonize(
     V: npt.NDArray[np.float64],
     F: npt.NDArray[np.int64] | None,

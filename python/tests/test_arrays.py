@@ -55,40 +55,12 @@ def test_a_torus_is_as_thick_as_its_tube_and_has_two_loops(ring):
         assert np.isclose(sides.sum(), loop.length)
 
 
-def test_parts_are_carried_to_the_same_body_turned(crossing):
-    V, F = shapes.cross()
-    turned = cscd.skeletonize(V @ np.array([[0, 1, 0], [-1, 0, 0], [0, 0, 1]]), F)
-    labels = crossing.segment() + 7
-    carried = turned.carry_labels(crossing, labels)
-    assert carried.shape == labels.shape and set(carried) <= set(labels)
-    with pytest.raises(ValueError, match="labels"):
-        turned.carry_labels(crossing, labels[1:])
-    with pytest.raises(ValueError, match="labels"):
-        turned.carry_labels(crossing, labels / 2)
-
-
-def test_shapes_are_classified_by_the_nearest_other(ring, crossing):
-    V, F = shapes.torus()
-    for by in ("skeleton", "diameter"):
-        other = cscd.skeletonize(2 * V[:, [1, 2, 0]], F).describe(by=by)
-        result = cscd.classify([ring.describe(by=by), crossing.describe(by=by), other], ["ring", "cross", ""])
-        assert result.found[2] == "ring" and result.nearest[2] == 0
-        assert result.distance[2] < result.distance[0]
-    with pytest.raises(ValueError, match="descriptions"):
-        cscd.classify([[1, 2], [3]], ["one", "other"])
-    with pytest.raises(ValueError, match="classes"):
-        cscd.classify([[1, 2], [3, 4]], ["one", ""])
-
-
 def test_applications_refuse_what_has_no_rows(ring):
     V, F = shapes.torus()
     for skeleton in (cscd.skeletonize(V), cscd.skeletonize(V[F].reshape(-1, 3), np.arange(3 * len(F)).reshape(-1, 3))):
         for call in (
             skeleton.shape_diameters,
             skeleton.segment,
-            skeleton.describe,
-            lambda skeleton=skeleton: skeleton.carry_labels(ring, np.zeros(len(F), int)),
-            lambda skeleton=skeleton: ring.carry_labels(skeleton, np.zeros(len(F), int)),
         ):
             with pytest.raises(ValueError, match="repaired"):
                 call()
@@ -205,22 +177,6 @@ def test_parts_that_cut_each_other_are_wrapped():
     assert (wrapped.vertex_to_node >= 0).all()
     with pytest.raises(ValueError, match="wrap"):
         cscd.skeletonize(parts, faces, wrap=2)
-
-
-def test_a_mesh_too_large_for_memory_is_coarsened():
-    V, F = shapes.torus(600, 240)
-    skeleton = cscd.skeletonize(V, F, max_memory=80)
-    assert skeleton.report["betti_number"] == 1
-    assert skeleton.report["number_of_vertices_before_coarsening"] == len(V)
-    assert skeleton.report["number_of_sites"] < len(V) / 2
-    assert len(skeleton.vertex_to_node) == len(V)
-    assert (skeleton.vertex_to_node >= 0).all()
-    with pytest.raises(ValueError, match="has to be .* at least"):
-        cscd.skeletonize(V, F, max_memory="20M")
-    with pytest.raises(ValueError, match="max_memory"):
-        cscd.skeletonize(V, F, max_memory="much")
-    with pytest.raises(ValueError, match="max_memory"):
-        cscd.skeletonize(V, max_memory="2G")
 
 
 def test_points_get_the_skeleton_of_their_surface():

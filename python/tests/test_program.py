@@ -57,8 +57,8 @@ def test_messages_on_data_are_the_same(tmp_path):
 
 
 def test_messages_on_arguments_are_the_same(tmp_path):
-    outcome = run("skeletonize", tmp_path / "none.off", "--target", "geodesic")
+    outcome = run("skeletonize", tmp_path / "none.off", "--literal")
     with pytest.raises(ValueError) as refusal:
-        cscd.skeletonize(*shapes.torus(), target="geodesic")
+        cscd.skeletonize(*shapes.torus(), literal=True)
     message = outcome.stderr.removeprefix("cscd: ").removesuffix("; see cscd --help\n")
     assert str(refusal.value) == message.replace("--", "")

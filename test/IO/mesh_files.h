@@ -353,54 +353,6 @@ inline std::string glb(const Mesh_file_content& mesh)
          data;
 }
 
-/// A model of 3MF of a mesh of triangles: an object that is placed by a component and a mirroring item.
-inline std::string model_of_threemf(const Mesh_file_content& mesh)
-{
-  std::ostringstream model;
-  model << "<?xml version='1.0'?>\n<model unit=\"millimeter\"><resources>\n<object id=\"1\" type=\"model\"><mesh>\n"
-           "<vertices>\n";
-  for (const auto& [x, y, z] : mesh.points) {
-    model << "<vertex x=\"" << x << "\" y=\"" << y << "\" z=\"" << z << "\" />\n";
-  }
-  model << "</vertices><triangles>\n";
-  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
-    model << "<triangle v1=\"" << polygon[0] << "\" v2=\"" << polygon[1] << "\" v3=\"" << polygon[2] << "\" />\n";
-  }
-  model << "</triangles></mesh></object>\n<object id=\"2\"><components><component objectid=\"1\" "
-           "transform=\"1 0 0 0 1 0 0 0 1 4 5 6\"/></components></object></resources>\n"
-           "<build><item objectid=\"2\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/></build></model>\n";
-  return model.str();
-}
-
-/// A ZIP archive without compression.
-/// \param members names and contents
-/// \param has_long_sizes whether the directory has the sizes in fields of Zip64
-inline std::string zip(const std::vector<std::pair<std::string, std::string>>& members, bool has_long_sizes)
-{
-  const auto word = [](std::size_t number) { return bytes_of<std::uint32_t>(std::vector<std::size_t>{number}); };
-  const auto half = [&word](std::size_t number) { return word(number).substr(0, 2); };
-  std::string files;
-  std::string directory;
-  for (const auto& [name, text] : members) {
-    const std::string long_sizes =
-        has_long_sizes ? half(1) + half(16) + word(text.size()) + word(0) + word(text.size()) + word(0) : "";
-    const std::string size = word(has_long_sizes ? 0xffffffff : text.size());
-    // version, flags, method; time, date; checksum, which is not read
-    const std::string common = half(20) + half(0) + half(0) + word(0) + word(0);
-    directory += "PK\1\2" + half(20) + common + size + size + half(name.size()) + half(long_sizes.size()) + half(0) +
-                 half(0) + half(0) + word(0) + word(files.size()) + name + long_sizes;
-    files += "PK\3\4" + common + word(text.size()) + word(text.size()) + half(name.size()) + half(0) + name + text;
-  }
-  return files + directory + "PK\5\6" + half(0) + half(0) + half(members.size()) + half(members.size()) +
-         word(directory.size()) + word(files.size()) + half(0);
-}
-
-/// 3MF of a mesh of triangles, without compression.
-inline std::string threemf(const Mesh_file_content& mesh)
-{
-  return zip({{"3D/3dmodel.model", model_of_threemf(mesh)}}, false);
-}
-
 } // namespace test_support
 
 #endif // CSCD_TEST_IO_MESH_FILES_H

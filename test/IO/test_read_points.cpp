@@ -165,29 +165,17 @@ std::string pcd(const std::string& encoding)
       append_number(data, float(number));
     }
   };
-  for (std::size_t i = 0; i < 21; ++i) { // compressed data have all numbers of a field together
-    const std::size_t row = encoding == "binary" ? i / 7 : i % 3;
-    const std::size_t field = encoding == "binary" ? i % 7 : i / 3;
-    append(field, rows[row][field]);
+  for (const std::array<double, 7>& row : rows) {
+    for (std::size_t field = 0; field < row.size(); ++field) {
+      append(field, row[field]);
+    }
   }
-  if (encoding == "binary") {
-    return file + data;
-  }
-  std::string compressed; // literals of up to 32 bytes; the last bytes, zeros, as a copy of the one before
-  const std::size_t number_of_literals = data.size() - 3;
-  for (std::size_t begin = 0; begin < number_of_literals; begin += 32) {
-    const std::string run = data.substr(begin, std::min<std::size_t>(32, number_of_literals - begin));
-    compressed += char(run.size() - 1) + run;
-  }
-  compressed += std::string("\x20\x00", 2); // three bytes from one back
-  append_number(file, std::uint32_t(compressed.size()));
-  append_number(file, std::uint32_t(data.size()));
-  return file + compressed;
+  return file + data;
 }
 
 TEST(read_points, reads_pcd)
 {
-  for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
+  for (const char* encoding : {"ascii", "binary"}) {
     SCOPED_TRACE(encoding);
     const Content content = read(pcd(encoding), Point_format::pcd);
     EXPECT_EQ(expected_points, content.points) << "what is not finite is left out";
@@ -247,7 +235,6 @@ TEST(read_points, survives_damaged_scans)
   for (const auto& [content, format] :
        std::vector<std::pair<std::string, Point_format>>{{pcd("ascii"), Point_format::pcd},
                                                          {pcd("binary"), Point_format::pcd},
-                                                         {pcd("binary_compressed"), Point_format::pcd},
                                                          {las(2), Point_format::las},
                                                          {"//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", Point_format::xyz},
                                                          {"id,x,y,z\n7,1,2,3\n", Point_format::xyz}}) {
@@ -280,7 +267,7 @@ TEST(read_points, refuses_malformed_files)
   EXPECT_EQ(0u, refusal("1;2;3\n1,5;2,5;3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
   EXPECT_EQ(0u, refusal("x,y,z\n1,2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
   EXPECT_EQ(0u, refusal("x,y,z\n1,2,inf\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));
-  for (const char* encoding : {"ascii", "binary", "binary_compressed"}) {
+  for (const char* encoding : {"ascii", "binary"}) {
     const std::string file = pcd(encoding);
     for (const auto& [old_text, new_text] :
          std::vector<std::pair<std::string, std::string>>{{"POINTS 3", "POINTS 4"},
@@ -297,6 +284,9 @@ TEST(read_points, refuses_malformed_files)
     EXPECT_EQ(0u, refusal(file.substr(0, file.size() - 9), Point_format::pcd).rfind("cloud", 0));
     EXPECT_EQ(0u, refusal(file.substr(0, 100), Point_format::pcd).rfind("cloud", 0));
   }
+  EXPECT_NE(std::string::npos,
+            refusal(pcd("binary_compressed"), Point_format::pcd).find("write the file as DATA binary"))
+      << "names the remedy";
   EXPECT_EQ(0u, refusal(las(3), Point_format::las).rfind("cloud", 0));
   EXPECT_EQ(0u, refusal(las(4000000000U), Point_format::las).rfind("cloud", 0));
   EXPECT_EQ(0u, refusal(las(2).substr(0, 200), Point_format::las).rfind("cloud", 0));

@@ -116,7 +116,6 @@ TEST(Read_triangle_mesh, reads_all_formats)
       {ngmesh(cube()), CSCD::Mesh_format::neuroglancer},
       {gltf(cube()), CSCD::Mesh_format::gltf},
       {glb(cube()), CSCD::Mesh_format::gltf},
-      {threemf(cube()), CSCD::Mesh_format::threemf},
   };
   for (const auto& [content, format] : files) {
     SCOPED_TRACE(content.substr(0, 30));
@@ -375,42 +374,6 @@ TEST(Read_triangle_mesh, stitches_a_soup)
   const Result result = read_off(soup);
   expect_cube(result.mesh);
   EXPECT_EQ(Sentences{"28 duplicate points merged"}, result.report.sentences());
-}
-
-TEST(Read_triangle_mesh, a_soup_is_stitched_before_it_is_coarsened)
-{
-  // A torus of squares, each with points of its own.
-  constexpr std::size_t around = 120;
-  constexpr std::size_t across = 50;
-  constexpr double turn = 6.283185307179586;
-  CSCD::internal::Polygon_soup soup;
-  for (std::size_t square = 0; square < around * across; ++square) {
-    for (const std::size_t corner : {0, 1, 2, 3}) {
-      const std::size_t i = (square / across + (corner == 1 || corner == 2 ? 1 : 0)) % around;
-      const std::size_t j = (square + (corner > 1 ? 1 : 0)) % across;
-      const double u = turn * double(i) / double(around);
-      const double v = turn * double(j) / double(across);
-      soup.corners.push_back(CSCD::Index(soup.points.size()));
-      soup.points.emplace_back((3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v));
-    }
-    soup.end_polygon();
-  }
-  const std::vector<CSCD::Vector_3> points = soup.points;
-  CSCD::Mesh_repair_report report;
-  const std::vector<CSCD::Index> coarse = CSCD::internal::coarsen_soup(soup, 1000, 1, report);
-  EXPECT_EQ(around * across, report.number_of_triangulated_polygons);
-  EXPECT_EQ(3 * around * across, report.number_of_merged_points);
-  EXPECT_LE(soup.points.size(), 1000U);
-  ASSERT_EQ(points.size(), coarse.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ASSERT_LT(coarse[i], soup.points.size());
-    EXPECT_LT((points[i] - soup.points[coarse[i]]).norm(), 1);
-  }
-  Result result;
-  result.report = CSCD::internal::convert_to_triangle_mesh(std::move(soup), "soup", result.mesh);
-  EXPECT_TRUE(result.report.is_empty());
-  EXPECT_TRUE(CGAL::is_closed(result.mesh));
-  EXPECT_EQ(2 * num_vertices(result.mesh), num_faces(result.mesh)); // genus 1
 }
 
 TEST(Read_triangle_mesh, turns_faces_that_contradict_their_neighbors)
@@ -818,13 +781,11 @@ TEST(Read_triangle_mesh, reads_what_zstd_has_compressed)
   }
 }
 
-TEST(Read_triangle_mesh, nodes_of_gltf_and_items_of_3mf_move_meshes)
+TEST(Read_triangle_mesh, nodes_of_gltf_move_meshes)
 {
   const Mesh of_gltf = read(glb(cube()), CSCD::Mesh_format::gltf).mesh;
   // (1, 0, 0) is mirrored, turned by a third of a circle around (1, 1, 1), and moved by (2, 0, 1).
   EXPECT_EQ(Kernel::Point_3(2, -1, 1), of_gltf.point(Mesh::Vertex_index(1)));
-  const Mesh of_3mf = read(threemf(cube()), CSCD::Mesh_format::threemf).mesh;
-  EXPECT_EQ(Kernel::Point_3(-5, 5, 6), of_3mf.point(Mesh::Vertex_index(1)));
 }
 
 TEST(Read_triangle_mesh, reads_gltf_with_its_data_beside)
@@ -843,22 +804,6 @@ TEST(Read_triangle_mesh, reads_gltf_with_its_data_beside)
     EXPECT_THROW(with(uri), CSCD::File_error) << uri;
   }
   EXPECT_THROW(with(folder.file("the cube.bin")), CSCD::File_error); // not relative
-}
-
-TEST(Read_triangle_mesh, reads_3mf_of_several_models_with_long_sizes)
-{
-  // The mesh, in a model of its own that stands behind the root in the archive.
-  const std::string whole = model_of_threemf(cube());
-  const std::size_t begin = whole.find("<object id=\"2\"");
-  const std::string mesh = whole.substr(0, begin) + "</resources><build/></model>";
-  std::string root = "<model><resources>" + whole.substr(begin);
-  root.replace(root.find("objectid=\"1\""), 12, "p:path=\"/3D/Objects/cube.model\" objectid=\"1\"");
-  for (const bool has_long_sizes : {false, true}) {
-    const std::string content = zip({{"3D/3dmodel.model", root}, {"3D/Objects/cube.model", mesh}}, has_long_sizes);
-    EXPECT_EQ(Kernel::Point_3(-5, 5, 6), read(content, CSCD::Mesh_format::threemf).mesh.point(Mesh::Vertex_index(1)));
-  }
-  const std::string elsewhere = std::string(root).replace(root.find("cube.model"), 10, "none.model");
-  refusal(zip({{"3D/3dmodel.model", elsewhere}, {"3D/Objects/cube.model", mesh}}, false), CSCD::Mesh_format::threemf);
 }
 
 TEST(Read_triangle_mesh, faces_of_a_repaired_mesh_are_found_in_the_file)
@@ -1005,13 +950,6 @@ TEST(Read_triangle_mesh, refuses_malformed_files_of_vtk_and_others)
         "glTF\1" + chunks.substr(5)}) {
     refusal(content, F::gltf);
   }
-  const std::string zip = threemf(cube());
-  for (const std::string& content :
-       {zip.substr(0, 100), zip.substr(100), changed(zip, "v1=\"0\"", "v1=\"9\""), changed(zip, "x=\"0\"", "x=\"a\""),
-        changed(zip, "objectid=\"1\"", "objectid=\"2\""), changed(zip, "objectid=\"1\"", "objectid=\"7\""),
-        changed(zip, "1 4 5 6", "1 4 5  "), changed(zip, "PK\3\4", "PK\3\5"), changed(zip, "</model>", "</modes<")}) {
-    refusal(content, F::threemf);
-  }
 }
 
 TEST(Read_triangle_mesh, refuses_noise)
@@ -1022,9 +960,9 @@ TEST(Read_triangle_mesh, refuses_noise)
     for (int k = 0; k < 300; ++k) {
       noise.push_back(static_cast<char>(random()));
     }
-    for (CSCD::Mesh_format format : {CSCD::Mesh_format::off, CSCD::Mesh_format::obj, CSCD::Mesh_format::ply,
-                                     CSCD::Mesh_format::stl, CSCD::Mesh_format::vtk, CSCD::Mesh_format::gltf,
-                                     CSCD::Mesh_format::neuroglancer, CSCD::Mesh_format::threemf}) {
+    for (CSCD::Mesh_format format :
+         {CSCD::Mesh_format::off, CSCD::Mesh_format::obj, CSCD::Mesh_format::ply, CSCD::Mesh_format::stl,
+          CSCD::Mesh_format::vtk, CSCD::Mesh_format::gltf, CSCD::Mesh_format::neuroglancer}) {
       refusal(noise, format);
     }
   }
@@ -1046,8 +984,7 @@ TEST(Read_triangle_mesh, survives_damaged_bytes)
                                                              {vtp(cube(), "appended"), CSCD::Mesh_format::vtk},
                                                              {ngmesh(cube()), CSCD::Mesh_format::neuroglancer},
                                                              {gltf(cube()), CSCD::Mesh_format::gltf},
-                                                             {glb(cube()), CSCD::Mesh_format::gltf},
-                                                             {threemf(cube()), CSCD::Mesh_format::threemf}};
+                                                             {glb(cube()), CSCD::Mesh_format::gltf}};
   std::mt19937 random(7);
   const std::string alphabet = "0123456789 -.e\nf/v";
   for (const auto& [content, format] : files) {

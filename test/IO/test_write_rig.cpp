@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of rigs as glTF and BVH: the rules of the formats, as far as a small file can break them. The validator of
+// Tests of rigs as glTF: the rules of the formats, as far as a small file can break them. The validator of
 // Khronos reads a real file in test/program/test_rig.py.
 
 #include "support/convert_shape.h"
@@ -199,31 +199,6 @@ TEST(Write_rig, glb_refuses_what_it_cannot_hold)
   rig.joints.resize(65536);
   EXPECT_THROW(CSCD::write_glb(out, mesh, rig), CSCD::Input_error);
   EXPECT_EQ("", out.str());
-}
-
-TEST(Write_rig, bvh_holds_the_hierarchy_and_one_frame)
-{
-  const std::string expected_tree = "HIERARCHY\n"
-                                    "ROOT branch_0_node_7\n{\nOFFSET 0 0 0\n"
-                                    "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
-                                    "JOINT branch_1_node_8\n{\nOFFSET -0.5 0 0\n"
-                                    "CHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET -0.25 0 0\n}\n}\n"
-                                    "JOINT branch_2_node_9\n{\nOFFSET 0.5 0 0\n"
-                                    "CHANNELS 3 Zrotation Xrotation Yrotation\n"
-                                    "JOINT branch_2_node_10\n{\nOFFSET 0 0.5 0\n"
-                                    "CHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOFFSET 0 0.125 0\n}\n}\n"
-                                    "}\n}\n"
-                                    "ROOT branch_3_node_11\n{\nOFFSET 0 0 0\n"
-                                    "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n"
-                                    "End Site\n{\nOFFSET 0 0 0.5\n}\n}\n"
-                                    "MOTION\nFrames: 1\nFrame Time: 1\n"
-                                    "0.5 0.5 0.5 0 0 0 0 0 0 0 0 0 0 0 0 2 2 2 0 0 0 \n";
-  CSCD::Rig rig = rig_of_cube(2);
-  rig.joints[1].point = {0, 0.5, 0.5}; // so that all digits are few
-  rig.joints[2].point = {1, 0.5, 0.5};
-  rig.joints[3].point = {1, 1, 0.5};
-  EXPECT_EQ(expected_tree, test_support::write_in_foreign_locale(
-                               [](std::ostream& out, const CSCD::Rig& r) { CSCD::write_bvh(out, r); }, rig));
 }
 
 } // namespace

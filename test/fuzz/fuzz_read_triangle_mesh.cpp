@@ -27,7 +27,7 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-constexpr int number_of_formats = 8;
+constexpr int number_of_formats = 7;
 const std::string name_of_file = "fuzz";
 
 void check_message(const std::exception& error, const Mesh& mesh)

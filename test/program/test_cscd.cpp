@@ -132,8 +132,6 @@ TEST_F(Cscd, results_follow_the_file_although_the_mesh_was_repaired)
   EXPECT_EQ(diameters, lines("diameter", "torus.off", "torus.txt"));
   std::vector<double> parts = lines("segment --parts 3", "repaired.off", "repaired.seg");
   ASSERT_EQ(parts.size(), mesh.polygons.size());
-  // Its labels are read back for the same faces.
-  EXPECT_EQ(0, run("segment torus.off -o same.seg --like repaired.off --labels repaired.seg").status);
   parts.erase(parts.begin() + 5);
   parts.erase(parts.begin());
   EXPECT_EQ(parts, lines("segment --parts 3", "torus.off", "torus.seg"));
@@ -169,67 +167,6 @@ TEST_F(Cscd, commands_that_use_skeletons_write_reports)
   }
 }
 
-TEST_F(Cscd, parts_are_carried_over_from_another_mesh)
-{
-  m_folder.write("torus.off", off(torus()));
-  EXPECT_EQ(0, run("segment torus.off -o torus.seg --parts 3").status);
-  const Outcome outcome = run("segment torus.off -o same.seg --like torus.off --labels torus.seg");
-  EXPECT_EQ(0, outcome.status) << outcome.err;
-  EXPECT_EQ(0, run("segment torus.off -o segmented.seg --like torus.off --parts 3").status);
-  EXPECT_EQ(content("same.seg"), content("segmented.seg"));
-  std::istringstream carried(content("same.seg"));
-  std::istringstream expected(content("torus.seg"));
-  std::size_t number = 0;
-  std::size_t number_of_equal = 0;
-  for (std::size_t part = 0, other = 0; carried >> part && expected >> other; ++number) {
-    number_of_equal += part == other ? 1 : 0;
-  }
-  EXPECT_EQ(number, torus().polygons.size());
-  EXPECT_GT(double(number_of_equal), 0.9 * double(number)); // faces at boundaries may go to either side
-  m_folder.write("short.seg", "1\n2\n");
-  m_folder.write("long.seg", content("torus.seg") + "1\n");
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels short.seg", 2, {"short.seg"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels long.seg", 2, {"long.seg"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels missing.seg", 2, {"missing.seg"});
-  expect_refusal("segment torus.off -o a.seg --like missing.off", 2, {"missing.off"});
-  expect_refusal("segment torus.off -o a.seg --labels torus.seg", 1, {"--like"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --by diameter", 1, {"--like"});
-  expect_refusal("segment torus.off -o a.seg --like torus.off --labels torus.seg --parts 3", 1, {"--parts"});
-}
-
-TEST_F(Cscd, classes_are_those_of_the_nearest_other_shapes)
-{
-  m_folder.write("torus.off", off(torus()));
-  m_folder.write("copy.off", off(torus()));
-  m_folder.write("cube, one.off", off(cube()));
-  m_folder.write("cube.off", off(cube_of_squares()));
-  m_folder.write("shapes.csv", "file,class\ntorus.off,ring\r\ncube, one.off, box\ncube.off,box\n\ncopy.off\n");
-  for (const std::string options : {"", "--descriptor diameter"}) {
-    const Outcome outcome = run("classify shapes.csv -o classes.json " + options);
-    EXPECT_EQ(0, outcome.status) << outcome.err;
-    EXPECT_NE(std::string::npos, outcome.out.find("accuracy 0.667"));
-    const auto result = nlohmann::json::parse(content("classes.json"));
-    EXPECT_DOUBLE_EQ(2. / 3, result.at("accuracy").get<double>());
-    const auto& shapes = result.at("shapes");
-    ASSERT_EQ(4U, shapes.size());
-    EXPECT_EQ("box", shapes[1].at("found"));
-    EXPECT_EQ("cube.off", shapes[1].at("nearest"));
-    EXPECT_TRUE(shapes[3].at("class").is_null());
-    EXPECT_EQ("ring", shapes[3].at("found"));
-    EXPECT_EQ(0, shapes[3].at("distance").get<double>());
-  }
-  m_folder.write("latin.csv", "torus.off,r\xefng\ncube.off,box\n"); // no UTF-8, which JSON has to be
-  EXPECT_EQ(0, run("classify latin.csv -o latin.json").status);
-  EXPECT_EQ("r\xEF\xBF\xBDng", nlohmann::json::parse(content("latin.json")).at("shapes")[0].at("class"));
-  m_folder.write("one.csv", "torus.off,ring\ncube.off\n");
-  m_folder.write("missing.csv", "torus.off,ring\nmissing.off,ring\n");
-  expect_refusal("classify one.csv -o a.json", 2, {"one.csv"});
-  expect_refusal("classify missing.csv -o a.json", 2, {"missing.off"});
-  expect_refusal("classify none.csv -o a.json", 2, {"none.csv"});
-  expect_refusal("classify shapes.csv -o a.json --descriptor color", 1, {"--descriptor"});
-  expect_refusal("classify shapes.csv -o shapes.csv", 1, {"is the input"});
-}
-
 TEST_F(Cscd, loops_are_written_by_kind_and_format)
 {
   m_folder.write("torus.off", off(torus()));
@@ -262,11 +199,11 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
   for (const std::string command :
-       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
+       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
     for (const std::string other :
-         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "classify", "loops", "batch"}) {
+         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
@@ -290,18 +227,7 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
   expect_refusal("skeletonize torus.off -o", 1, {"--output"});
   expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
-  expect_refusal("skeletonize torus.off --target geodesic", 1, {"--target", "published"});
-  expect_refusal("skeletonize torus.off --shortening flips", 1, {"--shortening", "published"});
-  expect_refusal("skeletonize torus.off --cut-locus tree", 1, {"--cut-locus", "published"});
-  expect_refusal("skeletonize torus.off --weight none", 1, {"--weight", "published"});
   expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
-  expect_refusal("skeletonize torus.off --placement sections", 1, {"--placement", "published"});
-  expect_refusal("skeletonize torus.off --multiscale", 1, {"--multiscale", "published"});
-  expect_refusal("skeletonize torus.off --intrinsic", 1, {"--intrinsic", "published"});
-  expect_refusal("skeletonize torus.off --extrinsic", 1, {"--extrinsic", "published"});
-  expect_refusal("skeletonize torus.off --method published --intrinsic --multiscale", 1,
-                 {"--intrinsic", "--multiscale"});
-  expect_refusal("skeletonize torus.off --method published --target nearest", 1, {"--target", "nearest"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
   expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
@@ -389,9 +315,6 @@ TEST_F(Cscd, skeletonizes_points)
   EXPECT_EQ(0, published.status) << published.err;
   EXPECT_TRUE(is_graph_of_a_cycle(published.out));
   EXPECT_EQ("published", nlohmann::json::parse(content("p.json")).at("method"));
-  const Outcome in_sections = run("skeletonize torus.xyz --method published --separators 32 --placement sections -o -");
-  EXPECT_TRUE(is_graph_of_a_cycle(in_sections.out)) << in_sections.err;
-  EXPECT_NE(published.out, in_sections.out);
   m_folder.write("torus.off", off({torus().points, {}}));
   for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
     const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json --html t.html ") + name);
@@ -601,38 +524,6 @@ TEST_F(Cscd, wraps_parts_that_cut_each_other)
   expect_refusal("skeletonize parts.off --wrap 0", 1, {"--wrap"});
 }
 
-TEST_F(Cscd, coarsens_what_does_not_fit_into_memory)
-{
-  const Mesh_file_content mesh = torus(600, 240);
-  m_folder.write("torus.off", off(mesh));
-  const auto json = [this](const std::string& name) { return nlohmann::json::parse(content(name)); };
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o fine.graph --report fine.json").status);
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o same.graph --report same.json --max-memory 2G").status);
-  EXPECT_EQ(content("fine.graph"), content("same.graph"));
-  EXPECT_TRUE(json("same.json").at("number_of_vertices_before_coarsening").is_null());
-
-  const Outcome outcome = run("skeletonize torus.off -o coarse.graph --report coarse.json --correspondence coarse.csv "
-                              "--labelled coarse.ply --max-memory 70 --threads 2");
-  EXPECT_EQ(0, outcome.status) << outcome.err;
-  EXPECT_NE(std::string::npos, outcome.err.find("coarsened from 144000 to")) << outcome.err;
-  EXPECT_EQ(70 << 20, json("coarse.json").at("max_memory"));
-  EXPECT_EQ(mesh.points.size(), json("coarse.json").at("number_of_vertices_before_coarsening"));
-  EXPECT_LT(json("coarse.json").at("number_of_sites"), mesh.points.size() / 2);
-  EXPECT_EQ(1, json("coarse.json").at("betti_number"));
-  EXPECT_EQ(mesh.points.size() + 1, number_of_lines(content("coarse.csv")));
-  EXPECT_EQ(std::string::npos, content("coarse.csv").find(",,")) << "a vertex without a node";
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o again.graph --max-memory 60M --threads 1").status);
-  EXPECT_EQ(0, run("skeletonize torus.off -q -o threads.graph --max-memory 60M --threads 2").status);
-  EXPECT_EQ(content("again.graph"), content("threads.graph"));
-
-  m_folder.write("pole.xyz", pole());
-  expect_refusal("skeletonize torus.off --max-memory 20M", 2, {"torus.off", "--max-memory 20M", "at least"});
-  expect_refusal("skeletonize torus.off --max-memory 1K", 2, {"torus.off", "--max-memory", "to read the file"});
-  expect_refusal("skeletonize torus.off --max-memory much", 1, {"--max-memory", "2G"});
-  expect_refusal("skeletonize pole.xyz --max-memory 2G", 1, {"--max-memory", "not for points"});
-  expect_refusal("skeletonize torus.off --max-memory 2G --wrap 0.1", 1, {"--max-memory", "--wrap"});
-}
-
 TEST_F(Cscd, writes_which_node_each_point_belongs_to)
 {
   m_folder.write("pole.xyz", pole());
@@ -770,7 +661,7 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
   expect_refusal("simplify cross.json -o cross.json", 1, {"is the input", "name another file"});
   expect_refusal("simplify cross.json -o cloud.off --mesh cloud.off", 1, {"cloud.off"});
   expect_refusal("simplify cross.json -o a.doc", 1, {"a.doc", ".graph .json"});
-  expect_refusal("simplify cross.dot -o a.json", 1, {"cross.dot"});
+  expect_refusal("simplify cross.graphml -o a.json", 1, {"cross.graphml"});
   expect_refusal("simplify cross.json -o a.glb", 1, {"a.glb"});
   expect_refusal("simplify cross.json -o a.json --spacing -1", 1, {"--spacing", "-1"});
   expect_refusal("simplify cross.json -o a.json --spacing 1x", 1, {"--spacing", "1x"});
@@ -852,12 +743,12 @@ TEST_F(Cscd, writes_all_formats_at_once)
   m_folder.write("torus.off", off(torus()));
   const Outcome outcome =
       run("skeletonize torus.off -o t.graph -o t.json -o t.obj --output t.ply -o t.polylines.txt -o t.swc -o t.vtp "
-          "-o t.dot -o t.graphml --report r.json");
+          "-o t.graphml --report r.json");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_EQ("", outcome.err);
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
-  EXPECT_EQ(11, number_of_files());
-  for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp", "t.dot", "t.graphml"}) {
+  EXPECT_EQ(10, number_of_files());
+  for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp", "t.graphml"}) {
     EXPECT_LT(100u, content(name).size()) << name;
   }
 }
@@ -865,12 +756,14 @@ TEST_F(Cscd, writes_all_formats_at_once)
 TEST_F(Cscd, writes_rigs)
 {
   m_folder.write("torus.off", off(torus()));
-  const Outcome outcome = run("skeletonize torus.off -o t.glb -o T.BVH -o t.json --root longest");
+  const Outcome outcome = run("skeletonize torus.off -o t.glb -o t.json --root longest");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_EQ("glTF", content("t.glb").substr(0, 4));
-  EXPECT_EQ(0u, content("T.BVH").rfind("HIERARCHY\nROOT branch_0_node_", 0));
   EXPECT_EQ(0, run("skeletonize t.glb -o again.json -q").status) << "the mesh of a rig is read";
   expect_refusal("skeletonize t.glb -o t.glb", 1, {"is the input", "name another file"});
+  for (const std::string ending : {"bvh", "dot"}) {
+    expect_refusal("skeletonize t.glb -o t." + ending, 1, {"t." + ending, "use one of .graph .json .obj"});
+  }
 }
 
 TEST_F(Cscd, reads_the_skeletons_that_it_writes_for_vtk)
@@ -1050,53 +943,22 @@ TEST_F(Cscd, knows_the_published_method)
   m_folder.write("torus.off", off(torus()));
   const std::string command =
       "skeletonize torus.off --method published --separators 64 --threads 1 --report r.json -o -";
-  const std::string flips = run(command).out;
-  EXPECT_TRUE(is_graph_of_a_cycle(flips));
+  const std::string plain = run(command).out;
+  EXPECT_TRUE(is_graph_of_a_cycle(plain));
   const nlohmann::json report = nlohmann::json::parse(content("r.json"));
   EXPECT_EQ("published", report.at("method"));
-  EXPECT_EQ("euclidean", report.at("target"));
-  EXPECT_EQ("flips", report.at("shortening"));
+  EXPECT_EQ(false, report.at("literal"));
   EXPECT_EQ(64, report.at("number_of_sources"));
   std::size_t number_of_rejections = 0;
   for (const auto& [reason, number] : report.at("number_of_rejections").items()) {
     number_of_rejections += number.get<std::size_t>();
   }
   EXPECT_EQ(number_of_rejections, report.at("number_of_sources_without_cut"));
-  const std::string flow = run(command + " --target geodesic --shortening variational").out;
-  EXPECT_TRUE(is_graph_of_a_cycle(flow));
-  EXPECT_NE(flips, flow);
-  EXPECT_EQ(flips, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
-}
-
-TEST_F(Cscd, knows_variants_of_the_published_method)
-{
-  m_folder.write("torus.off", off(torus()));
-  const std::string command = "skeletonize torus.off --method published --separators 32 --report r.json -o - ";
-  const std::string plain = run(command).out;
-  const auto report = [this] { return nlohmann::json::parse(content("r.json")); };
-  EXPECT_EQ("points", report().at("cut_locus"));
-  EXPECT_EQ(true, report().at("intrinsic"));
-  EXPECT_EQ("balance-roundness", report().at("weight"));
-  EXPECT_EQ(plain, run(command + "--cut-locus points --weight balance-roundness").out);
-  const std::string literal = run(command + "--literal --weight none").out;
+  EXPECT_EQ(plain, run("skeletonize torus.off --method published --separators 64 --threads 2 -o -").out);
+  const std::string literal = run(command + " --literal").out;
   EXPECT_TRUE(is_graph_of_a_cycle(literal));
   EXPECT_NE(plain, literal);
-  EXPECT_EQ(true, report().at("literal"));
-  EXPECT_EQ("tree", report().at("cut_locus"));
-  EXPECT_EQ("none", report().at("weight"));
-  EXPECT_NE(literal, run(command + "--literal --weight shortness --cut-locus points").out);
-  EXPECT_EQ("points", report().at("cut_locus"));
-  EXPECT_EQ("centroids", report().at("placement"));
-  const std::string in_sections = run(command + "--placement sections").out;
-  EXPECT_TRUE(is_graph_of_a_cycle(in_sections));
-  EXPECT_NE(plain, in_sections);
-  EXPECT_EQ("sections", report().at("placement"));
-  EXPECT_EQ(plain, run(command + "--intrinsic").out);
-  EXPECT_EQ(true, report().at("intrinsic"));
-  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--extrinsic").out));
-  EXPECT_EQ(false, report().at("intrinsic"));
-  EXPECT_TRUE(is_graph_of_a_cycle(run(command + "--multiscale").out));
-  EXPECT_EQ(true, report().at("multiscale"));
+  EXPECT_EQ(true, nlohmann::json::parse(content("r.json")).at("literal"));
 }
 
 TEST_F(Cscd, writes_a_page_with_all_in_it)
@@ -1358,7 +1220,7 @@ TEST_F(Cscd, refuses_what_it_cannot_measure)
   m_folder.write("far.graph", "n 1e6 0 0\n");
   m_folder.write("bad.graph", "n 1 0\n");
   expect_refusal("evaluate torus.off", 1, {"SKELETON"});
-  expect_refusal("evaluate torus.off circle.dot", 1, {"circle.dot", "written", ".swc .vtp"});
+  expect_refusal("evaluate torus.off circle.graphml", 1, {"circle.graphml", "written", ".swc .vtp"});
   expect_refusal("evaluate torus.off circle.graph --resolution 0", 1, {"--resolution"});
   expect_refusal("evaluate torus.off circle.graph --radii big", 1, {"--radii"});
   expect_refusal("evaluate torus.off circle.graph --round-cones r.txt", 1, {"r.txt", ".off .obj .ply .stl"});
@@ -1370,7 +1232,7 @@ TEST_F(Cscd, refuses_what_it_cannot_measure)
   expect_refusal("evaluate torus.off circle.graph --resolution 9 --round-cones no/r.off", 2, {"no/r.off"});
   expect_refusal("compare circle.graph", 1, {"B"});
   expect_refusal("compare circle.graph circle.graph --match-distance -1", 1, {"--match-distance"});
-  expect_refusal("compare circle.graph circle.dot", 1, {"circle.dot"});
+  expect_refusal("compare circle.graph circle.graphml", 1, {"circle.graphml"});
   expect_refusal("compare - - < circle.graph", 1, {"standard input"});
   expect_refusal("compare circle.graph bad.graph", 2, {"bad.graph, line 1"});
   EXPECT_EQ(4, number_of_files());

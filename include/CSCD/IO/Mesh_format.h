@@ -22,14 +22,13 @@ namespace CSCD {
 /// A file format for polygon meshes.
 enum class Mesh_format
 {
-  off,          ///< Object File Format, ASCII
-  obj,          ///< Wavefront OBJ
-  ply,          ///< PLY, ASCII or binary
-  stl,          ///< STL, ASCII or binary
-  vtk,          ///< PolyData of VTK, XML or legacy; read only, as what follows
-  gltf,         ///< glTF 2.0, binary or with its data in it
-  neuroglancer, ///< the raw mesh of Neuroglancer and DVID
-  threemf       ///< 3MF
+  off,         ///< Object File Format, ASCII
+  obj,         ///< Wavefront OBJ
+  ply,         ///< PLY, ASCII or binary
+  stl,         ///< STL, ASCII or binary
+  vtk,         ///< PolyData of VTK, XML or legacy; read only, as what follows
+  gltf,        ///< glTF 2.0, binary or with its data in it
+  neuroglancer ///< the raw mesh of Neuroglancer and DVID
 };
 
 /// A file format for point sets.
@@ -85,7 +84,7 @@ inline std::string without_compression_ending(const std::string& filename)
 }
 
 /// The endings of meshes; those that are written, too, come first.
-inline constexpr std::array<std::pair<const char*, Mesh_format>, 10> mesh_endings{
+inline constexpr std::array<std::pair<const char*, Mesh_format>, 9> mesh_endings{
     {{".off", Mesh_format::off},
      {".obj", Mesh_format::obj},
      {".ply", Mesh_format::ply},
@@ -94,8 +93,7 @@ inline constexpr std::array<std::pair<const char*, Mesh_format>, 10> mesh_ending
      {".vtk", Mesh_format::vtk},
      {".glb", Mesh_format::gltf},
      {".gltf", Mesh_format::gltf},
-     {".ngmesh", Mesh_format::neuroglancer},
-     {".3mf", Mesh_format::threemf}}};
+     {".ngmesh", Mesh_format::neuroglancer}}};
 
 /// The endings of points.
 inline constexpr std::array<std::pair<const char*, Point_format>, 13> point_endings{{{".xyz", Point_format::xyz},

@@ -92,15 +92,6 @@ Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending
 /// \throw Input_error if they are too many or cannot be made a surface
 Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename, unsigned number_of_threads = 1);
 
-/// Makes the polygons of a file a few coarser triangles, in little memory, before they are repaired: polygons are cut
-/// into triangles, points of equal coordinates merged where there is a border, as `make_manifold()` does, and the rest
-/// is done by `coarsen_triangles()`.
-/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
-/// \param[in,out] report counts what was repaired
-/// \return for each point of the file, the one that stands for it
-std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_number_of_points, unsigned number_of_threads,
-                                Mesh_repair_report& report);
-
 /// Which faces of a mesh come from which polygons of the file that it was made of.
 struct Faces_of_file
 {

@@ -10,8 +10,6 @@
 #include <CSCD/IO/internal/Polygon_soup.h>
 #include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/IO/internal/find_flaps.h>
-#include <CSCD/IO/internal/has_unmatched_side.h>
-#include <CSCD/IO/internal/parse_3mf.h>
 #include <CSCD/IO/internal/parse_gltf.h>
 #include <CSCD/IO/internal/parse_mesh.h>
 #include <CSCD/IO/internal/parse_ply.h>
@@ -21,7 +19,6 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
-#include <CSCD/Surface/coarsen_triangles.h>
 #include <CSCD/Surface/fill_cavities.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
@@ -313,8 +310,8 @@ inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format for
     throw File_error(filename + ": the file is empty; fetch or write it again");
   }
   // In the order of `Mesh_format`.
-  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 8> parsers{
-      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer, parse_3mf};
+  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 7> parsers{
+      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer};
   Polygon_soup soup = parsers[std::size_t(format)](content, filename);
   if (soup.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
     throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
@@ -379,37 +376,6 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   }
   result.pairing = std::move(*pairing);
   return result;
-}
-
-CSCD_INLINE std::vector<Index> coarsen_soup(Polygon_soup& soup, std::size_t max_number_of_points,
-                                            unsigned number_of_threads, Mesh_repair_report& report)
-{
-  report.number_of_triangulated_polygons += soup.number_of_polygons([](std::size_t size) { return size > 3; });
-  report.number_of_removed_faces += soup.number_of_polygons([](std::size_t size) { return size < 3; });
-  if (!soup.first_corner.are_triangles()) {
-    Indexed_triangles triangles = triangulate_polygon_soup(std::move(soup));
-    soup = Polygon_soup();
-    soup.points = std::move(triangles.points);
-    soup.corners.reserve(3 * triangles.faces.size());
-    for (const std::array<Index, 3>& face : triangles.faces) {
-      soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-    }
-    soup.first_corner = Corner_offsets(triangles.faces.size());
-  }
-  std::vector<Index> result;
-  if (has_unmatched_side(soup)) {
-    report.number_of_merged_points += merge_equal_points(soup.points, result);
-    for (Index& corner : soup.corners) {
-      corner = result[corner];
-    }
-  }
-  const std::vector<Index> coarse =
-      coarsen_triangles(soup.points, soup.corners, max_number_of_points, number_of_threads);
-  soup.first_corner = Corner_offsets(soup.corners.size() / 3);
-  for (Index& point : result) {
-    point = coarse.empty() ? point : coarse[point];
-  }
-  return result.empty() ? coarse : result;
 }
 
 CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rigs as glTF and as BVH.
+// Rigs as glTF.
 
 #ifndef CSCD_IO_WRITE_RIG_H
 #define CSCD_IO_WRITE_RIG_H
@@ -43,12 +43,6 @@ void write_glb(std::ostream& out, const TriangleMesh& mesh, const Rig& rig, cons
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   internal::write_glb(out, internal::assigned_surface(mesh, Skeleton_graph<Vector_3, Vertex>()), rig, name);
 }
-
-/// writes the joints of a rig in their rest pose as BVH: a `ROOT` for each component of the skeleton, with a position
-/// and rotations, joints with rotations, called as `name()` has it, and a motion of one frame. After the last joint of
-/// a limb comes an `End Site` at the distance of the radius, where the surface ends. Linear.
-/// \throw File_error if `out` fails
-void write_bvh(std::ostream& out, const Rig& rig);
 
 } // namespace CSCD
 

@@ -30,8 +30,7 @@
 #include <string>
 #include <vector>
 
-namespace CSCD {
-namespace internal {
+namespace CSCD::internal {
 
 /// Writes a mesh and its rig as binary glTF 2.0. Layout and constants: the specification of Khronos, 3.6, 3.7 and 4.
 class Glb_writer
@@ -256,63 +255,6 @@ CSCD_INLINE void write_glb(std::ostream& out, const Assigned_surface& surface, c
   Glb_writer(surface, rig).write(out, name);
 }
 
-/// Writes where a joint is, relative to that before it.
-inline void write_bvh_offset(std::ostream& out, const Vector_3& offset)
-{
-  out << "OFFSET ";
-  write_coordinates(out, offset);
-  out << '\n';
-}
-
-/// Where the surface ends behind the last joint of a limb, relative to this.
-inline Vector_3 bvh_end(const Rig& rig, const Rig_joint& joint)
-{
-  const Vector_3 direction = joint.parent ? joint.point - rig.joints[*joint.parent].point : Vector_3::UnitZ();
-  return joint.radius * direction.normalized();
-}
-
-} // namespace internal
-
-CSCD_INLINE void write_bvh(std::ostream& out, const Rig& rig)
-{
-  internal::Exact_format format(out);
-  out << "HIERARCHY\n";
-  std::vector<std::size_t> open; // the joints whose braces are not closed
-  const auto close_until = [&](const std::optional<std::size_t>& parent) {
-    while (!open.empty() && open.back() != parent) {
-      out << "}\n";
-      open.pop_back();
-    }
-  };
-  for (std::size_t j = 0; j < rig.joints.size(); ++j) {
-    const Rig_joint& joint = rig.joints[j];
-    close_until(joint.parent);
-    out << (joint.parent ? "JOINT " : "ROOT ") << name(joint) << "\n{\n";
-    // A root is where its channels say; readers differ in whether its offset is added to them.
-    internal::write_bvh_offset(out, joint.parent ? joint.point - rig.joints[*joint.parent].point : Vector_3::Zero());
-    out << (joint.parent ? "CHANNELS 3" : "CHANNELS 6 Xposition Yposition Zposition")
-        << " Zrotation Xrotation Yrotation\n";
-    open.push_back(j);
-    const bool is_last = j + 1 == rig.joints.size() || rig.joints[j + 1].parent != j;
-    if (is_last) {
-      out << "End Site\n{\n";
-      internal::write_bvh_offset(out, internal::bvh_end(rig, joint));
-      out << "}\n";
-    }
-  }
-  close_until(std::nullopt);
-  out << "MOTION\nFrames: 1\nFrame Time: 1\n";
-  for (const Rig_joint& joint : rig.joints) {
-    if (!joint.parent) {
-      internal::write_coordinates(out, joint.point);
-      out << ' ';
-    }
-    out << "0 0 0 ";
-  }
-  out << '\n';
-  format.finish();
-}
-
-} // namespace CSCD
+} // namespace CSCD::internal
 
 #endif // CSCD_IO_WRITE_RIG_IMPL_H

@@ -25,7 +25,7 @@ void write_skeleton(const std::string& filename, const Skeleton_content& skeleto
 void check_skeleton_filename(const std::string& filename);
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
-/// `.polylines.txt`, `.swc`, `.vtp`, `.dot` or `.graphml`. When it fails there is no new file. Linear.
+/// `.polylines.txt`, `.swc`, `.vtp` or `.graphml`. When it fails there is no new file. Linear.
 /// \tparam Skeleton a `Skeleton_graph`, or the skeleton type of CGAL's `Mean_curvature_flow_skeletonization`
 /// \throw File_error if the ending is unknown or the file cannot be written
 template <class Skeleton>

@@ -7,7 +7,6 @@
 #define CSCD_IO_WRITE_SKELETON_IMPL_H
 
 #include <CSCD/IO/internal/skeleton_endings.h>
-#include <CSCD/IO/write_dot.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_graphml.h>
@@ -36,8 +35,7 @@ CSCD_INLINE void internal::write_skeleton(std::ostream& out, const std::string& 
 {
   // In the order of `skeleton_endings`.
   constexpr std::array<void (*)(std::ostream&, const Skeleton_content&), skeleton_endings.size()> writers{
-      write_gel_graph, write_json, write_obj, write_ply,    write_polylines,
-      write_swc,       write_vtp,  write_dot, write_graphml};
+      write_gel_graph, write_json, write_obj, write_ply, write_polylines, write_swc, write_vtp, write_graphml};
   writers[skeleton_ending(filename)](out, skeleton);
 }
 

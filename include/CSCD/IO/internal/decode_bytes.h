@@ -155,10 +155,8 @@ private:
 
 /// Decompresses what zlib has compressed.
 /// \param size of the result
-/// \param has_header whether the header of zlib is there, as in VTK; not in ZIP archives
 /// \throw File_error if the result has another size, if the data are damaged, or if this is built without zlib
-inline std::string inflate(std::string_view bytes, std::size_t size, [[maybe_unused]] bool has_header,
-                           const std::string& filename)
+inline std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename)
 {
   constexpr std::size_t max_ratio = 1032; // of deflate: 258 bytes of 2 bits
   if (size / max_ratio > bytes.size()) {
@@ -172,7 +170,7 @@ inline std::string inflate(std::string_view bytes, std::size_t size, [[maybe_unu
   stream.next_out = reinterpret_cast<Bytef*>(result.data());
   stream.avail_out = uInt(result.size());
   const bool fits = bytes.size() == stream.avail_in && result.size() == stream.avail_out;
-  if (!fits || inflateInit2(&stream, has_header ? MAX_WBITS : -MAX_WBITS) != Z_OK) {
+  if (!fits || inflateInit(&stream) != Z_OK) {
     fail_to_decompress(filename);
   }
   const int status = ::inflate(&stream, Z_FINISH);
@@ -184,53 +182,6 @@ inline std::string inflate(std::string_view bytes, std::size_t size, [[maybe_unu
 #else
   fail_without_zlib(filename);
 #endif
-}
-
-/// Decompresses what LZF, of PCD files, has compressed.
-/// \param size of the result
-/// \throw File_error if the result has another size or the data are damaged
-inline std::string decompress_lzf(std::string_view bytes, std::size_t size, const std::string& filename)
-{
-  constexpr std::size_t max_ratio = 88; // 264 bytes of 3
-  constexpr unsigned max_literal = 32;
-  constexpr unsigned long_length = 7;
-  if (size / max_ratio > bytes.size()) {
-    fail_to_decompress(filename);
-  }
-  std::size_t at = 0;
-  const auto next = [&] {
-    if (at == bytes.size()) {
-      fail_to_decompress(filename);
-    }
-    return unsigned(static_cast<unsigned char>(bytes[at++]));
-  };
-  std::string result;
-  result.reserve(size);
-  while (at < bytes.size()) {
-    const unsigned control = next();
-    if (control < max_literal) {
-      for (unsigned i = 0; i <= control; ++i) {
-        result.push_back(char(next()));
-      }
-    } else {
-      unsigned length = control >> 5U;
-      length += length == long_length ? next() : 0;
-      const std::size_t distance = ((control & 0x1fU) << 8U) + next() + 1;
-      if (distance > result.size()) {
-        fail_to_decompress(filename);
-      }
-      for (unsigned i = 0; i < length + 2; ++i) {
-        result.push_back(result[result.size() - distance]);
-      }
-    }
-    if (result.size() > size) {
-      fail_to_decompress(filename);
-    }
-  }
-  if (result.size() != size) {
-    fail_to_decompress(filename);
-  }
-  return result;
 }
 
 } // namespace CSCD::internal

@@ -213,8 +213,8 @@ private:
   Polygon_soup m_soup;
 };
 
-/// Reads PCD of the Point Cloud Library, ASCII, binary or compressed. Points that are not finite, which stand for what
-/// was not measured, are left out.
+/// Reads PCD of the Point Cloud Library, ASCII or binary. Points that are not finite, which stand for missing
+/// measurements, are left out.
 class Pcd_parser
 {
 public:
@@ -226,11 +226,10 @@ public:
     if (m_encoding == "ascii") {
       read_text();
     } else if (m_encoding == "binary") {
-      read_binary(m_scanner.rest(), false);
-    } else if (m_encoding == "binary_compressed") {
-      read_compressed();
+      read_binary(m_scanner.rest());
     } else {
-      m_scanner.fail("DATA is neither ascii nor binary nor binary_compressed", "write the file again");
+      m_scanner.fail("DATA is neither ascii nor binary",
+                     "write the file as DATA binary, as by `pcl_convert_pcd_ascii_binary IN.pcd OUT.pcd 1`");
     }
     return std::move(m_soup);
   }
@@ -328,8 +327,7 @@ private:
     }
   }
 
-  /// \param is_by_field whether all numbers of a field come before those of the next one
-  void read_binary(std::string_view bytes, bool is_by_field)
+  void read_binary(std::string_view bytes)
   {
     if (m_number_of_points > bytes.size() / m_size_of_point) {
       m_scanner.fail_at_end("all of its " + std::to_string(m_number_of_points) + " points");
@@ -338,31 +336,19 @@ private:
     std::size_t offset = 0;
     for (std::size_t f = 0; f < m_fields.size(); ++f) {
       begin[f] = offset;
-      offset += m_fields[f].count * m_fields[f].type.size * (is_by_field ? m_number_of_points : 1);
+      offset += m_fields[f].count * m_fields[f].type.size;
     }
     std::vector<double> numbers(m_fields.size());
     for (std::size_t point = 0; point < m_number_of_points; ++point) {
       for (std::size_t f = 0; f < m_fields.size(); ++f) {
-        const std::size_t stride = is_by_field ? m_fields[f].count * m_fields[f].type.size : m_size_of_point;
         if (m_fields[f].count == 1) {
-          Byte_scanner scanner(bytes.substr(begin[f] + point * stride), boost::endian::order::little, m_filename);
+          Byte_scanner scanner(bytes.substr(begin[f] + point * m_size_of_point), boost::endian::order::little,
+                               m_filename);
           numbers[f] = next_number(scanner, m_fields[f].type);
         }
       }
       add(numbers);
     }
-  }
-
-  void read_compressed()
-  {
-    Byte_scanner sizes(m_scanner.rest(), boost::endian::order::little, m_filename);
-    const std::size_t compressed_size = sizes.number<std::uint32_t>();
-    const std::size_t size = sizes.number<std::uint32_t>();
-    if (compressed_size > sizes.remaining()) {
-      m_scanner.fail_at_end("all of its compressed data");
-    }
-    const std::string_view bytes = m_scanner.rest().substr(2 * sizeof(std::uint32_t), compressed_size);
-    read_binary(decompress_lzf(bytes, size, m_filename), true);
   }
 
   Text_scanner m_scanner;

@@ -305,8 +305,7 @@ private:
     std::string result;
     for (std::size_t i = 0; i < number_of_blocks; ++i) {
       const bool is_partial = i + 1 == number_of_blocks && size_of_last_block > 0;
-      constexpr bool has_header = true;
-      result += inflate(bytes.take(sizes[i]), is_partial ? size_of_last_block : size_of_block, has_header, m_filename);
+      result += inflate(bytes.take(sizes[i]), is_partial ? size_of_last_block : size_of_block, m_filename);
     }
     return result;
   }

@@ -22,8 +22,8 @@
 namespace CSCD::internal {
 
 /// The endings of the formats that skeletons are written in; those that are read, too, come first.
-inline constexpr std::array<const char*, 9> skeleton_endings{".graph", ".json", ".obj", ".ply",    ".polylines.txt",
-                                                             ".swc",   ".vtp",  ".dot", ".graphml"};
+inline constexpr std::array<const char*, 8> skeleton_endings{".graph",         ".json", ".obj", ".ply",
+                                                             ".polylines.txt", ".swc",  ".vtp", ".graphml"};
 
 /// How many of `skeleton_endings` are read.
 inline constexpr std::size_t number_of_read_skeleton_endings = 7;
