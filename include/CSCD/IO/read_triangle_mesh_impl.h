@@ -370,7 +370,7 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
                                  "modelling program");
   }
   if (!pairing->has_border()) {
-    Surface_components components(result.triangles, number_of_threads);
+    Surface_components components(result.triangles);
     result.report.number_of_turned_components =
         orient_outwards(result.triangles, *pairing, components, Cavity_search(result.triangles, components)());
   }

@@ -164,8 +164,7 @@ public:
   /// \param solid is referred to \param detail how small a limb may be
   Covering_search(const Triangulated_solid& solid, const Detail& detail, const Search_settings& settings)
       : m_levels(solid.levels()), m_min_branch_area_ratio(detail.min_branch_area_ratio()),
-        m_max_sources(settings.maximum_number_of_sources), m_number_of_threads(settings.number_of_threads),
-        m_search(solid, detail, settings)
+        m_max_sources(settings.maximum_number_of_sources), m_search(solid, detail, settings)
   {
   }
 
@@ -198,7 +197,7 @@ private:
     const Triangulated_surface& surface = m_levels.finest().surface;
     Disjoint_separators disjoint(surface, separators, costs);
     disjoint.pack([](Index) { return true; });
-    Cut_graph cut_graph(surface, disjoint.arrangement(), m_number_of_threads);
+    Cut_graph cut_graph(surface, disjoint.arrangement());
     cut_graph.cut(disjoint.arrangement());
     const Spurious_branches bumps(cut_graph, separators, disjoint.packed(), m_min_branch_area_ratio);
     std::vector<char> is_bump(separators.size(), 0);
@@ -235,7 +234,6 @@ private:
   const Surface_levels& m_levels;
   double m_min_branch_area_ratio;
   std::size_t m_max_sources;
-  unsigned m_number_of_threads;
   Separator_search m_search;
   std::optional<Surface_regions> m_regions; ///< of the separators packed for trial
 };

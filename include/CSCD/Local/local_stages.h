@@ -45,9 +45,8 @@ inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulat
                                                                 std::vector<Separator>& separators,
                                                                 Skeletonization_report& report)
 {
-  auto packing =
-      std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
-                                          detail.min_branch_area_ratio(), unsigned(report.number_of_threads));
+  auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
+                                                     detail.min_branch_area_ratio());
   report.number_of_handle_cuts = cut_handles(solid, separators, *packing);
   for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
     mark_open(solid, separators[i]);

@@ -10,9 +10,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Concurrent_sets.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -51,10 +49,7 @@ public:
   };
 
   /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
-  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
-  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-            unsigned number_of_threads = 1)
-      : Cut_graph(surface, number_of_threads)
+  Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators) : Cut_graph(surface)
   {
     for (const Separator& separator : separators) {
       for (const Edge_crossing& crossing : separator.crossings) {
@@ -65,9 +60,7 @@ public:
   }
 
   /// Prepares to cut `surface` along those in `arrangement` alone.
-  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement,
-            unsigned number_of_threads = 1)
-      : Cut_graph(surface, number_of_threads)
+  Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement) : Cut_graph(surface)
   {
     for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
       m_crossed_edge[point.edge] = 1;
@@ -94,8 +87,8 @@ public:
   Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
 
 private:
-  Cut_graph(const Triangulated_surface& surface, unsigned number_of_threads)
-      : m_surface(surface), m_number_of_threads(number_of_threads), m_crossed_edge(surface.number_of_halfedges(), 0)
+  explicit Cut_graph(const Triangulated_surface& surface)
+      : m_surface(surface), m_crossed_edge(surface.number_of_halfedges(), 0)
   {
   }
 
@@ -115,94 +108,47 @@ private:
     double area;
   };
 
-  /// What consecutive faces have.
-  struct Gathered_faces
-  {
-    std::vector<Index> crossable_edges;
-    std::vector<Index> crossable_faces;
-    std::vector<std::pair<Index, Cluster>> sums; ///< of clusters by their number, which may stand several times
-  };
-
-  /// Joins what cannot be cut to clusters, and sums it up. In the order of memory, so that it does not wait for that.
+  /// Joins what cannot be cut to clusters, and sums it up. Reads faces in the order of memory, to avoid cache misses.
   void gather()
   {
-    Concurrent_sets joined(m_surface.number_of_vertices());
-    const Index number_of_faces = m_surface.number_of_faces();
-    std::vector<Gathered_faces> ranges(number_of_faces / range_size + 1);
-    for_each_range(number_of_faces, m_number_of_threads,
-                   [&](Index begin, Index end) { join_faces(begin, end, joined, ranges[begin / range_size]); });
-    number_clusters(joined);
-    for_each_range(number_of_faces, m_number_of_threads, [&](Index begin, Index end) {
-      for (Index face = begin; face < end; ++face) {
-        gather_face(face, ranges[begin / range_size]);
-      }
-    });
-    for (const Gathered_faces& range : ranges) {
-      m_crossable_edges.insert(m_crossable_edges.end(), range.crossable_edges.begin(), range.crossable_edges.end());
-      m_crossable_faces.insert(m_crossable_faces.end(), range.crossable_faces.begin(), range.crossable_faces.end());
-      for (const auto& [cluster, sum] : range.sums) {
-        m_clusters[cluster].euler += sum.euler;
-        m_clusters[cluster].area += sum.area;
-      }
-    }
-  }
-
-  /// Joins the ends of the edges that cannot be cut, of those that have their first face in a range.
-  void join_faces(Index begin, Index end, Concurrent_sets& joined, Gathered_faces& gathered) const
-  {
-    for (Index h = 3 * begin; h < 3 * end; ++h) {
+    Disjoint_sets joined(m_surface.number_of_vertices());
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
       if (m_surface.edge(h) != h) {
         continue;
       }
       if (m_crossed_edge[h] != 0) {
-        gathered.crossable_edges.push_back(h);
+        m_crossable_edges.push_back(h);
       } else {
         joined.join(m_surface.origin(h), m_surface.target(h));
       }
     }
-  }
-
-  /// Numbers the clusters by their first vertex, and counts their vertices.
-  void number_clusters(Concurrent_sets& joined)
-  {
-    m_cluster.resize(joined.size());
-    for_each_range(joined.size(), m_number_of_threads, [&](Index begin, Index end) {
-      for (Index vertex = begin; vertex < end; ++vertex) {
-        m_cluster[vertex] = joined.find(vertex);
-      }
-    });
-    for (Index vertex = 0; vertex < m_cluster.size(); ++vertex) {
-      const Index first = m_cluster[vertex];
-      if (first == vertex) {
-        m_clusters.push_back({0, 0});
-      }
-      m_cluster[vertex] = first == vertex ? Index(m_clusters.size() - 1) : m_cluster[first];
-      ++m_clusters[m_cluster[vertex]].euler;
+    Index number_of_clusters = 0;
+    m_cluster = joined.numbers(number_of_clusters);
+    m_clusters.assign(number_of_clusters, {0, 0});
+    for (const Index cluster : m_cluster) {
+      ++m_clusters[cluster].euler;
+    }
+    for (Index face = 0; face < m_surface.number_of_faces(); ++face) {
+      gather_face(face);
     }
   }
 
-  /// Counts those edges of `face` that have it as their first face, and `face` itself unless it can be cut.
-  void gather_face(Index face, Gathered_faces& gathered) const
+  /// Counts the edges that have `face` as their first face, and `face` itself unless it can be cut.
+  void gather_face(Index face)
   {
-    const auto sum_of = [&](Index vertex) -> Cluster& {
-      if (gathered.sums.empty() || gathered.sums.back().first != m_cluster[vertex]) {
-        gathered.sums.push_back({m_cluster[vertex], {0, 0}});
-      }
-      return gathered.sums.back().second;
-    };
     bool is_crossable = false;
     for (Index h = 3 * face; h < 3 * face + 3; ++h) {
       const Index edge = m_surface.edge(h);
       if (m_crossed_edge[edge] != 0) {
         is_crossable = true;
       } else if (edge == h) {
-        --sum_of(m_surface.origin(h)).euler;
+        --m_clusters[m_cluster[m_surface.origin(h)]].euler;
       }
     }
     if (is_crossable) {
-      gathered.crossable_faces.push_back(face);
+      m_crossable_faces.push_back(face);
     } else {
-      Cluster& home = sum_of(m_surface.origin(3 * face));
+      Cluster& home = m_clusters[m_cluster[m_surface.origin(3 * face)]];
       ++home.euler;
       home.area += double(m_surface.face_area(face));
     }
@@ -273,65 +219,43 @@ private:
     double area;
   };
 
-  /// What the faces of consecutive chords are split into.
-  struct Split_faces
-  {
-    std::vector<Part> parts;
-    std::vector<std::pair<Index, Index>> joined; ///< sets that are connected
-    std::vector<Chord_end> ends;                 ///< working memory
-    std::vector<Open_chord> open;                ///< working memory
-  };
-
-  /// Chords that one thread treats at once.
-  static constexpr Index number_of_chords_at_once = 1024;
-
   /// Splits every face that is cut into its parts, and joins what each part connects.
   void split_faces(const Separator_arrangement& arrangement)
   {
     const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
-    std::vector<Split_faces> all(chords.size() / number_of_chords_at_once + 1);
-    for_each_part(Index(all.size()), m_number_of_threads, [&](Index i) {
-      const auto end = std::min(Index(chords.size()), (i + 1) * number_of_chords_at_once);
-      for (Index chord = i * number_of_chords_at_once; chord < end; ++chord) {
-        // Each face once: at the chord that its list begins with.
-        if (arrangement.first_chord(chords[chord].face) == chord) {
-          split_face(arrangement, chords[chord].face, all[i]);
-        }
-      }
-    });
+    std::vector<Chord_end> ends;
     m_parts.clear();
-    for (const Split_faces& split : all) {
-      m_parts.insert(m_parts.end(), split.parts.begin(), split.parts.end());
-      for (const auto& [a, b] : split.joined) {
-        m_sets.join(a, b);
+    for (Index chord = 0; chord < chords.size(); ++chord) {
+      // Handle a face only at the head of its chord list.
+      if (arrangement.first_chord(chords[chord].face) == chord) {
+        collect_ends(arrangement, chords[chord].face, ends);
+        split_face(arrangement, chords[chord].face, ends);
       }
     }
   }
 
   /// Walks around `face`. The part that a chord cuts off connects the boundary just before the chord begins with that
   /// just after it ends.
-  void split_face(const Separator_arrangement& arrangement, Index face, Split_faces& split) const
+  void split_face(const Separator_arrangement& arrangement, Index face, const std::vector<Chord_end>& ends)
   {
-    std::vector<Open_chord>& open = split.open;
-    collect_ends(arrangement, face, split.ends);
     const double area = double(m_surface.face_area(face));
-    open.clear();
+    m_open.clear();
     double taken = 0;
-    for (const Chord_end& end : split.ends) {
+    for (const Chord_end& end : ends) {
       const double place = boundary_place(arrangement, end.point, face);
       const Index interval_before = interval_beside(arrangement, end.point, face, false);
-      if (open.empty() || open.back().chord != end.chord) {
-        open.push_back({end.chord, interval_before, taken, place});
+      if (m_open.empty() || m_open.back().chord != end.chord) {
+        m_open.push_back({end.chord, interval_before, taken, place});
         taken = 0;
         continue;
       }
-      const double part = cut_off_part(open.back().begin_place, place);
-      split.parts.push_back({interval_before, (part - taken) * area});
-      split.joined.emplace_back(open.back().interval, interval_beside(arrangement, end.point, face, true));
-      taken = open.back().taken_outside + part;
-      open.pop_back();
+      const double part = cut_off_part(m_open.back().begin_place, place);
+      m_parts.push_back({interval_before, (part - taken) * area});
+      m_sets.join(m_open.back().interval, interval_beside(arrangement, end.point, face, true));
+      taken = m_open.back().taken_outside + part;
+      m_open.pop_back();
     }
-    split.parts.push_back({interval_beside(arrangement, split.ends.front().point, face, false), (1 - taken) * area});
+    m_parts.push_back({interval_beside(arrangement, ends.front().point, face, false), (1 - taken) * area});
   }
 
   /// Collects the ends of the chords of `face` in their order around it, that of `Separator_arrangement::is_before()`.
@@ -391,15 +315,8 @@ private:
   /// Numbers the pieces by their first vertex, and labels all sets.
   void label_pieces()
   {
-    m_label.assign(m_sets.size(), no_index);
     Index number_of_pieces = 0;
-    for (Index element = 0; element < m_sets.size(); ++element) {
-      const Index root = m_sets.find(element);
-      if (m_label[root] == no_index) {
-        m_label[root] = number_of_pieces++;
-      }
-      m_label[element] = m_label[root];
-    }
+    m_label = m_sets.numbers(number_of_pieces);
     m_pieces.assign(number_of_pieces, Piece());
   }
 
@@ -450,7 +367,6 @@ private:
   }
 
   const Triangulated_surface& m_surface;
-  unsigned m_number_of_threads;
   std::vector<std::uint8_t> m_crossed_edge; ///< whether an edge may be cut
   std::vector<Index> m_crossable_edges;     ///< in ascending order, as the next
   std::vector<Index> m_crossable_faces;
@@ -464,6 +380,7 @@ private:
   std::vector<Index> m_intervals;
   std::vector<Index> m_interval_before;
   std::vector<Part> m_parts;
+  std::vector<Open_chord> m_open; ///< working memory
   std::vector<Piece> m_pieces;
   std::vector<Sides> m_sides;
 };

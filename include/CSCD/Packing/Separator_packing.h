@@ -105,12 +105,10 @@ public:
   /// \param min_branch_area_ratio see `Spurious_branches`
   /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   Separator_packing(const Triangulated_surface& surface, const std::vector<Separator>& separators,
-                    const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio(),
-                    unsigned number_of_threads = 1)
-      : m_surface(surface), m_separators(separators), m_number_of_threads(number_of_threads),
-        m_disjoint(surface, separators, costs)
+                    const std::vector<double>& costs, double min_branch_area_ratio = Detail().min_branch_area_ratio())
+      : m_surface(surface), m_separators(separators), m_disjoint(surface, separators, costs)
   {
-    m_cut_graph.emplace(surface, separators, number_of_threads);
+    m_cut_graph.emplace(surface, separators);
     std::vector<std::uint8_t> is_banned(separators.size(), 0);
     const auto is_allowed = [&](Index separator) { return is_banned[separator] == 0; };
     for (int round = 0;; ++round) {
@@ -143,7 +141,7 @@ public:
   /// Cuts the surface along all packed separators, those inserted last included.
   void cut_again()
   {
-    m_cut_graph.emplace(m_surface, m_separators, m_number_of_threads);
+    m_cut_graph.emplace(m_surface, m_separators);
     m_cut_graph->cut(m_disjoint.arrangement());
   }
 
@@ -154,7 +152,6 @@ private:
 
   const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
-  unsigned m_number_of_threads;
   Disjoint_separators m_disjoint;
   std::optional<Cut_graph> m_cut_graph;
 };

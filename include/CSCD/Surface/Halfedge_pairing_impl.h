@@ -68,17 +68,14 @@ namespace CSCD {
 
 CSCD_INLINE Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces,
                                                std::size_t number_of_points, unsigned number_of_threads)
-    : m_twin(3 * faces.size(), no_index), m_outgoing(
-                                              number_of_points,
-                                              [&faces](const auto& add) {
-                                                Index halfedge = 0;
-                                                for (const std::array<Index, 3>& face : faces) {
-                                                  for (const Index corner : face) {
-                                                    add(corner, halfedge++);
-                                                  }
-                                                }
-                                              },
-                                              number_of_threads)
+    : m_twin(3 * faces.size(), no_index), m_outgoing(number_of_points, [&faces](const auto& add) {
+        Index halfedge = 0;
+        for (const std::array<Index, 3>& face : faces) {
+          for (const Index corner : face) {
+            add(corner, halfedge++);
+          }
+        }
+      })
 {
   std::vector<Findings> findings(number_of_points / internal::range_size + 1);
   internal::for_each_range(Index(number_of_points), number_of_threads, [&](Index begin, Index end) {
@@ -158,12 +155,12 @@ bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& 
 CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex,
                                                     Findings& findings)
 {
-  struct Corner
+  struct Sorted_corner
   {
     Index target;
     Index apex;
     Index halfedge;
-    bool operator<(const Corner& other) const
+    bool operator<(const Sorted_corner& other) const
     {
       return std::tie(target, halfedge) < std::tie(other.target, other.halfedge);
     }
@@ -172,18 +169,18 @@ CSCD_INLINE void Halfedge_pairing::order_by_sorting(const std::vector<std::array
   if (row.empty()) {
     return;
   }
-  std::vector<Corner> corners;
+  std::vector<Sorted_corner> corners;
   corners.reserve(row.size());
   for (const Index h : row) {
     corners.push_back({faces[face(h)][next(h) % 3], faces[face(h)][previous(h) % 3], h});
   }
   std::sort(corners.begin(), corners.end());
-  const auto is_same_edge = [](const Corner& a, const Corner& b) { return a.target == b.target; };
+  const auto is_same_edge = [](const Sorted_corner& a, const Sorted_corner& b) { return a.target == b.target; };
   const auto same = std::adjacent_find(corners.begin(), corners.end(), is_same_edge);
   if (same != corners.end() && findings.conflict == no_index) {
     findings.conflict = (same + 1)->halfedge;
   }
-  const auto is_less = [](const Corner& a, const Corner& b) { return a.halfedge < b.halfedge; };
+  const auto is_less = [](const Sorted_corner& a, const Sorted_corner& b) { return a.halfedge < b.halfedge; };
   auto first = std::min_element(corners.begin(), corners.end(), is_less);
   std::vector<std::size_t> next_corner(corners.size(), corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {

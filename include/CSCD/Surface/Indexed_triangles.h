@@ -9,7 +9,6 @@
 #include <CSCD/Options.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -95,58 +94,47 @@ inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& fac
 
 /// Sorts faces lexicographically, hole-filling faces after all others; linear where degrees are bounded.
 /// \pre the smallest corner of every face comes first
-inline void sort_faces(Indexed_triangles& triangles, unsigned number_of_threads = 1)
+inline void sort_faces(Indexed_triangles& triangles)
 {
   // One bucket for each smallest corner, those of the hole-filling faces after the others.
   const std::size_t n = triangles.points.size();
   const auto bucket = [&triangles, n](std::size_t f) {
     return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
   };
-  internal::Compressed_rows<std::array<Index, 3>> buckets(
-      2 * n,
-      [&](const auto& add) {
-        for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
-          add(bucket(f), triangles.faces[f]);
-        }
-      },
-      number_of_threads);
-  internal::for_each_range(Index(2 * n), number_of_threads, [&buckets](Index begin, Index end) {
-    for (Index b = begin; b < end; ++b) {
-      std::sort(buckets[b].begin(), buckets[b].end());
+  internal::Compressed_rows<std::array<Index, 3>> buckets(2 * n, [&](const auto& add) {
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      add(bucket(f), triangles.faces[f]);
     }
   });
+  for (Index b = 0; b < 2 * n; ++b) {
+    std::sort(buckets[b].begin(), buckets[b].end());
+  }
   triangles.faces = std::move(buckets).values();
 }
 
 /// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
 /// corner on. Linear where degrees are bounded.
-/// \param number_of_threads 0 for as many as TBB allows
 /// \pre `order` is a permutation
-inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order, unsigned number_of_threads = 1)
+inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
 {
   std::vector<Index> number(order.size());
   std::vector<Vector_3> points(order.size());
-  internal::for_each_range(Index(order.size()), number_of_threads, [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      number[order[i]] = i;
-      points[i] = triangles.points[order[i]];
-    }
-  });
+  for (Index i = 0; i < order.size(); ++i) {
+    number[order[i]] = i;
+    points[i] = triangles.points[order[i]];
+  }
   triangles.points = std::move(points);
-  internal::for_each_range(Index(triangles.faces.size()), number_of_threads, [&](Index begin, Index end) {
-    for (Index f = begin; f < end; ++f) {
-      std::array<Index, 3>& face = triangles.faces[f];
-      for (Index& corner : face) {
-        corner = number[corner];
-      }
-      if (face[1] < face[0] && face[1] < face[2]) {
-        face = {face[1], face[2], face[0]};
-      } else if (face[2] < face[0]) {
-        face = {face[2], face[0], face[1]};
-      }
+  for (std::array<Index, 3>& face : triangles.faces) {
+    for (Index& corner : face) {
+      corner = number[corner];
     }
-  });
-  sort_faces(triangles, number_of_threads);
+    if (face[1] < face[0] && face[1] < face[2]) {
+      face = {face[1], face[2], face[0]};
+    } else if (face[2] < face[0]) {
+      face = {face[2], face[0], face[1]};
+    }
+  }
+  sort_faces(triangles);
 }
 
 } // namespace CSCD

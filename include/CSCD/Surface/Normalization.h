@@ -9,7 +9,6 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <array>
 #include <cmath>
@@ -43,13 +42,11 @@ Point to_input_point(const Normalization& normalization, const Vector_3& point)
 namespace internal {
 
 /// Replaces `points` by the normalized ones.
-inline void normalize(std::vector<Vector_3>& points, const Normalization& normalization, unsigned number_of_threads)
+inline void normalize(std::vector<Vector_3>& points, const Normalization& normalization)
 {
-  for_each_range(Index(points.size()), number_of_threads, [&](Index begin, Index end) {
-    for (Index i = begin; i < end; ++i) {
-      points[i] = normalization.from_input(points[i]);
-    }
-  });
+  for (Vector_3& point : points) {
+    point = normalization.from_input(point);
+  }
 }
 
 } // namespace internal
@@ -59,8 +56,7 @@ inline constexpr double min_relative_area = 1e-12;
 
 /// Moves the area-weighted centroid of `triangles` to the origin and scales the area, hole-filling faces not counted,
 /// to 1. Linear. \pre the extent of the points is about 1 \throw Input_error if the area vanishes
-/// \param number_of_threads 0 for as many as TBB allows
-inline Normalization normalize_area(Indexed_triangles& triangles, unsigned number_of_threads = 1)
+inline Normalization normalize_area(Indexed_triangles& triangles)
 {
   double area = 0;
   Vector_3 moment = Vector_3::Zero();
@@ -77,7 +73,7 @@ inline Normalization normalize_area(Indexed_triangles& triangles, unsigned numbe
     throw Input_error("all faces have zero area: the vertices are collinear; check how the input was written");
   }
   Normalization result{moment / area, std::sqrt(area)};
-  internal::normalize(triangles.points, result, number_of_threads);
+  internal::normalize(triangles.points, result);
   return result;
 }
 
@@ -89,10 +85,9 @@ inline constexpr double max_extent = 1e290;
 
 /// Moves the center of the bounding box of `points` to the origin and scales its longest side to 2.
 /// The result depends on the set of points alone, not on their order. Linear.
-/// \param number_of_threads 0 for as many as TBB allows
 /// \pre `points` is not empty and all coordinates are finite
 /// \throw Input_error if all points are equal, or their extent is out of the range that can be computed with
-inline Normalization normalize_extent(std::vector<Vector_3>& points, unsigned number_of_threads = 1)
+inline Normalization normalize_extent(std::vector<Vector_3>& points)
 {
   Vector_3 least = points.front();
   Vector_3 greatest = points.front();
@@ -109,7 +104,7 @@ inline Normalization normalize_extent(std::vector<Vector_3>& points, unsigned nu
     throw Input_error("the extent of the surface is outside [1e-290, 1e290]: scale the coordinates");
   }
   Normalization result{least / 2 + greatest / 2, half_extent};
-  internal::normalize(points, result, number_of_threads);
+  internal::normalize(points, result);
   return result;
 }
 
@@ -124,7 +119,7 @@ inline Normalization normalize_diagonal(std::vector<Vector_3>& points)
     greatest = greatest.cwiseMax(point);
   }
   const Normalization to_diagonal{Vector_3::Zero(), 2 * greatest.norm()}; // the box is centered already
-  internal::normalize(points, to_diagonal, 1);
+  internal::normalize(points, to_diagonal);
   return to_cube.then(to_diagonal);
 }
 

@@ -28,8 +28,7 @@ public:
   /// Builds the hierarchy in O(n log n).
   /// \param surface is referred to and must outlive this object; its faces should be numbered so that near numbers are
   ///        near in space, as those of `Triangle_mesh_traits` are
-  /// \param number_of_threads 0 for as many as TBB allows
-  explicit Solid_queries(const Triangulated_surface& surface, unsigned number_of_threads = 1) : m_surface(surface)
+  explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
   {
     std::vector<Bounding_box> boxes = block_boxes();
     for (const Bounding_box& box : boxes) {
@@ -40,7 +39,7 @@ public:
       m_block_size = 1;
       boxes = block_boxes();
     }
-    m_tree = Box_tree(boxes, number_of_threads);
+    m_tree = Box_tree(boxes);
   }
   explicit Solid_queries(Triangulated_surface&&) = delete;
 

@@ -9,8 +9,7 @@
 #include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Concurrent_sets.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -25,12 +24,11 @@ namespace CSCD::internal {
 struct Surface_components
 {
   /// Numbers and measures the components of `triangles`; near linear.
-  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   /// \pre the faces of each vertex form one fan: what has a vertex in common is connected
-  explicit Surface_components(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
+  explicit Surface_components(const Indexed_triangles& triangles)
   {
-    number_components(triangles, number_of_threads);
-    measure(triangles, number_of_threads);
+    number_components(triangles);
+    measure(triangles);
   }
 
   struct Measure
@@ -66,64 +64,42 @@ private:
   /// A face is long if it is at least this much longer than high: halves of squares are twice as long.
   static constexpr double long_ratio = 2.5;
 
-  /// With more components, sums are not divided into ranges: those of a range would take too much memory.
-  static constexpr Index max_components_of_range = 64;
-  /// Faces ahead for whose corners memory is asked for.
+  /// Prefetch distance, in faces.
   static constexpr std::size_t prefetch_distance = 16;
 
-  /// Measures of some consecutive faces.
-  struct Partial_measures
-  {
-    std::vector<Measure> measures; // sums, of every component
-    std::vector<Index> degenerate_faces;
-  };
-
   /// Joins the corners of each face: neighbors are often far away in memory, but faces are read one after the other.
-  void number_components(const Indexed_triangles& triangles, unsigned number_of_threads)
+  void number_components(const Indexed_triangles& triangles)
   {
-    Concurrent_sets joined(triangles.points.size());
-    const auto number_of_faces = Index(triangles.faces.size());
-    for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) {
-        const std::array<Index, 3>& face = triangles.faces[f];
-        joined.join(face[0], face[1]);
-        joined.join(face[0], face[2]);
-      }
-    });
-    component.resize(number_of_faces);
-    for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
-      for (Index f = begin; f < end; ++f) {
-        component[f] = joined.find(triangles.faces[f][0]);
-      }
-    });
+    Disjoint_sets joined(triangles.points.size());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      joined.join(face[0], face[1]);
+      joined.join(face[0], face[2]);
+    }
+    component.reserve(triangles.faces.size());
     std::vector<Index> number_of_set(triangles.points.size(), no_index);
-    for (Index& set_of_face : component) {
-      Index& number_of_face = number_of_set[set_of_face];
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      Index& number_of_face = number_of_set[joined.find(face[0])];
       if (number_of_face == no_index) {
         number_of_face = number();
         measures.emplace_back();
       }
-      set_of_face = number_of_face;
+      component.push_back(number_of_face);
     }
   }
 
-  /// Sums up ranges of faces, and then what they have found: so the number of threads does not matter.
-  void measure(const Indexed_triangles& triangles, unsigned number_of_threads)
+  void measure(const Indexed_triangles& triangles)
   {
-    const auto number_of_faces = Index(triangles.faces.size());
-    std::vector<Partial_measures> ranges;
-    if (number() > max_components_of_range) {
-      ranges.push_back(measure_range(triangles, 0, number_of_faces));
-    } else {
-      ranges.resize(number_of_faces / range_size + 1);
-      for_each_range(number_of_faces, number_of_threads, [&](Index begin, Index end) {
-        ranges[begin / range_size] = measure_range(triangles, begin, end);
-      });
-    }
-    for (const Partial_measures& range : ranges) {
-      degenerate_faces.insert(degenerate_faces.end(), range.degenerate_faces.begin(), range.degenerate_faces.end());
-      for (std::size_t i = 0; i < range.measures.size(); ++i) {
-        add(range.measures[i], measures[i]);
+    for (Index f = 0; f < triangles.faces.size(); ++f) {
+#ifdef __GNUC__
+      if (f + prefetch_distance < triangles.faces.size()) {
+        for (const Index corner : triangles.faces[f + prefetch_distance]) {
+          __builtin_prefetch(&triangles.points[corner]);
+        }
+      }
+#endif
+      const bool is_hole_filling = f >= triangles.first_hole_filling_face;
+      if (add_face(triangles, f, is_hole_filling, measures[component[f]]) && !is_hole_filling) {
+        degenerate_faces.push_back(f);
       }
     }
     std::vector<Vector_3> center_sum;
@@ -134,36 +110,6 @@ private:
       measures[i].centroid = measures[i].area > 0 ? Vector_3(measures[i].centroid / measures[i].area)
                                                   : Vector_3(center_sum[i] / double(measures[i].number_of_faces));
     }
-  }
-
-  static void add(const Measure& part, Measure& sum)
-  {
-    sum.max_squared_length = std::max(sum.max_squared_length, part.max_squared_length);
-    sum.area += part.area;
-    sum.volume += part.volume;
-    sum.centroid += part.centroid;
-    sum.number_of_faces += part.number_of_faces;
-    sum.number_of_long_faces += part.number_of_long_faces;
-  }
-
-  Partial_measures measure_range(const Indexed_triangles& triangles, Index begin, Index end) const
-  {
-    Partial_measures result;
-    result.measures.resize(number());
-    for (Index f = begin; f < end; ++f) {
-#ifdef __GNUC__
-      if (f + prefetch_distance < end) {
-        for (const Index corner : triangles.faces[f + prefetch_distance]) {
-          __builtin_prefetch(&triangles.points[corner]);
-        }
-      }
-#endif
-      const bool is_hole_filling = f >= triangles.first_hole_filling_face;
-      if (add_face(triangles, f, is_hole_filling, result.measures[component[f]]) && !is_hole_filling) {
-        result.degenerate_faces.push_back(f);
-      }
-    }
-    return result;
   }
 
   /// \return whether the face has (nearly) no area for its longest side, or is hole-filling

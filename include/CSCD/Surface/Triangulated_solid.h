@@ -143,7 +143,6 @@ private:
   std::size_t m_number_of_degenerate_faces = 0;
   std::size_t m_number_of_cavities = 0;
   std::size_t m_number_of_reversed_components = 0;
-  unsigned m_number_of_threads; ///< that build the queries
   mutable std::once_flag m_queries_built;
   mutable std::unique_ptr<const internal::Solid_queries> m_queries;
 };

@@ -18,7 +18,6 @@ namespace CSCD {
 
 CSCD_INLINE Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                                    Border_treatment treatment, unsigned number_of_threads)
-    : m_number_of_threads(number_of_threads)
 {
   internal::Compiled_surface compiled =
       internal::compile_surface(std::move(triangles), std::move(pairing), treatment, number_of_threads);
@@ -143,9 +142,8 @@ CSCD_INLINE Index Triangulated_solid::nearest_vertex(const Vector_3& place) cons
 
 CSCD_INLINE const internal::Solid_queries& Triangulated_solid::queries() const
 {
-  std::call_once(m_queries_built, [this] {
-    m_queries = std::make_unique<const internal::Solid_queries>(query_surface(), m_number_of_threads);
-  });
+  std::call_once(m_queries_built,
+                 [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
   return *m_queries;
 }
 

@@ -10,7 +10,6 @@
 #include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -41,20 +40,18 @@ public:
     find_roots();
   }
 
-  /// \param number_of_threads 0 for as many as TBB allows
-  Canonical_order order(unsigned number_of_threads) const
+  Canonical_order order() const
   {
     std::vector<Index> sorted(m_components.number());
     std::iota(sorted.begin(), sorted.end(), Index(0));
     std::sort(sorted.begin(), sorted.end(), [this](Index c, Index d) { return key(c) < key(d); });
-    Numbering numbering(m_triangles.points.size(), number_of_threads);
+    Numbering numbering(m_triangles.points.size());
     Canonical_order result;
     for (Index component : sorted) {
-      result.component_begin.push_back(numbering.size);
+      result.component_begin.push_back(Index(numbering.vertices.size()));
       append_component(m_first[component], numbering);
     }
-    result.component_begin.push_back(numbering.size);
-    numbering.vertices.pop_back();
+    result.component_begin.push_back(Index(numbering.vertices.size()));
     result.vertices = std::move(numbering.vertices);
     return result;
   }
@@ -64,47 +61,27 @@ private:
   static constexpr double distance_tolerance = 1e-9;
   /// Vertices ahead for which memory is asked for.
   static constexpr std::size_t prefetch_distance = 8;
-  /// Vertices whose rings one thread reads at once: enough that the loop itself hardly counts.
-  static constexpr std::size_t chunk_size = 256;
-  /// Chunks that are read before their neighbors are numbered: no more, so that what is read stays in the cache.
-  static constexpr std::size_t max_chunks = 16;
-
-  /// A vertex that may be the next one, and the neighbor whose ring it is in.
-  struct Candidate
-  {
-    Index vertex;
-    Index parent;
-  };
-  /// What the rings of consecutive vertices of the order have of vertices without a number, and possibly more.
-  struct Chunk
-  {
-    std::vector<Candidate> candidates; // longer than is used
-    std::size_t size = 0;
-  };
-  /// Vertices in the order so far. There is room for one more than there are: what may be the next one is written
-  /// before it is known whether it is, as a branch would be taken at random.
+  /// The vertices in the order so far.
   struct Numbering
   {
-    Numbering(std::size_t number_of_vertices, unsigned number_of_threads)
-        : vertices(number_of_vertices + 1), parent(number_of_vertices + 1), is_numbered(number_of_vertices, 0),
-          for_each_chunk([] { return std::vector<Index>(); }, number_of_threads), chunks(max_chunks)
+    explicit Numbering(std::size_t number_of_vertices) : is_numbered(number_of_vertices, 0)
     {
+      vertices.reserve(number_of_vertices);
+      parent.reserve(number_of_vertices);
     }
 
     void append(Index vertex, Index its_parent)
     {
-      vertices[size] = vertex;
-      parent[size] = its_parent;
-      size += is_numbered[vertex] ? 0 : 1;
-      is_numbered[vertex] = 1;
+      if (is_numbered[vertex] == 0) {
+        is_numbered[vertex] = 1;
+        vertices.push_back(vertex);
+        parent.push_back(its_parent);
+      }
     }
 
     std::vector<Index> vertices;
-    std::vector<Index> parent; // of each of them, the neighbor at which its ring begins
-    Index size = 0;
+    std::vector<Index> parent; ///< of each of them, the neighbor at which its ring begins
     std::vector<char> is_numbered;
-    For_each_index<std::vector<Index>> for_each_chunk; // with working memory for a ring
-    std::vector<Chunk> chunks;                         // which are read at the same time
   };
 
   Index origin(Index h) const { return m_triangles.faces[h / 3][h % 3]; }
@@ -173,7 +150,7 @@ private:
   void prefetch_rows([[maybe_unused]] const Numbering& numbering, [[maybe_unused]] std::size_t i) const
   {
 #ifdef __GNUC__
-    if (i + 2 * prefetch_distance < numbering.size) {
+    if (i + 2 * prefetch_distance < numbering.vertices.size()) {
       __builtin_prefetch(m_pairing.outgoing()[numbering.vertices[i + 2 * prefetch_distance]].begin());
       const auto row = m_pairing.outgoing()[numbering.vertices[i + prefetch_distance]];
       for (std::size_t j = 0; j < row.size(); j += 2) {
@@ -183,64 +160,28 @@ private:
 #endif
   }
 
-  /// Writes the neighbors of `vertex` to `ring`, counterclockwise. Every other face is read, as each has two of them.
-  /// \return their number
-  std::size_t read_ring(Index vertex, std::vector<Index>& ring) const
+  /// Writes the neighbors of `vertex` to `ring`, counterclockwise.
+  void read_ring(Index vertex, std::vector<Index>& ring) const
   {
-    const auto row = m_pairing.outgoing()[vertex];
-    if (ring.size() < row.size() + 1) {
-      ring.resize(row.size() + 1);
-    }
-    for (std::size_t i = 0; i < row.size(); i += 2) {
-      const Index halfedge = row.begin()[i];
-      ring[i] = target(halfedge);
-      ring[i + 1] = target(Halfedge_pairing::next(halfedge));
-    }
-    return row.size();
-  }
-
-  /// Reads the rings of the vertices from `begin` to `end` - 1 of the order, each from the parent of the vertex on.
-  void read_chunk(const Numbering& numbering, std::size_t begin, std::size_t end, std::vector<Index>& ring,
-                  Chunk& chunk) const
-  {
-    chunk.size = 0;
-    for (std::size_t i = begin; i < end; ++i) {
-      prefetch_rows(numbering, i);
-      const Index vertex = numbering.vertices[i];
-      const std::size_t degree = read_ring(vertex, ring);
-      if (chunk.candidates.size() < chunk.size + degree + 1) {
-        chunk.candidates.resize(2 * (chunk.size + degree + 1));
-      }
-      const auto append = [&](std::size_t from, std::size_t to) {
-        for (std::size_t j = from; j < to; ++j) {
-          chunk.candidates[chunk.size] = {ring[j], vertex};
-          chunk.size += numbering.is_numbered[ring[j]] ? 0 : 1;
-        }
-      };
-      const auto start = std::size_t(std::find(ring.begin(), ring.end(), numbering.parent[i]) - ring.begin());
-      append(start, degree);
-      append(0, start);
+    ring.clear();
+    for (const Index halfedge : m_pairing.outgoing()[vertex]) {
+      ring.push_back(target(halfedge));
     }
   }
 
   void append_component(Index first, Numbering& numbering) const
   {
-    std::size_t begin = numbering.size;
+    std::vector<Index> ring;
+    std::size_t at = numbering.vertices.size();
     numbering.append(origin(first), target(first));
-    while (begin < numbering.size) {
-      const std::size_t end = std::min(begin + chunk_size * max_chunks, std::size_t(numbering.size));
-      const std::size_t number_of_chunks = (end - begin + chunk_size - 1) / chunk_size;
-      numbering.for_each_chunk(Index(number_of_chunks), [&](Index chunk, std::vector<Index>& ring) {
-        const std::size_t from = begin + chunk * chunk_size;
-        read_chunk(numbering, from, std::min(from + chunk_size, end), ring, numbering.chunks[chunk]);
-      });
-      for (std::size_t i = 0; i < number_of_chunks; ++i) {
-        const Chunk& chunk = numbering.chunks[i];
-        for (std::size_t j = 0; j < chunk.size; ++j) {
-          numbering.append(chunk.candidates[j].vertex, chunk.candidates[j].parent);
-        }
+    for (; at < numbering.vertices.size(); ++at) {
+      prefetch_rows(numbering, at);
+      const Index vertex = numbering.vertices[at];
+      read_ring(vertex, ring);
+      std::rotate(ring.begin(), std::find(ring.begin(), ring.end(), numbering.parent[at]), ring.end());
+      for (const Index neighbor : ring) {
+        numbering.append(neighbor, vertex);
       }
-      begin = end;
     }
   }
 
@@ -253,12 +194,11 @@ private:
 
 /// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose
 /// of the surface. O(n + c log c) for c components.
-/// \param number_of_threads 0 for as many as TBB allows; the order is the same for any number
 /// \pre `triangles` is closed, without isolated vertices; `pairing` and `components` are those of its faces
 inline Canonical_order canonical_order(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                       const Surface_components& components, unsigned number_of_threads = 1)
+                                       const Surface_components& components)
 {
-  return Canonical_ordering(triangles, pairing, components).order(number_of_threads);
+  return Canonical_ordering(triangles, pairing, components).order();
 }
 
 } // namespace CSCD::internal

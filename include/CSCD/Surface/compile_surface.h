@@ -78,7 +78,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   Compiled_surface result;
   std::size_t number_of_input_points = triangles.points.size();
   const std::size_t number_of_input_faces = triangles.faces.size();
-  const Normalization to_unit_box = normalize_extent(triangles.points, number_of_threads);
+  const Normalization to_unit_box = normalize_extent(triangles.points);
   Doubled_sheets sheets;
   if (treatment != Border_treatment::bridge && pairing.has_border()) {
     sheets = double_sheets(triangles, pairing, treatment == Border_treatment::open);
@@ -93,7 +93,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   if (pairing.has_border()) {
     pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
   }
-  Surface_components components(triangles, number_of_threads);
+  Surface_components components(triangles);
   result.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
@@ -112,9 +112,9 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
     extend_sides(triangles, sheets.side);
   }
 
-  Canonical_order order = canonical_order(triangles, pairing, components, number_of_threads);
+  Canonical_order order = canonical_order(triangles, pairing, components);
   pairing = {}; // before memory is taken for those of the new numbers
-  renumber(triangles, order.vertices, number_of_threads);
+  renumber(triangles, order.vertices);
   result.side_of_sheet.resize(sheets.side.size());
   for (std::size_t i = 0; i < sheets.side.size(); ++i) {
     result.side_of_sheet[i] = sheets.side[order.vertices[i]];
@@ -126,7 +126,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   }
   result.component_begin = std::move(order.component_begin);
   // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
-  const Normalization to_unit_area = normalize_area(triangles, number_of_threads);
+  const Normalization to_unit_area = normalize_area(triangles);
   result.normalization = to_unit_box.then(to_unit_area);
   for (Vector_3& place : result.cavities.places) {
     place = to_unit_area.from_input(place);

@@ -7,7 +7,6 @@
 #define CSCD_INTERNAL_BOX_TREE_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <algorithm>
 #include <array>
@@ -60,8 +59,7 @@ public:
   Box_tree() = default;
   /// O(n log n).
   /// \param boxes those of the objects
-  /// \param number_of_threads 0 for as many as TBB allows; the tree is the same for any number
-  explicit Box_tree(const std::vector<Bounding_box>& boxes, [[maybe_unused]] unsigned number_of_threads = 1)
+  explicit Box_tree(const std::vector<Bounding_box>& boxes)
   {
     std::vector<Entry> entries;
     entries.reserve(boxes.size());
@@ -72,11 +70,7 @@ public:
       m_boxes.resize(boxes.size() - 1);
       m_children.resize(boxes.size() - 1);
       const Range all{0, Index(boxes.size()), 0};
-      if constexpr (has_threads) {
-        build_in_parts(boxes, entries, all, number_of_threads);
-      } else {
-        build(boxes, entries, all);
-      }
+      build(boxes, entries, all);
       m_root = root_of(entries, all);
     }
   }
@@ -169,35 +163,10 @@ private:
     Index first_node;
   };
 
-  /// Ranges are halved one after the other down to this size, those of the same length at the same time; the trees over
-  /// them are built at the same time.
-  static constexpr Index part_size = 2048;
-
   /// The root of the tree over `range`, a node or an object.
   static Index root_of(const std::vector<Entry>& entries, const Range& range)
   {
     return range.size() == 1 ? first_object + entries[range.begin].object : range.first_node + range.size() - 2;
-  }
-
-  void build_in_parts(const std::vector<Bounding_box>& boxes, std::vector<Entry>& entries, const Range& all,
-                      unsigned number_of_threads)
-  {
-    std::vector<Range> halved;
-    std::vector<Range> parts{all};
-    while (parts.front().size() > part_size) {
-      for_each_part(Index(parts.size()), number_of_threads, [&](Index i) { halve(entries, parts[i]); });
-      halved.insert(halved.end(), parts.begin(), parts.end());
-      std::vector<Range> halves;
-      for (const Range& range : parts) {
-        halves.push_back(range.lower());
-        halves.push_back(range.upper());
-      }
-      parts.swap(halves);
-    }
-    for_each_part(Index(parts.size()), number_of_threads, [&](Index i) { build(boxes, entries, parts[i]); });
-    for (auto range = halved.rbegin(); range != halved.rend(); ++range) {
-      join_halves(boxes, entries, *range);
-    }
   }
 
   /// Sorts a range into halves at the median center along the longest side of their box.

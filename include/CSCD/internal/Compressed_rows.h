@@ -7,7 +7,6 @@
 #define CSCD_INTERNAL_COMPRESSED_ROWS_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
 
 #include <CGAL/Iterator_range.h>
 
@@ -29,20 +28,15 @@ public:
   Compressed_rows() = default;
 
   /// Sorts values into rows by counting; linear. Values of a row keep their order.
-  /// \param for_each_value calls its argument by `(row, value)` for all values; it is called twice, or, where there are
-  ///        several threads, twice for each half of the rows, at the same time
-  /// \param number_of_threads 0 for as many as TBB allows
+  /// \param for_each_value calls its argument by `(row, value)` for all values; it is called twice
   template <class ForEachValue>
-  Compressed_rows(std::size_t number_of_rows, const ForEachValue& for_each_value, unsigned number_of_threads = 1)
-      : m_begin(number_of_rows + 1, 0)
+  Compressed_rows(std::size_t number_of_rows, const ForEachValue& for_each_value) : m_begin(number_of_rows + 1, 0)
   {
-    for_each_value_of_rows(for_each_value, number_of_threads,
-                           [this](std::size_t row, const Value&) { ++m_begin[row + 1]; });
+    for_each_value([this](std::size_t row, const Value&) { ++m_begin[row + 1]; });
     std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
     std::vector<Size> end(m_begin.begin(), m_begin.end() - 1); // of what is in the row so far
     m_values.resize(m_begin.back());
-    for_each_value_of_rows(for_each_value, number_of_threads,
-                           [this, &end](std::size_t row, const Value& value) { m_values[end[row]++] = value; });
+    for_each_value([this, &end](std::size_t row, const Value& value) { m_values[end[row]++] = value; });
   }
 
   std::size_t number_of_rows() const { return m_begin.size() - 1; }
@@ -82,28 +76,6 @@ public:
   }
 
 private:
-  /// Calls `use(row, value)` for all values. Each of two threads goes through all of them, which is fast, and uses
-  /// those of its half of the rows, which are scattered in memory.
-  template <class ForEachValue, class Use>
-  void for_each_value_of_rows(const ForEachValue& for_each_value, unsigned number_of_threads, const Use& use) const
-  {
-    const bool is_worth_threads = number_of_rows() > range_size;
-    if (number_of_threads == 1 || !is_worth_threads) {
-      for_each_value(use);
-      return;
-    }
-    const std::size_t middle = number_of_rows() / 2;
-    const auto for_half = [&](bool is_upper) {
-      for_each_value([&](std::size_t row, const Value& value) {
-        if ((row >= middle) == is_upper) {
-          use(row, value);
-        }
-      });
-    };
-    call_both(
-        number_of_threads, [&] { for_half(false); }, [&] { for_half(true); });
-  }
-
   std::vector<Size> m_begin{0}; // of every row, and the end of the last one
   std::vector<Value> m_values;
 };
