@@ -168,6 +168,7 @@ public:
         m_search(solid, detail, settings)
   {
   }
+  Covering_search(Covering_search&&) = delete; // the search calls back
 
   /// Finds separators and counts in `report`; `progress(fraction)` is called often and may throw.
   std::vector<Separator> operator()(Skeletonization_report& report, const Progress& progress)
