@@ -51,7 +51,7 @@ std::vector<Triple> seen(const std::vector<Triple>& points, const Triple& scanne
 /// The gaps are 0.5 m wide, in the trunk and in all limbs of it.
 std::vector<Triple> without_pieces(const Synthetic_tree& tree, std::vector<Triple> points)
 {
-  for (const CSCD::test::Limb& limb : tree.limbs()) {
+  for (const CSCD::test::Tree_limb& limb : tree.limbs()) {
     if (limb.order < 2) {
       points = CSCD::test::without_ball(std::move(points), limb.axis[12], 0.25);
     }

@@ -18,7 +18,7 @@ def error_table(medians):
         ours, theirs = medians[f"together/{mesh}"], medians[f"cgal_one_by_one/{mesh}"]
         rows.append([mesh, count(ours["vertices"]), count(ours["diameter"])]
                     + [f"{ours[key]:.2f} / {theirs[key]:.2f}"
-                       for key in ("mean_error", "largest_error", "percent_error")])
+                       for key in ("mean_error", "max_error", "percent_error")])
     return markdown(["mesh", "vertices", "eccentricity, edges", "mean error, CSCD / CGAL", "largest error",
                      "relative error, %"], rows)
 

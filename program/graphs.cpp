@@ -14,13 +14,14 @@
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/predicate.hpp>
+#include <boost/iostreams/device/array.hpp>
+#include <boost/iostreams/stream.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iostream>
 #include <locale>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -133,16 +134,18 @@ Input read_graph(const Skeletonize_options& options)
   const auto ends_with = [&lower](const char* ending) { return boost::algorithm::ends_with(lower, ending); };
   const std::string ending = lower.substr(std::min(lower.find_last_of('.'), lower.size()));
   Graph graph;
-  std::istringstream in(content);
+  // Streams on the content, without a copy of it.
+  using Stream = boost::iostreams::stream<boost::iostreams::array_source>;
   if (ending == ".edges") {
     graph = parse_edge_list(content, name);
   } else if (ends_with(".graph") || ends_with(".json") || ends_with(".swc") || ends_with(".polylines.txt") ||
              has_edges(content, ending)) {
+    Stream in(content.data(), content.size());
     graph = CSCD::internal::read_indexed_skeleton(in, lower, name);
   }
   if (graph.points.empty() || (ending == ".obj" && has_statement(content, "f "))) {
-    std::istringstream again(content);
-    CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(again, lower, name);
+    Stream in(content.data(), content.size());
+    CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, lower, name);
     graph = make_graph(soup, std::move(graph.edges), options.number_of_neighbors);
     Input input = make_input(std::move(graph));
     input.as_read = std::move(soup);

@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <locale>
@@ -59,6 +60,26 @@ void limit_memory(std::size_t bytes)
 #endif
 }
 
+std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root)
+{
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (;; group = group.parent_path()) {
+    std::size_t bound = 0; // no number where there is none
+    std::size_t used = 0;
+    if (std::ifstream(group / "memory.max") >> bound && std::ifstream(group / "memory.current") >> used) {
+      std::ifstream statistics(group / "memory.stat");
+      std::string key;
+      for (std::size_t value = 0; statistics >> key >> value;) {
+        used -= key == "file" ? std::min(used, value) : 0;
+      }
+      least = std::min(least, bound - std::min(bound, used));
+    }
+    if (group == root || group == group.parent_path()) {
+      return least;
+    }
+  }
+}
+
 void limit_memory_to_available()
 {
 #ifdef __linux__
@@ -73,8 +94,15 @@ void limit_memory_to_available()
   for (int column = 0; column < 6; ++column) {
     process >> pages;
   }
+  const std::filesystem::path root = "/sys/fs/cgroup";
+  std::ifstream groups("/proc/self/cgroup");
+  std::string group;
+  while (std::getline(groups, group) && group.rfind("0::/", 0) != 0) {
+  }
+  const std::size_t left = groups ? memory_left_in_groups((root / group.substr(4)).lexically_normal(), root)
+                                  : std::numeric_limits<std::size_t>::max();
   if (machine >> available && process) {
-    limit_memory(pages * std::size_t(sysconf(_SC_PAGESIZE)) + available * std::size_t(kilobyte));
+    limit_memory(pages * std::size_t(sysconf(_SC_PAGESIZE)) + std::min(available * std::size_t(kilobyte), left));
   }
 #endif
 }

@@ -7,6 +7,7 @@
 #define CSCD_PROGRAM_MEMORY_H
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 namespace cscd {
@@ -19,8 +20,12 @@ std::size_t parse_memory_size(const std::string& size, const std::string& option
 /// called between fork and exec.
 void limit_memory(std::size_t bytes);
 
-/// Limits it to what the machine can give. Without a limit, the system promises what it does not have, and kills this
-/// program or another where that is used.
+/// The bytes that the control groups (version 2 of Linux) from `group` up to `root`, which are folders, leave to their
+/// processes; the largest number if none has a bound. The cache of files counts as free.
+std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root);
+
+/// Limits it to what the machine, or the container, can give. Without a limit, the system promises what it does not
+/// have, and kills this program or another where that is used.
 void limit_memory_to_available();
 
 } // namespace cscd

@@ -79,7 +79,10 @@ Json to_json(const CSCD::Reconstruction_error& e)
 
 Json to_json(const CSCD::Skeleton_distance& d)
 {
-  return {{"mean", d.mean}, {"maximum", d.maximum}, {"fraction_matched", d.fraction_matched}};
+  return {{"mean", d.mean},
+          {"maximum", d.maximum},
+          {"fraction_matched", d.fraction_matched},
+          {"is_estimate", d.is_estimate}};
 }
 
 Json to_json(const CSCD::Match_count& m)
@@ -151,7 +154,8 @@ void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_di
   constexpr double thousand = 1000;
   constexpr int width = 9;
   out << name << std::setw(width) << fixed(thousand * distance.mean) << std::setw(width)
-      << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %\n";
+      << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %"
+      << (distance.is_estimate ? " (estimates: some points stand for all, and the maximum is a lower bound)\n" : "\n");
 }
 
 } // namespace
@@ -163,6 +167,7 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
                       {"input", options.input},
                       {"skeleton", options.skeleton},
                       {"radii", options.radii},
+                      {"are_radii_estimates", measures.are_radii_estimates},
                       {"number_of_points", measures.number_of_points},
                       {"diagonal", measures.diagonal},
                       {"has_topology_of_surface", measures.has_topology_of_surface()},
@@ -200,7 +205,8 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
   }
   out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
       << " rad at a node\n"
-      << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"
+      << "distances in thousandths of the diagonal, with " << options.radii << " radii"
+      << (measures.are_radii_estimates ? ", for which some points stood for all" : "") << ":\n"
       << "                         mean      rms      max  reverse      max\n";
   write_error(out, "convolution surface ", measures.convolution);
   write_error(out, "round cones         ", measures.round_cones);

@@ -39,6 +39,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -410,9 +411,8 @@ void register_usage_error()
     } catch (const cscd::Usage_error& error) {
       std::string message = error.what();
       boost::algorithm::replace_all(message, "--as graph", "domain=\"graph\"");
-      for (std::size_t at = message.find("--"); at != std::string::npos; at = message.find("--", at)) {
-        message.erase(at, 2);
-      }
+      // Only in front of a word: the names of files may have dashes, too.
+      message = std::regex_replace(message, std::regex("(^|[\\s(\"'])--(?=[a-z])"), "$1");
       PyErr_SetString(PyExc_ValueError, message.c_str());
     }
   });

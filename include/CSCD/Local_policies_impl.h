@@ -11,6 +11,8 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
 
+#include <algorithm>
+
 namespace CSCD {
 
 CSCD_INLINE Local_policies::Packing::Packing(std::unique_ptr<const internal::Separator_packing> packing)

@@ -41,7 +41,8 @@ class Point_complex;
 /// | `t.to_input_length(l)` | a length on the surface in the unit of the input |
 /// | `t.describe_input(report)` | writes counts, genus and warnings to a `Skeletonization_report&` |
 ///
-/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Point_set_traits`, `Spatial_graph_traits`}
+/// \cgalHasModels{`Triangle_mesh_traits`, `Reconstructed_surface_traits`, `Voxel_surface_traits`, `Point_set_traits`,
+/// `Spatial_graph_traits`}
 /// \cgalArchetype{Skeletonization_traits_archetype.h}
 /// \cgalConcept
 class SkeletonizationTraits

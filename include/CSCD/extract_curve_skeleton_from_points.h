@@ -100,8 +100,15 @@ Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton
       std::conditional_t<is_skeletonization_policies_v<std::decay_t<decltype(policies)>, Point_solid>,
                          Point_set_traits<PointRange, Point_map>, Reconstructed_surface_traits<PointRange, Point_map>>;
   const auto make_traits = [&] {
-    return internal::with_normal_map(
-        points, np, [&](const auto&... normal_map) { return Traits(points, point_map, normal_map...); });
+    return internal::with_normal_map(points, np, [&](const auto&... normal_map) {
+      if constexpr (!std::is_same_v<Traits, Reconstructed_surface_traits<PointRange, Point_map>>) {
+        return Traits(points, point_map, normal_map...);
+      } else if constexpr (sizeof...(normal_map) == 0) {
+        return Traits(points, point_map, internal::No_normals(), internal::requested_threads<ConcurrencyTag>(np));
+      } else {
+        return Traits(points, point_map, normal_map..., internal::requested_threads<ConcurrencyTag>(np));
+      }
+    });
   };
   return internal::skeletonize<ConcurrencyTag, Traits>(make_traits, policies, skeleton, np);
 }

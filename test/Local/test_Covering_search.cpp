@@ -22,10 +22,13 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace {
+
+static_assert(!std::is_move_constructible_v<CSCD::internal::Covering_search>, "the search holds a pointer to it");
 
 using CSCD::Index;
 using CSCD::Separator;

@@ -339,6 +339,8 @@ TEST(Compare_skeletons, of_complete_graphs_some_branches_stand_for_all)
   const Skeleton_comparison same = compare_skeletons(graph, graph);
   EXPECT_TRUE(same.branches.is_estimate);
   EXPECT_FALSE(same.junctions.is_estimate);
+  EXPECT_TRUE(same.from_first_to_second.is_estimate);
+  EXPECT_FALSE(compare_skeletons(comb(), comb()).from_first_to_second.is_estimate);
   EXPECT_EQ(same.junctions.number_matched, number_of_nodes);
   EXPECT_EQ(same.branches.number_in_first, number_of_edges);
   EXPECT_EQ(same.branches.number_matched, number_of_edges);

@@ -496,6 +496,20 @@ TEST(Simplify_skeleton, joins_what_is_farther_apart_than_the_root_of_the_largest
   EXPECT_EQ(num_edges(skeleton), 2u);
 }
 
+TEST(Simplify_skeleton, a_joined_end_is_no_opening)
+{
+  Skeleton skeleton;
+  add_limb(skeleton, add_node(skeleton, Point(0, 0, 0), 1), {1, 0, 0}, 9, 1);
+  add_limb(skeleton, add_node(skeleton, Point(15, 0, 0), 1), {1, 0, 0}, 9, 1);
+  for (const std::size_t end : {0, 9, 10, 19}) {
+    skeleton[end].is_opening = true;
+  }
+  CSCD::simplify_skeleton(skeleton, parameters::join_components(true));
+  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
+    EXPECT_EQ(skeleton[v].is_opening, degree(v, skeleton) == 1) << skeleton[v].point;
+  }
+}
+
 TEST(Simplify_skeleton, joined_edges_stay_marked)
 {
   Skeleton skeleton;

@@ -16,6 +16,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <ctime>
+#include <random>
 #include <vector>
 
 namespace {
@@ -172,6 +175,48 @@ TEST_F(Disjoint_separators_test, keeps_the_lighter_of_two_that_nearly_coincide)
 {
   const std::vector<Separator> separators{section(5), section(5.05), section(6)};
   EXPECT_EQ(packed(separators, {3, 2, 1}), (Indices{2, 1}));
+}
+
+/// Separators of length alone, with centers in a cube: they cross nothing.
+std::vector<Separator> random_separators(std::size_t number, double min_radius, double max_radius)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_real_distribution<double> exponent(std::log(min_radius), std::log(max_radius));
+  std::vector<Separator> result(number);
+  for (Separator& separator : result) {
+    separator.center = Vector_3(coordinate(random), coordinate(random), coordinate(random));
+    separator.length = 2 * CSCD::test::pi * std::exp(exponent(random));
+  }
+  return result;
+}
+
+TEST_F(Disjoint_separators_test, keeps_the_spacing_that_all_pairs_have)
+{
+  const std::vector<Separator> separators = random_separators(2000, 1e-3, 1);
+  Indices expected;
+  for (Index i = 0; i < separators.size(); ++i) {
+    const auto is_near = [&](Index j) {
+      return (separators[i].center - separators[j].center).norm() <
+             0.3 * std::min(separators[i].radius(), separators[j].radius());
+    };
+    if (std::none_of(expected.begin(), expected.end(), is_near)) {
+      expected.push_back(i);
+    }
+  }
+  Disjoint_separators packing(m_tube, separators, std::vector<double>(separators.size(), 1));
+  packing.pack([](Index) { return true; });
+  EXPECT_LT(expected.size(), separators.size());
+  EXPECT_EQ(packing.packed(), expected);
+}
+
+TEST_F(Disjoint_separators_test, packs_very_many_in_a_moment)
+{
+  const std::vector<Separator> separators = random_separators(200000, 1e-6, 1e-3);
+  Disjoint_separators packing(m_tube, separators, std::vector<double>(separators.size(), 1));
+  const std::clock_t begin = std::clock();
+  packing.pack([](Index) { return true; });
+  EXPECT_LT(double(std::clock() - begin) / CLOCKS_PER_SEC, 10) << "a minute and more, if all pairs are looked at";
 }
 
 TEST_F(Disjoint_separators_test, packs_anew_what_is_allowed)

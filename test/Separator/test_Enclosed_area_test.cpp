@@ -58,6 +58,18 @@ TEST(Enclosed_area_test, of_a_hemisphere_and_of_limbs)
   }
 }
 
+TEST(Enclosed_area_test, of_a_loop_without_length_is_zero)
+{
+  CSCD::test::Shape shape = CSCD::test::sphere(2);
+  const CSCD::test::Triangle triangle = shape.triangles.front();
+  shape.points[triangle[1]] = shape.points[triangle[0]];
+  shape.points[triangle[2]] = shape.points[triangle[0]];
+  const Triangulated_surface surface = CSCD::test::to_surface(shape);
+  Enclosed_area_test bump_test(surface);
+  const Vertex_loop loop{Index(triangle[0]), Index(triangle[1]), Index(triangle[2])};
+  EXPECT_EQ(bump_test.area_ratio(loop, no_limit), 0);
+}
+
 TEST(Enclosed_area_test, does_not_depend_on_direction_nor_side_and_can_be_used_again)
 {
   constexpr Index around = 24;

@@ -194,7 +194,7 @@ TEST_P(Scanned_tree, is_found_across_gaps)
 {
   std::vector<Triple> points = m_tree.scanned(number, 1, 1);
   std::size_t number_of_gaps = 0;
-  for (const CSCD::test::Limb& limb : m_tree.limbs()) {
+  for (const CSCD::test::Tree_limb& limb : m_tree.limbs()) {
     if (limb.order == 1) {
       points = CSCD::test::without_ball(std::move(points), limb.axis[12], 0.2);
       ++number_of_gaps;
@@ -261,12 +261,12 @@ TEST(Tree_skeleton, moves_with_the_scan)
 /// A trunk with a limb that has a limb.
 TEST(Tree_skeleton, counts_orders)
 {
-  using CSCD::test::Limb;
+  using CSCD::test::Tree_limb;
   const auto straight = [](const Triple& from, const Triple& to, double radius) {
-    return Limb{{from, to}, {radius, 0.8 * radius}, std::nullopt, 0};
+    return Tree_limb{{from, to}, {radius, 0.8 * radius}, std::nullopt, 0};
   };
-  std::vector<Limb> limbs{straight({0, 0, 0}, {0, 0, 9}, 0.1), straight({0, 0, 3}, {0, 2.5, 4.5}, 0.06),
-                          straight({0, 1.25, 3.75}, {1.5, 1.5, 4}, 0.05)};
+  std::vector<Tree_limb> limbs{straight({0, 0, 0}, {0, 0, 9}, 0.1), straight({0, 0, 3}, {0, 2.5, 4.5}, 0.06),
+                               straight({0, 1.25, 3.75}, {1.5, 1.5, 4}, 0.05)};
   limbs[1].parent = 0;
   limbs[2].parent = 1;
   const Tree_outcome outcome = tree_of(Synthetic_tree(limbs).scanned(6000, 1, 1));
@@ -316,6 +316,9 @@ TEST(Tree_skeleton, is_the_same_for_all_ranges)
   CSCD::extract_tree_skeleton(
       pairs, of_pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>()));
   EXPECT_EQ(CSCD::test::plain(expected), CSCD::test::plain(of_pairs));
+  EXPECT_EQ(CSCD::is_scan_of_trees(
+                pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>())),
+            CSCD::is_scan_of_trees(point_set));
   CSCD::Skeleton_graph<Tree_point, CGAL::Point_set_3<Tree_point>::Index> of_point_set;
   CSCD::extract_tree_skeleton(point_set, of_point_set);
   ASSERT_EQ(num_vertices(expected), num_vertices(of_point_set));

@@ -63,6 +63,14 @@ def earlier_rows():
     return rows
 
 
+def found(old, failed):
+    """What a slice with so many failing inputs leaves in the column, until someone says in words what it was."""
+    if failed == 0:
+        return old
+    new = f"{failed} failing inputs, not looked at yet"
+    return new if old == "nothing" or old.endswith("not looked at yet") else f"{old}; {new}"
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("folder", type=pathlib.Path, help="for the build, the inputs and the logs")
@@ -79,7 +87,7 @@ def main():
         print(f"{target}: {executions} executions, {edges} edges, {minutes:.1f} CPU minutes, {failed} failures")
         failures += failed
         old = rows.get(target, (0, 0, 0, "nothing"))
-        rows[target] = (old[0] + executions, max(old[1], edges), old[2] + minutes, old[3])
+        rows[target] = (old[0] + executions, max(old[1], edges), old[2] + minutes, found(old[3], failed))
     table = markdown(HEAD, [[f"`fuzz_{target}`", f"{row[0]:,}", f"{row[1]:,}", f"{row[2]:,.1f}", row[3]]
                             for target, row in rows.items()])
     print(table)

@@ -7,6 +7,7 @@
 
 #include "support/Temporary_folder.h"
 #include "support/fork_in_box.h"
+#include "support/skip_or_fail.h"
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
@@ -69,10 +70,10 @@ protected:
   {
     m_chromium = chromium();
     if (m_chromium.empty()) {
-      GTEST_SKIP() << "Chromium is not installed (package chromium)";
+      CSCD_TEST_SKIP_OR_FAIL("Chromium is not installed (package chromium)");
     }
     if (CSCD::three_js_source().empty()) {
-      GTEST_SKIP() << "three.js was not found when this test was built (package libjs-three)";
+      CSCD_TEST_SKIP_OR_FAIL("three.js was not found when this test was built (package libjs-three)");
     }
   }
 

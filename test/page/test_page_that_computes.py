@@ -3,7 +3,7 @@
 #
 # Usage: test_page_that_computes.py PROGRAM PAGE DATA FOLDER
 # Opens meshes and points of the folder DATA, of CGAL's, in the page that examples/web/build.sh makes, and compares what
-# is saved there with what the program writes. Leaves with status 77 where there is no Chromium.
+# is saved there with what the program writes. Leaves with status 77 where there is no Chromium, or no page yet.
 
 import base64
 import pathlib
@@ -121,6 +121,9 @@ def main():
     program, page, data, folder = sys.argv[1:]
     if not chromium.is_installed():
         print("skipped: there is no Chromium")
+        sys.exit(SKIPPED)
+    if not pathlib.Path(page).is_file():
+        print("skipped: examples/web/build.sh has not made the page")
         sys.exit(SKIPPED)
     page, data, folder = map(pathlib.Path, (page, data, folder))
     folder.mkdir(parents=True, exist_ok=True)

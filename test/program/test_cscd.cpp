@@ -8,6 +8,7 @@
 #include "support/Shape.h"
 #include "support/Temporary_folder.h"
 #include "support/limb_shapes.h"
+#include "support/skip_or_fail.h"
 #include <CSCD/version.h>
 
 #include <gtest/gtest.h>
@@ -967,7 +968,7 @@ TEST_F(Cscd, writes_a_page_with_all_in_it)
   m_folder.write("meshes/torus.off", off(torus()));
   const Outcome outcome = run("skeletonize meshes/torus.off --html t.html");
   if (outcome.status == 1 && outcome.err.find("built without three.js") != std::string::npos) {
-    GTEST_SKIP() << "three.js (package libjs-three) is not there";
+    CSCD_TEST_SKIP_OR_FAIL("three.js (package libjs-three) is not there");
   }
   ASSERT_EQ(0, outcome.status) << outcome.err;
   const std::string page = content("t.html");

@@ -23,7 +23,7 @@
 namespace CSCD::test {
 
 /// A limb: its axis from base to tip, which begins on the axis of its parent, and the radii along it.
-struct Limb
+struct Tree_limb
 {
   std::vector<Triple> axis;
   std::vector<double> radii;
@@ -31,7 +31,7 @@ struct Limb
   std::size_t order = 0;             ///< 0 for a trunk, one more than its parent's for any other limb
 };
 
-inline double length(const Limb& limb)
+inline double length(const Tree_limb& limb)
 {
   double sum = 0;
   for (std::size_t i = 1; i < limb.axis.size(); ++i) {
@@ -66,14 +66,14 @@ public:
     set_radii();
   }
   /// Takes limbs as they are.
-  explicit Synthetic_tree(std::vector<Limb> limbs) : m_limbs(std::move(limbs)) {}
+  explicit Synthetic_tree(std::vector<Tree_limb> limbs) : m_limbs(std::move(limbs)) {}
 
-  const std::vector<Limb>& limbs() const { return m_limbs; }
+  const std::vector<Tree_limb>& limbs() const { return m_limbs; }
 
   double length() const
   {
     double sum = 0;
-    for (const Limb& limb : m_limbs) {
+    for (const Tree_limb& limb : m_limbs) {
       sum += test::length(limb);
     }
     return sum;
@@ -89,7 +89,7 @@ public:
     double sum = 0;
     double height = 0;
     for (std::size_t limb = 0; limb < m_limbs.size(); ++limb) {
-      const Limb& l = m_limbs[limb];
+      const Tree_limb& l = m_limbs[limb];
       for (std::size_t i = 1; i < l.axis.size(); ++i) {
         sum += (l.radii[i] + l.radii[i - 1]) * norm(l.axis[i] - l.axis[i - 1]);
         sums.push_back(sum);
@@ -117,7 +117,7 @@ private:
     return unit(cross(direction, std::abs(direction[2]) < 0.9 ? Triple{0, 0, 1} : Triple{1, 0, 0}));
   }
 
-  static Triple point_on_bark(const Limb& limb, std::size_t i, double t, double angle)
+  static Triple point_on_bark(const Tree_limb& limb, std::size_t i, double t, double angle)
   {
     const Triple& a = limb.axis[i - 1];
     const Triple& b = limb.axis[i];
@@ -139,7 +139,7 @@ private:
     return false;
   }
 
-  static bool is_inside(const Triple& p, const Limb& limb)
+  static bool is_inside(const Triple& p, const Tree_limb& limb)
   {
     for (std::size_t i = 1; i < limb.axis.size(); ++i) {
       const Centreline_segment segment{limb.axis[i - 1], limb.axis[i], limb.radii[i - 1], limb.radii[i]};
@@ -153,7 +153,7 @@ private:
   void grow(const Triple& base, Triple direction, double length, std::optional<std::size_t> parent)
   {
     constexpr std::size_t number_of_pieces = 30;
-    Limb limb;
+    Tree_limb limb;
     limb.parent = parent;
     limb.order = parent ? m_limbs[*parent].order + 1 : 0;
     const double crookedness = limb.order == 0 ? 0.02 : 0.06;
@@ -218,7 +218,7 @@ private:
 
   Tree_settings m_settings;
   std::mt19937_64 m_random;
-  std::vector<Limb> m_limbs;
+  std::vector<Tree_limb> m_limbs;
 };
 
 /// Those of `points` that a scanner at `scanner` sees: in every cell of its field of view, as wide as the angle `cell`,

@@ -50,12 +50,12 @@ public:
   /// \param shortest the length of the shortest limb, beyond its parent, that can be seen
   /// \param tolerance what two curves may be apart and be the same, beside the radius
   /// \param thick the least radius of limbs where radii are compared
-  Tree_matching(const std::vector<Limb>& limbs, const std::vector<Found_branch>& branches, double shortest,
+  Tree_matching(const std::vector<Tree_limb>& limbs, const std::vector<Found_branch>& branches, double shortest,
                 double tolerance, double thick)
       : m_limbs(limbs), m_branches(branches), m_tolerance(tolerance), m_thick(thick),
         m_branch_of_limb(limbs.size(), none), m_limb_of_branch(branches.size(), none)
   {
-    for (const Limb& limb : limbs) {
+    for (const Tree_limb& limb : limbs) {
       m_samples.push_back(samples_beyond_parent(limb));
     }
     match();
@@ -126,7 +126,7 @@ private:
     return result;
   }
 
-  std::vector<Triple> samples_beyond_parent(const Limb& limb) const
+  std::vector<Triple> samples_beyond_parent(const Tree_limb& limb) const
   {
     std::vector<Triple> result;
     for (const Triple& p : sampled_axis(limb.axis)) {
@@ -142,7 +142,7 @@ private:
   }
 
   /// The part of `samples` that are near the curve of a branch.
-  double share(const std::vector<Triple>& samples, const Limb& limb, const Found_branch& branch) const
+  double share(const std::vector<Triple>& samples, const Tree_limb& limb, const Found_branch& branch) const
   {
     std::size_t number = 0;
     for (const Triple& p : samples) {
@@ -195,7 +195,7 @@ private:
 
   void count(std::size_t limb)
   {
-    const Limb& l = m_limbs[limb];
+    const Tree_limb& l = m_limbs[limb];
     const Found_branch& branch = m_branches[m_branch_of_limb[limb]];
     ++m_result.found;
     m_result.right_orders += branch.order == l.order ? 1 : 0;
@@ -219,7 +219,7 @@ private:
     }
   }
 
-  const std::vector<Limb>& m_limbs;
+  const std::vector<Tree_limb>& m_limbs;
   const std::vector<Found_branch>& m_branches;
   double m_tolerance;
   double m_thick;

@@ -7,6 +7,7 @@
 #ifndef CSCD_TEST_SUPPORT_INVARIANTS_H
 #define CSCD_TEST_SUPPORT_INVARIANTS_H
 
+#include "Inside_count.h"
 #include "Surface_facts.h"
 #include "convert_shape.h"
 #include <CSCD/Skeleton_graph.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -140,16 +142,21 @@ Violations violations_of_partition(const Mesh& mesh, const Skeleton& skeleton)
 }
 
 /// The skeleton has the components of the surface and, if it is closed, its genus; cavities do not count.
+/// \param number_of_cavities those of the surface, which are of genus 0; if not known, the report is believed
 inline Violations violations_of_topology(const Surface_facts& surface, const Skeleton_facts& skeleton,
-                                         const Skeletonization_report& report)
+                                         const Skeletonization_report& report,
+                                         std::optional<std::size_t> number_of_cavities)
 {
   Violations violations;
+  expect_equal(violations, "reported cavities", report.number_of_cavities,
+               number_of_cavities.value_or(report.number_of_cavities));
   expect_equal(violations, "skeleton components", skeleton.number_of_components,
                surface.number_of_components - report.number_of_cavities);
   const bool is_closed_after_bridging = report.number_of_bridged_borders == surface.number_of_border_cycles;
   if (is_closed_after_bridging) {
     const std::size_t reported_genus = report.genus.value_or(surface.genus + 1);
-    const std::size_t genus = report.number_of_cavities == 0 ? surface.genus : reported_genus;
+    const bool is_genus_known = number_of_cavities.has_value() || report.number_of_cavities == 0;
+    const std::size_t genus = is_genus_known ? surface.genus : reported_genus;
     expect_equal(violations, "first Betti number", skeleton.betti_number, genus);
     expect_equal(violations, "genus in the report", reported_genus, genus);
   }
@@ -192,26 +199,48 @@ inline Violations violations_of_report(const Surface_facts& surface, const Skele
   return violations;
 }
 
-/// All of the above but positive radii: what holds even if components have no area.
+/// No more nodes are outside of a closed body without cavities than the report says.
+/// \pre the nodes are finite
+template <class Mesh, class Skeleton>
+Violations violations_of_inside(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report)
+{
+  Violations violations;
+  const Inside_count count = count_inside(mesh, skeleton);
+  if (count.number_of_nodes_outside > report.number_of_nodes_outside) {
+    violations.push_back("nodes outside: " + std::to_string(count.number_of_nodes_outside) + ", reported " +
+                         std::to_string(report.number_of_nodes_outside));
+  }
+  if (report.number_of_nodes_outside + report.number_of_edges_outside == 0 && count.length_outside > 0) {
+    violations.push_back("length outside: " + std::to_string(count.length_outside) + ", reported none");
+  }
+  return violations;
+}
+
+/// All of the above except positive radii and the inside: what holds even if components have no area.
 template <class Mesh, class Skeleton>
 Violations violated_invariants_without_area(const Mesh& mesh, const Skeleton& skeleton,
-                                            const Skeletonization_report& report)
+                                            const Skeletonization_report& report,
+                                            std::optional<std::size_t> number_of_cavities = std::nullopt)
 {
   const Surface_facts surface = surface_facts(mesh);
   const Skeleton_facts graph = skeleton_facts(skeleton);
   Violations violations = violations_of_graph(skeleton);
   append(violations, violations_of_partition(mesh, skeleton));
-  append(violations, violations_of_topology(surface, graph, report));
+  append(violations, violations_of_topology(surface, graph, report, number_of_cavities));
   append(violations, violations_of_report(surface, graph, report));
   return violations;
 }
 
 /// All of the above.
 template <class Mesh, class Skeleton>
-Violations violated_invariants(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report)
+Violations violated_invariants(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report,
+                               std::size_t number_of_cavities = 0)
 {
-  Violations violations = violated_invariants_without_area(mesh, skeleton, report);
+  Violations violations = violated_invariants_without_area(mesh, skeleton, report, number_of_cavities);
   append(violations, violations_of_radii(skeleton));
+  if (count_border_cycles(mesh) == 0 && number_of_cavities == 0 && violations_of_graph(skeleton).empty()) {
+    append(violations, violations_of_inside(mesh, skeleton, report));
+  }
   return violations;
 }
 

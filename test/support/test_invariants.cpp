@@ -132,12 +132,22 @@ TEST_F(Invariants, notice_a_report_that_lies)
   EXPECT_EQ(violations().size(), 3u);
 }
 
+TEST_F(Invariants, notice_cavities_that_are_not_there)
+{
+  m_report.number_of_cavities = 1;
+  EXPECT_FALSE(violations().empty());
+}
+
 TEST_F(Invariants, notice_nodes_outside)
 {
   m_skeleton[4].point = Point(4, 1.5, 0);
   const CSCD::test::Inside_count count = CSCD::test::count_inside(m_mesh, m_skeleton);
   EXPECT_EQ(count.number_of_nodes_outside, 1u);
   EXPECT_LT(count.fraction_of_length_inside(), 1);
+  EXPECT_EQ(violations().size(), 2u) << "a node and a part of the length";
+  m_report.number_of_nodes_outside = 1;
+  m_report.number_of_edges_outside = 2;
+  EXPECT_EQ(violations(), Violations{});
   EXPECT_NEAR(CSCD::test::centreline_error(m_shape, m_skeleton).max_of_nodes, 1.5, 1e-12);
 }
 

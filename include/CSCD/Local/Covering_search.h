@@ -167,6 +167,7 @@ public:
         m_max_sources(settings.maximum_number_of_sources), m_search(solid, detail, settings)
   {
   }
+  Covering_search(Covering_search&&) = delete; // the search calls back
 
   /// Finds separators and counts in `report`; `progress(fraction)` is called often and may throw.
   std::vector<Separator> operator()(Skeletonization_report& report, const Progress& progress)

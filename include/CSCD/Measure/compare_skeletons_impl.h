@@ -452,6 +452,7 @@ public:
       number_matched += d <= match_distance ? 1 : 0;
       ++number;
       if (work > Segment_bvh::enough_work) {
+        result.is_estimate = number < samples.size();
         break;
       }
     }
@@ -460,11 +461,12 @@ public:
     if (!m_skeleton.edges.empty()) { // otherwise the samples are the nodes
       work = 0;
       for (const Index node : in_random_order(m_skeleton.points.size())) {
-        const double d = other.m_tree.nearest(m_skeleton.points[node], result.maximum, &work).distance;
-        result.maximum = std::max(result.maximum, d);
         if (work > Segment_bvh::enough_work) {
+          result.is_estimate = true;
           break;
         }
+        const double d = other.m_tree.nearest(m_skeleton.points[node], result.maximum, &work).distance;
+        result.maximum = std::max(result.maximum, d);
       }
     }
     return result;

@@ -139,8 +139,10 @@ private:
 /// for the source of the edge with weight 1 - t and for the target with weight t. The radius of a node is the weighted
 /// mean of the d's; nodes to which no point was assigned are interpolated from their neighbors.
 /// O(p log e) for p points and e edges, where those are well spread; in tangles some points stand for all.
+/// \param is_partial if not null, is set to whether some points stood for all
 /// \pre there are points and nodes
-inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Indexed_skeleton& skeleton)
+inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Indexed_skeleton& skeleton,
+                                          bool* is_partial = nullptr)
 {
   CGAL_precondition(!points.empty() && skeleton.number_of_nodes() > 0);
   const std::vector<std::array<Index, 2>> ends = segment_ends(skeleton);
@@ -163,6 +165,9 @@ inline std::vector<double> estimate_radii(const std::vector<Vector_3>& points, c
     sum[target] += t * nearest.distance;
     weight[target] += t;
     total += nearest.distance;
+  }
+  if (is_partial != nullptr) {
+    *is_partial = number < points.size();
   }
   constexpr double min_weight = 1e-9; // in points
   std::vector<double> radii(skeleton.number_of_nodes(), 0.);

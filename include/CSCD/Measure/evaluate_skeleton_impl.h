@@ -296,7 +296,7 @@ public:
     if (parameters.uses_skeleton_radii) {
       place_radii();
     } else {
-      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton);
+      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton, &m_are_radii_estimates);
     }
   }
 
@@ -319,6 +319,7 @@ public:
     Skeleton_measures result;
     result.number_of_points = m_measured.points().size();
     result.diagonal = m_measured.normalization().unit;
+    result.are_radii_estimates = m_are_radii_estimates;
     result.counts = count_skeleton(m_skeleton, m_skeleton.radii);
     result.convolution =
         measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points(), distance);
@@ -383,6 +384,7 @@ private:
   const Measured& m_measured;
   Indexed_skeleton m_skeleton;
   std::size_t m_resolution;
+  bool m_are_radii_estimates = false;
 };
 
 CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,

@@ -106,6 +106,7 @@ Skeleton to_simplified_graph(const Skeleton& skeleton, const Indexed_skeleton& b
                                                                                          vertices(skeleton).second);
   Skeleton result;
   std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
+  [[maybe_unused]] const std::vector<std::vector<Index>> neighbors = node_neighbors(simplified.skeleton);
   for (Index v = 0; v < simplified.skeleton.number_of_nodes(); ++v) {
     nodes.push_back(add_vertex(result));
     auto& node = result[nodes.back()];
@@ -120,6 +121,9 @@ Skeleton to_simplified_graph(const Skeleton& skeleton, const Indexed_skeleton& b
     }
     if constexpr (has_radius_v<Skeleton>) {
       node.radius = simplified.skeleton.radii[v];
+    }
+    if constexpr (has_is_opening_v<Skeleton>) {
+      node.is_opening = node.is_opening && neighbors[v].size() < 2; // a joined end is not an end
     }
   }
   for (std::size_t v = 0; v < old_nodes.size(); ++v) {

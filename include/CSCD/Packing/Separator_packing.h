@@ -14,8 +14,13 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
+#include <boost/unordered_map.hpp>
+
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -40,6 +45,7 @@ public:
   void pack(const Predicate& is_allowed)
   {
     m_packed.clear();
+    m_cells.clear();
     m_arrangement.clear();
     for (Index separator : m_order) {
       if (is_allowed(separator) && is_spaced(separator)) {
@@ -54,6 +60,7 @@ public:
   {
     std::vector<Index> packed;
     packed.swap(m_packed);
+    m_cells.clear();
     m_arrangement.clear();
     for (Index separator : packed) {
       if (is_allowed(separator)) {
@@ -68,6 +75,11 @@ public:
     const bool is_inserted = m_arrangement.insert(separator, m_separators[separator].crossings);
     if (is_inserted) {
       m_packed.push_back(separator);
+      const Separator& added = m_separators[separator];
+      if (added.radius() > 0) {
+        const int size = std::ilogb(added.radius());
+        m_cells[size][cell(added.center, width_of_cells(size))].push_back(separator);
+      }
     }
     return is_inserted;
   }
@@ -80,20 +92,56 @@ private:
   /// The centers of packed separators keep this distance, relative to the radius of the shorter one.
   static constexpr double min_spacing = 0.3;
 
+  /// A cube of a lattice, by whole numbers.
+  using Cell = std::array<double, 3>;
+
+  /// Twice the distance that separators keep, at most, from those whose radius has the binary exponent `size`.
+  static double width_of_cells(int size) { return std::ldexp(2 * min_spacing, size + 1); }
+
+  static Cell cell(const Vector_3& point, double width)
+  {
+    return {std::floor(point.x() / width), std::floor(point.y() / width), std::floor(point.z() / width)};
+  }
+
+  bool is_too_near(const Separator& a, const Separator& b) const
+  {
+    const double distance = min_spacing * std::min(a.radius(), b.radius());
+    return (a.center - b.center).squaredNorm() < distance * distance;
+  }
+
+  /// Whether `candidate` keeps its distance from all that are packed. Looks into at most 8 cells for each power of two
+  /// among their radii.
   bool is_spaced(Index candidate) const
   {
+    constexpr double tolerance = 1 + 1e-9; // relative: far above rounding
     const Separator& a = m_separators[candidate];
-    return std::none_of(m_packed.begin(), m_packed.end(), [&](Index packed) {
-      const Separator& b = m_separators[packed];
-      const double distance = min_spacing * std::min(a.radius(), b.radius());
-      return (a.center - b.center).squaredNorm() < distance * distance;
-    });
+    for (const auto& [size, cells] : m_cells) {
+      const double width = width_of_cells(size);
+      const double reach = tolerance * std::min(min_spacing * a.radius(), width / 2);
+      const Cell first = cell(a.center - Vector_3::Constant(reach), width);
+      const Cell last = cell(a.center + Vector_3::Constant(reach), width);
+      for (double x = first[0]; x <= last[0]; ++x) {
+        for (double y = first[1]; y <= last[1]; ++y) {
+          for (double z = first[2]; z <= last[2]; ++z) {
+            const auto found = cells.find({x, y, z});
+            if (found != cells.end() && std::any_of(found->second.begin(), found->second.end(), [&](Index packed) {
+                  return is_too_near(a, m_separators[packed]);
+                })) {
+              return false;
+            }
+          }
+        }
+      }
+    }
+    return true;
   }
 
   const std::vector<Separator>& m_separators;
   Separator_arrangement m_arrangement;
   std::vector<Index> m_order;
   std::vector<Index> m_packed;
+  /// The packed separators in each cell, by the exponents of their radii.
+  std::map<int, boost::unordered_map<Cell, std::vector<Index>>> m_cells;
 };
 
 /// Greedy weighted set packing of separators (section 3.2.3), followed by pruning: the separators of a branch that no

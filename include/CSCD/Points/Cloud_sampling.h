@@ -154,7 +154,6 @@ public:
   bool is_smoothed() const { return m_noise > max_noise; }
   /// The points; those on the fitted surfaces if the noise is large.
   const std::vector<Vector_3>& points() const { return m_points; }
-  /// The surfaces fitted to the neighborhoods of the points.
   /// Whether a point is far from all others, compared with how far those are from each other.
   bool is_outlier(Index point) const { return m_is_outlier[point] != 0; }
   std::size_t number_of_outliers() const

@@ -33,7 +33,8 @@ public:
   {
   }
 
-  /// The area on the smaller side of `loop` over the square of its length, or something above `limit` if it is larger.
+  /// The area on the smaller side of `loop` over the square of its length, or something above `limit` if it is larger;
+  /// 0 if the loop has no length, or an edge that the surface has not.
   double area_ratio(const Vertex_loop& loop, double limit)
   {
     m_edges.clear();
@@ -47,6 +48,9 @@ public:
       m_edges.mark(m_surface.edge(h));
       m_sides.push_back(h);
       length += m_surface.length(h);
+    }
+    if (length == 0) {
+      return 0;
     }
     const double left = flood([this](std::size_t i) { return m_sides[i]; }, limit * length * length);
     const double right = flood([this](std::size_t i) { return m_surface.twin(m_sides[i]); }, limit * length * length);

@@ -97,15 +97,17 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   result.number_of_degenerate_faces =
       std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
                                 [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
-  if (sheets.number_of_sheets == 0) {
-    result.cavities = fill_cavities(triangles, pairing, components, number_of_input_points);
-    number_of_input_points -= result.cavities.vertices.size();
+  result.cavities = fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
+  number_of_input_points -= result.cavities.vertices.size();
+  if (result.cavities.number > 0 && !sheets.side.empty()) {
+    for (std::size_t i = 0; i < result.cavities.old_number.size(); ++i) {
+      sheets.side[i] = sheets.side[result.cavities.old_number[i]]; // which is not less than i
+    }
+    sheets.side.resize(result.cavities.old_number.size());
   }
   result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
   split_two_face_components(triangles, pairing, components);
-  if (sheets.number_of_sheets == 0 && triangles.first_hole_filling_face == triangles.faces.size()) {
-    result.has_sampled_limbs = sample_limbs(triangles, pairing, components) > 0;
-  }
+  result.has_sampled_limbs = sample_limbs(triangles, pairing, components, sheets.side) > 0;
   refine_large_faces(triangles, pairing, components);
   result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points - number_of_copied_points;
   if (sheets.number_of_sheets > 0) {

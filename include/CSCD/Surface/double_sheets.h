@@ -90,7 +90,7 @@ public:
   /// The vertex that stands for the component of `vertex`.
   Index component(Index vertex) { return m_components.find(vertex); }
   bool is_sheet(Index vertex) { return m_is_sheet[component(vertex)] != 0; }
-  /// The width of the component of `vertex`: 0 where all vertices are on borders.
+  /// The width of the component of `vertex`.
   double width(Index vertex) { return m_width[component(vertex)]; }
 
 private:
@@ -276,12 +276,25 @@ private:
   }
 
   /// The width of components is twice the largest distance from their borders, which does not depend on the order of
-  /// vertices as meetings do.
+  /// vertices as meetings do; of a ribbon, whose vertices are all on borders, twice its area over their length.
   void measure_widths()
   {
     for (Index vertex = 0; vertex < m_width.size(); ++vertex) {
       if (m_front.label(vertex) != no_index) {
         m_width[component(vertex)] = std::max(m_width[component(vertex)], 2 * double(m_front.distance(vertex)));
+      }
+    }
+    std::vector<double> area(m_width.size(), 0);
+    std::vector<double> length(m_width.size(), 0);
+    for (const std::array<Index, 3>& face : m_triangles.faces) {
+      area[component(face[0])] += triangle_area(point(face[0]), point(face[1]), point(face[2]));
+    }
+    for (const Border_cycle& border : m_borders) {
+      length[component(origin(border.halfedges.front()))] += border.length;
+    }
+    for (Index c = 0; c < m_width.size(); ++c) {
+      if (m_width[c] == 0 && length[c] > 0) {
+        m_width[c] = double(float(2 * area[c] / length[c])); // in single precision for any order of the faces
       }
     }
   }

@@ -33,13 +33,19 @@ public:
   }
 
   /// Whether each component is such a cavity, without a body in it. O(n log n) where any component faces inwards.
-  std::vector<char> operator()()
+  /// \param side of every vertex, not 0 on a sheet, which bounds no cavity; empty without sheets
+  std::vector<char> operator()(const std::vector<signed char>& side = {})
   {
     if (m_components.number() == 1) {
       return m_is_cavity;
     }
     for (Index c = 0; c < m_components.number(); ++c) {
       m_is_cavity[c] = m_components.measures[c].faces_inwards() ? 1 : 0;
+    }
+    for (std::size_t face = 0; face < m_triangles.faces.size() && !side.empty(); ++face) {
+      if (side[m_triangles.faces[face][0]] != 0) {
+        m_is_cavity[m_components.component[face]] = 0;
+      }
     }
     if (std::count(m_is_cavity.begin(), m_is_cavity.end(), 1) > 0) {
       keep_within_bodies();
@@ -127,11 +133,13 @@ struct Filled_cavities
 
 /// Takes the surfaces of cavities, such as those of a hollowed statue, out of `triangles`.
 /// \param number_of_input_points the points from this one on are not of the input
+/// \param side of every vertex, not 0 on a sheet; empty without sheets
 /// \pre `pairing` and `components` are those of `triangles`, and are kept so
 inline Filled_cavities fill_cavities(Indexed_triangles& triangles, Halfedge_pairing& pairing,
-                                     Surface_components& components, std::size_t number_of_input_points)
+                                     Surface_components& components, std::size_t number_of_input_points,
+                                     const std::vector<signed char>& side = {})
 {
-  const std::vector<char> is_cavity = Cavity_search(triangles, components)();
+  const std::vector<char> is_cavity = Cavity_search(triangles, components)(side);
   Filled_cavities result;
   result.number = std::size_t(std::count(is_cavity.begin(), is_cavity.end(), 1));
   if (result.number == 0) {

@@ -100,10 +100,11 @@ public:
   /// The bound of a component that is left as it is.
   static constexpr double no_bound = std::numeric_limits<double>::max();
 
-  /// \param squared_bound the square of the longest edge allowed, of each component
+  /// \param squared_bound the square of the longest edge allowed, of each component; none of one with hole-filling faces
   Flat_refinement(Indexed_triangles& triangles, const Halfedge_pairing& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound)
-      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound)
+      : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
+        m_number_of_faces(triangles.faces.size())
   {
     m_twin.reserve(pairing.number_of_halfedges());
     for (Index h = 0; h < pairing.number_of_halfedges(); ++h) {
@@ -131,7 +132,14 @@ public:
         --max_number;
       }
     }
-    m_triangles.first_hole_filling_face = m_triangles.faces.size();
+    // New faces come before those that fill holes.
+    const auto rotate = [&](auto& rows) {
+      std::rotate(rows.begin() + std::ptrdiff_t(m_triangles.first_hole_filling_face),
+                  rows.begin() + std::ptrdiff_t(m_number_of_faces), rows.end());
+    };
+    rotate(m_triangles.faces);
+    rotate(m_components.component);
+    m_triangles.first_hole_filling_face += m_triangles.faces.size() - m_number_of_faces;
   }
 
 private:
@@ -283,6 +291,7 @@ private:
   Indexed_triangles& m_triangles;
   Surface_components& m_components;
   const std::vector<double>& m_squared_bound;
+  std::size_t m_number_of_faces; ///< before the refinement
   std::vector<Index> m_twin;
   std::priority_queue<Long_edge> m_long_edges;
   std::vector<Index> m_unchecked;
@@ -322,12 +331,13 @@ inline std::vector<double> bounds_for_limbs(const Indexed_triangles& triangles, 
   return squared_bound;
 }
 
-/// Inserts vertices into components that have many limbs of a few long faces each. The shape does not change, but some
-/// edges in flat parts do. Vertices grow by at most 128 for each limb, of which there are fewer than vertices. Near
-/// linear. \return the number of inserted vertices, which are appended
-/// \pre `triangles` is closed, also without hole-filling faces; `pairing` and `components` are those of its faces, and
-///      are kept so
-inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components)
+/// Inserts vertices into components that have many limbs of a few long faces each, except sheets and components with
+/// hole-filling faces. The shape does not change, but some edges in flat parts do. Vertices grow by at most 128 for
+/// each limb, of which there are fewer than vertices. Near linear. \return the number of inserted vertices, which are
+/// appended \param side of every vertex, not 0 on a sheet; empty without sheets
+/// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
+inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components,
+                                const std::vector<signed char>& side = {})
 {
   constexpr double max_growth = 128; // vertices for each limb: twice those of an even triangulation
   const auto has_long_faces = [](const Surface_components::Measure& measure) {
@@ -344,6 +354,11 @@ inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& 
   for (Index i = 0; i < components.number(); ++i) {
     if (2 * flat_faces[i] < components.measures[i].number_of_faces) {
       squared_bound[i] = Flat_refinement::no_bound;
+    }
+  }
+  for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+    if (f >= triangles.first_hole_filling_face || (!side.empty() && side[triangles.faces[f][0]] != 0)) {
+      squared_bound[components.component[f]] = Flat_refinement::no_bound;
     }
   }
   double max_number = 0;

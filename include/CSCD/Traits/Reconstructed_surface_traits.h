@@ -69,8 +69,10 @@ public:
   /// \param point_map maps the elements of `points` to points
   /// \param normal_map a readable map from the elements of `points` to vectors with coordinates `x()`, `y()`, `z()`,
   ///        of any length and of either orientation: surfaces are not made across them
+  /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
   template <class NormalMap>
-  Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map)
+  Reconstructed_surface_traits(const PointRange& points, const PointMap& point_map, const NormalMap& normal_map,
+                               unsigned number_of_threads = 1)
   {
     const auto start = std::chrono::steady_clock::now();
     const auto [cloud, number_of_outliers] =
@@ -80,7 +82,8 @@ public:
     m_report.number_of_outliers += number_of_outliers;
     m_report.number_of_unused_points += number_of_outliers;
     m_report.number_of_thinned_points -= number_of_outliers;
-    m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing));
+    m_surface.emplace(std::move(reconstructed.triangles), std::move(reconstructed.pairing), Border_treatment::bridge,
+                      number_of_threads);
     m_normalization = cloud.normalization.then(m_surface->normalization());
     m_points = {points, cloud, internal::vertices_of_points(*m_surface, cloud, reconstructed.point_of_vertex),
                 m_surface->triangulation().number_of_vertices()};

@@ -61,16 +61,29 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
 /// neighborhoods: of a tenth of them and more the points lie along curves, and not on a surface. Fewer than 20,000
 /// points show too little of their form for that: the answer is no. Linear, and fast: a sample of 50,000 points is
 /// looked at. Does not depend on the order of the points.
-/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
+/// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
+/// \param points at least one point
+/// \param np an optional sequence of named parameters
+///
+/// \cgalNamedParamsBegin
+///   \cgalParamNBegin{point_map}
+///     \cgalParamDescription{the points of the elements of `points`}
+///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
+///     \cgalParamDefault{`points.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
+///   \cgalParamNEnd
+/// \cgalNamedParamsEnd
+///
 /// \throw Input_error if there are no points
 /// \pre all coordinates are finite
-template <class PointRange>
-bool is_scan_of_trees(const PointRange& points)
+template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
+bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = parameters::default_values())
 {
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t>();
   constexpr std::size_t min_number_of_points = 20000;
+  const auto point_map = internal::point_map(points, np);
   std::vector<Vector_3> coordinates;
-  for (const auto& point : points) {
-    coordinates.push_back(internal::to_vector_3(point));
+  for (const auto& element : points) {
+    coordinates.push_back(internal::to_vector_3(get(point_map, element)));
   }
   const Point_cloud cloud = make_point_cloud(internal::sample_of(coordinates), {});
   return cloud.points.size() >= min_number_of_points && internal::is_scan_of_trees(internal::forms_of(cloud.points));

@@ -115,8 +115,8 @@ inline Principal_axes principal_axes(const Moment_matrix& matrix)
     const std::size_t distinct = gap_above > gap_below ? 2 : 0;
     const std::size_t other = 2 - distinct;
     std::tie(vectors[distinct], vectors[other]) = kernel(scaled.shifted(values[distinct]));
-    if (std::min(gap_above, gap_below) <= 2 * epsilon * gap_below) {
-      vectors[other] -= vectors[distinct].dot(vectors[other]) * vectors[other];
+    if (std::min(gap_above, gap_below) <= 2 * epsilon * std::max(gap_above, gap_below)) {
+      vectors[other] -= vectors[distinct].dot(vectors[other]) * vectors[distinct];
       vectors[other].normalize();
     } else {
       vectors[other] = kernel(scaled.shifted(values[other])).first;
