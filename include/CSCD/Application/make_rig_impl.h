@@ -173,7 +173,7 @@ private:
   {
     m_owner.assign(m_skeleton.number_of_nodes(), no_index);
     m_distance.assign(m_skeleton.number_of_nodes(), 0);
-    const std::vector<Index> branch_of_node = measure_branches(m_skeleton).branch_of_node;
+    const std::vector<Index> branch_of_node = internal::measure_branches(m_skeleton).branch_of_node;
     for (const Index node : m_forest.order()) {
       const bool is_root = m_forest.is_root(node);
       const Index parent = m_forest.parent(node);

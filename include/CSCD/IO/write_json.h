@@ -89,7 +89,7 @@ inline void write_json(std::ostream& out, const Skeleton_content& skeleton)
     document["edges"].push_back({source, target});
   }
   if (skeleton.has_radius) {
-    document["branches"] = json_branches(measure_branches(skeleton).branches);
+    document["branches"] = json_branches(internal::measure_branches(skeleton).branches);
   }
   for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
     if (skeleton.is_joined[e] != 0) {

@@ -42,7 +42,7 @@ inline void write_vtp_cells(std::ostream& out, const char* tag, const std::vecto
 
 inline void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
 {
-  const std::vector<Skeleton_branch> branches = measure_branches(skeleton).branches;
+  const std::vector<Skeleton_branch> branches = internal::measure_branches(skeleton).branches;
   std::vector<std::size_t> numbers(branches.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t(0));
   const auto lines = std::stable_partition(
