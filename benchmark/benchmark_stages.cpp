@@ -11,8 +11,8 @@
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_json.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 

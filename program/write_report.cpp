@@ -7,7 +7,7 @@
 
 #include "dump_json.h"
 #include <CSCD/IO/write_json.h>
-#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>

@@ -5,7 +5,7 @@
 
 #include <CSCD/Local_policies_impl.h>
 #include <CSCD/Skeleton/Skeleton_builder_impl.h>
-#include <CSCD/Surface/Halfedge_pairing_impl.h>
-#include <CSCD/Surface/Triangulated_solid_impl.h>
-#include <CSCD/internal/for_each_range_impl.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/internal/parallel.h>
 #include <CSCD/skeletonize_impl.h>

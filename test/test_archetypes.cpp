@@ -15,8 +15,7 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/concepts.h>
 #include <CSCD/extract_curve_skeleton.h>

@@ -11,7 +11,7 @@
 #include <CSCD/Published/Separator_overlaps.h>
 #include <CSCD/Published/build_quotient_skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_index.h>
+#include <CSCD/internal/parallel.h>
 
 #include <boost/random/mersenne_twister.hpp>
 #include <boost/random/uniform_int_distribution.hpp>

@@ -6,9 +6,9 @@
 #ifndef CSCD_LOCAL_POLICIES_H
 #define CSCD_LOCAL_POLICIES_H
 
-#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>

@@ -9,9 +9,8 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

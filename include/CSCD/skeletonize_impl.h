@@ -8,14 +8,14 @@
 
 #include <CSCD/Local/local_stages.h>
 #include <CSCD/Packing/Separator_packing.h>
-#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/build_cut_graph_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
 #include <CSCD/Surface/Prepared_mesh.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/skeletonize.h>

@@ -5,7 +5,7 @@
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Local/Coverage.h>
+#include <CSCD/Local/Covering_search.h>
 #include <CSCD/Local/Local_separator_finder.h>
 #include <CSCD/Vector_3.h>
 

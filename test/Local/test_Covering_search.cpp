@@ -7,12 +7,11 @@
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Covering_search.h>
-#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 

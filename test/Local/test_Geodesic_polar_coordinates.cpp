@@ -7,7 +7,6 @@
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Local_separator_finder.h>
-#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Vector_3.h>
 

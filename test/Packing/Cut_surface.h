@@ -7,7 +7,6 @@
 #define CSCD_TEST_PACKING_CUT_SURFACE_H
 
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

@@ -8,7 +8,6 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

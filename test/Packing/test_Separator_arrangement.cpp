@@ -6,7 +6,7 @@
 #include "Separator/make_separator.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

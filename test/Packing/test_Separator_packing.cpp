@@ -6,7 +6,6 @@
 #include "Separator/make_separator.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Packing/Separator_cost.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>

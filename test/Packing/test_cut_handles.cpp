@@ -11,12 +11,9 @@
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Packing/Handle_loops.h>
-#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

@@ -7,8 +7,8 @@
 #include "support/shapes.h"
 #include <CSCD/Points/Reconstructed_surface.h>
 #include <CSCD/Points/Surface_completion.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 

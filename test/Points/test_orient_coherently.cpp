@@ -6,7 +6,7 @@
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Points/orient_coherently.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

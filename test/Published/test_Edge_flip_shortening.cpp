@@ -8,18 +8,15 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
-#include <CSCD/Local/Nearest_meeting.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_index.h>
+#include <CSCD/internal/parallel.h>
 
 #include <gtest/gtest.h>
 

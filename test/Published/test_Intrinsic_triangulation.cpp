@@ -9,9 +9,9 @@
 #include "support/shapes.h"
 #include <CSCD/Published/Edge_trace.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <Eigen/Core>

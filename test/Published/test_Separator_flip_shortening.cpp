@@ -10,7 +10,6 @@
 #include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 

@@ -8,7 +8,7 @@
 #include "support/shapes.h"
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 
 #include <gtest/gtest.h>
 

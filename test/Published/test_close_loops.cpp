@@ -11,7 +11,7 @@
 #include <CSCD/Published/Cut_tree.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Published/close_loops.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 
 #include <gtest/gtest.h>
 

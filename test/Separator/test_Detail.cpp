@@ -3,7 +3,7 @@
 //
 // The numbers that stand behind the detail.
 
-#include <CSCD/Separator/Detail.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/math/constants/constants.hpp>

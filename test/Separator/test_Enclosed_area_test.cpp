@@ -5,8 +5,8 @@
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Separator/Enclosed_area_test.h>
-#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 

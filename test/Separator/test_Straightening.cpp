@@ -7,12 +7,9 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
-#include <CSCD/Local/Nearest_meeting.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

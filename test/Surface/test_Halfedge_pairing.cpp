@@ -7,7 +7,7 @@
 #include "Traits/message_of.h"
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 
 #include <gtest/gtest.h>
 

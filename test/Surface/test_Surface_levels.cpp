@@ -6,11 +6,9 @@
 #include "Surface/to_surface.h"
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Coarsening.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

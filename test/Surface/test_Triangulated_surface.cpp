@@ -6,7 +6,7 @@
 #include "Surface/to_indexed_triangles.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 
 #include <gtest/gtest.h>

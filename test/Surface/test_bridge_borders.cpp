@@ -5,9 +5,9 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include "support/Allow_threads.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/canonical_order.h>
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Surface/compile_surface.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 
 #include <gtest/gtest.h>
 

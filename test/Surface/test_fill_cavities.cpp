@@ -6,7 +6,7 @@
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/fill_cavities.h>
+#include <CSCD/Surface/close_surface.h>
 
 #include <gtest/gtest.h>
 

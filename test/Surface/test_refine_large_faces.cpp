@@ -6,7 +6,7 @@
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Surface/refine_large_faces.h>
 
 #include <gtest/gtest.h>

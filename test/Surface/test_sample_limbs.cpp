@@ -6,7 +6,7 @@
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/sample_limbs.h>
+#include <CSCD/Surface/refine_large_faces.h>
 
 #include <gtest/gtest.h>
 

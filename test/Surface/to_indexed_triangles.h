@@ -7,7 +7,7 @@
 #define CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H
 
 #include "support/Shape.h"
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 
 namespace CSCD::test {
 

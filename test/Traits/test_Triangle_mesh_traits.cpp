@@ -9,9 +9,8 @@
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>

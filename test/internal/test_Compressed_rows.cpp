@@ -5,7 +5,7 @@
 
 #include "support/Allow_threads.h"
 #include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/parallel.h>
 
 #include <gtest/gtest.h>
 

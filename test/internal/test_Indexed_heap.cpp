@@ -4,7 +4,7 @@
 // The heap against the standard queue, on random operations.
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Indexed_heap.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include "support/Allow_threads.h"
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_index.h>
+#include <CSCD/internal/parallel.h>
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,8 @@
 
 #include "Shape.h"
 #include "Surface/to_indexed_triangles.h"
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 

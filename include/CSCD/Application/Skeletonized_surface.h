@@ -7,8 +7,7 @@
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -11,7 +11,7 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 

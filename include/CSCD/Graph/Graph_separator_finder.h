@@ -8,8 +8,8 @@
 
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Indexed_heap.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -8,8 +8,7 @@
 
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/counted.h>
 

@@ -16,10 +16,9 @@
 #include <CSCD/IO/internal/parse_vtk.h>
 #include <CSCD/IO/read_points_impl.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
-#include <CSCD/Surface/fill_cavities.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

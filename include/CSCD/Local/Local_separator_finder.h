@@ -7,14 +7,11 @@
 #define CSCD_LOCAL_LOCAL_SEPARATOR_FINDER_H
 
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
-#include <CSCD/Local/Nearest_meeting.h>
-#include <CSCD/Separator/Detail.h>
-#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
-#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Vector_3.h>
 

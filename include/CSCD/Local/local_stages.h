@@ -7,13 +7,11 @@
 #define CSCD_LOCAL_LOCAL_STAGES_H
 
 #include <CSCD/Local/Covering_search.h>
-#include <CSCD/Packing/Separator_cost.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
-#include <CSCD/Separator/Detail.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/is_around_hollow.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 

@@ -9,7 +9,7 @@
 #include <CSCD/Measure/Position_measurement.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <boost/unordered_map.hpp>

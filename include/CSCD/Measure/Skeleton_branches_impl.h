@@ -11,7 +11,7 @@
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/config.h>

@@ -8,8 +8,7 @@
 
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>

@@ -7,8 +7,7 @@
 #define CSCD_MEASURE_COMPARE_SEGMENTATIONS_IMPL_H
 
 #include <CSCD/Measure/compare_segmentations.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/config.h>

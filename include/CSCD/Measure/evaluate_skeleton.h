@@ -9,8 +9,7 @@
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>

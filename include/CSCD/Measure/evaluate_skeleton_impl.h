@@ -15,15 +15,13 @@
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
-#include <CSCD/Surface/fill_cavities.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -8,7 +8,7 @@
 
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Surface_levels.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 

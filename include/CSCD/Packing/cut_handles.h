@@ -1,30 +1,224 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Adds separators until every handle is cut.
+// Cuts the handles that no separator cuts.
 
 #ifndef CSCD_PACKING_CUT_HANDLES_H
 #define CSCD_PACKING_CUT_HANDLES_H
 
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Packing/Handle_loops.h>
-#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
-#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Disjoint_sets.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Finds loops in a piece of the cut surface that do not separate it: a basis of its homology, with a disc put over
+/// each of its borders. A separator that the piece has on both sides makes two borders. From a tree of shortest paths
+/// in the piece and a cotree of the faces that leaves the edges of the shortest loops to the last (Erickson and
+/// Whittlesey, "Greedy optimal homotopy and homology generators", 2005), each edge that is in neither closes one loop.
+/// O(n log n) for n vertices of the surface.
+class Handle_loops
+{
+public:
+  /// Prepares to find loops on the surface `finest` cut along the separators in `arrangement`.
+  Handle_loops(const Surface_level& finest, const Separator_arrangement& arrangement)
+      : m_surface(finest.surface), m_corners(finest.corners()), m_arrangement(arrangement),
+        m_is_crossed(m_surface.number_of_halfedges(), 0), m_region(m_surface.number_of_halfedges()),
+        m_capped(m_surface.number_of_faces() + 2 * arrangement.points().size()),
+        m_front(m_surface.number_of_vertices()), m_parent(m_surface.number_of_vertices())
+  {
+    for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
+      m_is_crossed[point.edge] = 1;
+    }
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      m_region[h] = Triangulated_surface::face(h);
+    }
+    cap_borders();
+  }
+
+  /// The loops of the piece with the vertex `root`, twice its genus of them, each simple, through `root` or with its
+  /// stem from there left out. They are fewer where all edges between two parts of the piece are crossed.
+  /// \param max_length of a loop with its stem there and back: longer ones are left out; with few vertices in reach, it
+  ///        takes linear time
+  std::vector<Vertex_loop> operator()(Index root, float max_length = std::numeric_limits<float>::infinity())
+  {
+    grow_tree(root, max_length / 2);
+    Disjoint_sets regions = m_capped;
+    collect_cotree_edges(regions);
+    std::vector<Vertex_loop> loops;
+    // The longest loops first: their edges go to the cotree, and those of the shortest remain.
+    for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
+      if (!join_across(edge->halfedge, regions) && edge->loop_length <= max_length) {
+        loops.push_back(close_loop(edge->halfedge));
+      }
+    }
+    std::reverse(loops.begin(), loops.end());
+    return loops;
+  }
+
+  /// Whether a path leads from the last root to `vertex`.
+  bool has_reached(Index vertex) const { return m_front.is_reached(vertex); }
+
+private:
+  struct Cotree_edge
+  {
+    Index halfedge;
+    float loop_length;
+  };
+
+  struct Chord_end
+  {
+    Index point;
+    bool is_left_after; ///< whether the left side of the separator comes after it in the order around the face
+  };
+
+  bool is_crossed(Index halfedge) const { return m_is_crossed[m_surface.edge(halfedge)] != 0; }
+
+  /// One side of a separator at a point, which is all of its border there.
+  Index border(Index point, bool is_left) const { return m_surface.number_of_faces() + 2 * point + (is_left ? 1 : 0); }
+
+  /// Makes one region of each border of a piece, with its disc, and of borders that meet within a face.
+  void cap_borders()
+  {
+    const std::vector<Separator_arrangement::Chord>& chords = m_arrangement.chords();
+    for (Index i = 0; i < chords.size(); ++i) {
+      for (bool is_left : {false, true}) {
+        m_capped.join(border(chords[i].begin, is_left), border(chords[i].end, is_left));
+      }
+      // Each face once: at the chord that its list begins with.
+      if (m_arrangement.first_chord(chords[i].face) == i) {
+        join_parts_of_face(chords[i].face);
+      }
+    }
+  }
+
+  /// Walks around `face`: from one end of a chord to the next, the boundary belongs to one part of the face.
+  void join_parts_of_face(Index face)
+  {
+    collect_ends(face);
+    Index region = region_after(m_ends.back());
+    auto end = m_ends.begin();
+    for (Index h = 3 * face; h < 3 * face + 3; ++h) {
+      // Of an edge that is crossed, this region is only the first part; but no loop runs along it.
+      m_region[h] = region;
+      for (; end != m_ends.end() && m_arrangement.side(m_arrangement.points()[end->point].edge, face) == h % 3; ++end) {
+        m_capped.join(region, border(end->point, !end->is_left_after));
+        region = region_after(*end);
+      }
+    }
+  }
+
+  /// Collects the ends of the chords of `face` in their order around it. A chord leaves the face with its left side
+  /// after it in this order, and enters with its right side.
+  void collect_ends(Index face)
+  {
+    m_ends.clear();
+    for (Index i = m_arrangement.first_chord(face); i != no_index; i = m_arrangement.chords()[i].next) {
+      m_ends.push_back({m_arrangement.chords()[i].begin, false});
+      m_ends.push_back({m_arrangement.chords()[i].end, true});
+    }
+    std::sort(m_ends.begin(), m_ends.end(),
+              [&](const Chord_end& a, const Chord_end& b) { return m_arrangement.is_before(a.point, b.point, face); });
+  }
+
+  Index region_after(const Chord_end& end) const { return border(end.point, end.is_left_after); }
+
+  void grow_tree(Index root, float max_distance)
+  {
+    m_front.clear();
+    m_front.reach(root, 0);
+    m_parent[root] = no_index;
+    m_front.spread([&](Index vertex, float distance) {
+      const Corner* corner = m_corners.fan(vertex).begin();
+      for (Index halfedge : m_surface.outgoing(vertex)) {
+        const float next_distance = distance + corner->length;
+        if (next_distance <= max_distance && !is_crossed(halfedge) && m_front.reach(corner->neighbor, next_distance)) {
+          m_parent[corner->neighbor] = vertex;
+        }
+        ++corner;
+      }
+    });
+  }
+
+  /// Unites what lies on the two sides of an edge that is not crossed. \return whether it was two regions
+  bool join_across(Index halfedge, Disjoint_sets& regions) const
+  {
+    return regions.join(m_region[halfedge], m_region[m_surface.twin(halfedge)]);
+  }
+
+  /// Collects the edges that the tree reaches and does not take, by increasing length of the loops that they close;
+  /// what it does not reach is no obstacle to the cotree.
+  void collect_cotree_edges(Disjoint_sets& regions)
+  {
+    m_edges.clear();
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      const Index a = m_surface.origin(h);
+      const Index b = m_surface.target(h);
+      if (m_surface.edge(h) != h || is_crossed(h)) {
+        continue;
+      }
+      if (!m_front.is_reached(a) || !m_front.is_reached(b)) {
+        join_across(h, regions);
+      } else if (m_parent[a] != b && m_parent[b] != a) {
+        m_edges.push_back({h, m_front.distance(a) + m_front.distance(b) + float(m_surface.length(h))});
+      }
+    }
+    std::stable_sort(m_edges.begin(), m_edges.end(),
+                     [](const Cotree_edge& a, const Cotree_edge& b) { return a.loop_length < b.loop_length; });
+  }
+
+  /// The two tree paths to the ends of `halfedge` without what they share.
+  Vertex_loop close_loop(Index halfedge) const
+  {
+    Vertex_loop first = path_from(m_surface.origin(halfedge));
+    Vertex_loop second = path_from(m_surface.target(halfedge));
+    Index meeting = first.back();
+    while (!first.empty() && !second.empty() && first.back() == second.back()) {
+      meeting = first.back();
+      first.pop_back();
+      second.pop_back();
+    }
+    std::reverse(second.begin(), second.end());
+    first.push_back(meeting);
+    first.insert(first.end(), second.begin(), second.end());
+    return first;
+  }
+
+  Vertex_loop path_from(Index vertex) const
+  {
+    Vertex_loop path;
+    for (; vertex != no_index; vertex = m_parent[vertex]) {
+      path.push_back(vertex);
+    }
+    return path;
+  }
+
+  const Triangulated_surface& m_surface;
+  const Vertex_fan_table& m_corners;
+  const Separator_arrangement& m_arrangement;
+  std::vector<std::uint8_t> m_is_crossed;
+  std::vector<Index> m_region; ///< of every halfedge that is not crossed: its face or, if that is cut, a border
+  Disjoint_sets m_capped;      ///< of faces and of both sides of the separators at every point
+  Dijkstra_search m_front;
+  std::vector<Index> m_parent;
+  std::vector<Chord_end> m_ends;
+  std::vector<Cotree_edge> m_edges;
+};
 
 /// Adds one separator for every handle that the packed ones leave uncut, so that the first Betti number of the cut
 /// graph is the genus of the surface. Of the loops that do not separate a piece, it takes one that spans the body

@@ -9,8 +9,8 @@
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Points/Reconstructed_surface.h>
 #include <CSCD/Points/Surface_completion.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>

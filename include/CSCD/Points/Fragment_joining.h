@@ -7,8 +7,7 @@
 #define CSCD_POINTS_FRAGMENT_JOINING_H
 
 #include <CSCD/Points/Neighbor_table.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Disjoint_sets.h>

@@ -7,9 +7,8 @@
 #define CSCD_POINTS_HANDLE_REPAIR_H
 
 #include <CSCD/Points/Local_handle_search.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Epoch_marks.h>
 

@@ -7,7 +7,6 @@
 #define CSCD_POINTS_LOCAL_HANDLE_SEARCH_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Disjoint_sets.h>

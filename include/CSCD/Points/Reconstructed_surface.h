@@ -7,8 +7,7 @@
 #define CSCD_POINTS_RECONSTRUCTED_SURFACE_H
 
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <vector>

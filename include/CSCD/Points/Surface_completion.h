@@ -10,13 +10,12 @@
 #include <CSCD/Points/Handle_repair.h>
 #include <CSCD/Points/Reconstructed_surface.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
 #include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>

@@ -14,7 +14,7 @@
 #include <CSCD/Points/advance_front.h>
 #include <CSCD/Points/recognize_tree_scan.h>
 #include <CSCD/Points/reconstruct_surface.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 

@@ -7,10 +7,8 @@
 #define CSCD_PUBLISHED_BALANCE_AND_ROUNDNESS_H
 
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Separator/Detail.h>
-#include <CSCD/Separator/Enclosed_area_test.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/is_around_hollow.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>

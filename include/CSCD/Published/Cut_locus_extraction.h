@@ -8,9 +8,8 @@
 
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Published/Cut_locus_settings.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

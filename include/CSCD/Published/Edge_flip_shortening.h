@@ -11,7 +11,6 @@
 #include <CSCD/Published/Intrinsic_patch.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 

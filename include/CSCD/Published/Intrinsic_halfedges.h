@@ -8,7 +8,7 @@
 
 #include <CSCD/Published/Edge_trace.h>
 #include <CSCD/Published/Flat_triangle.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

@@ -7,8 +7,7 @@
 #define CSCD_PUBLISHED_PREPARED_DISTANCES_H
 
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 

@@ -12,7 +12,7 @@
 #include <CSCD/Published/Prepared_distances.h>
 #include <CSCD/Published/Tufted_cover.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/close_surface.h>
 
 #include <algorithm>
 #include <utility>

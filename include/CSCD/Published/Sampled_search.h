@@ -19,7 +19,7 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_index.h>
+#include <CSCD/internal/parallel.h>
 
 #include <CGAL/assertions.h>
 

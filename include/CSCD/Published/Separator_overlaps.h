@@ -6,10 +6,9 @@
 #ifndef CSCD_PUBLISHED_SEPARATOR_OVERLAPS_H
 #define CSCD_PUBLISHED_SEPARATOR_OVERLAPS_H
 
-#include <CSCD/Packing/Separator_arrangement.h>
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Epoch_marks.h>

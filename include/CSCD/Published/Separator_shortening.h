@@ -10,7 +10,6 @@
 #include <CSCD/Published/Intrinsic_patch.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Separator/Vertex_loop.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

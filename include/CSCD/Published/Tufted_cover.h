@@ -7,7 +7,7 @@
 #define CSCD_PUBLISHED_TUFTED_COVER_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <Eigen/Geometry>

@@ -10,7 +10,7 @@
 #include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Published/Cut_tree.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 

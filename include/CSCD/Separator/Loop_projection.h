@@ -6,11 +6,11 @@
 #ifndef CSCD_SEPARATOR_LOOP_PROJECTION_H
 #define CSCD_SEPARATOR_LOOP_PROJECTION_H
 
-#include <CSCD/Separator/Vertex_loop.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/Indexed_heap.h>
 
 #include <boost/core/noinit_adaptor.hpp>
 

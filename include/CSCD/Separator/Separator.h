@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A curve on the surface that cuts a limb, and the measures of curves.
+// One separator: the closed curve, its measures, and the loop along edges that it comes from.
 
 #ifndef CSCD_SEPARATOR_SEPARATOR_H
 #define CSCD_SEPARATOR_SEPARATOR_H
@@ -9,6 +9,8 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/detection.h>
+
+#include <CGAL/assertions.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -227,6 +229,98 @@ inline void set_measures(Separator& separator, const Polygon_measures& measures)
 inline void set_measures(Separator& separator, const std::vector<Vector_3>& points)
 {
   set_measures(separator, measure_polygon(points));
+}
+
+/// A polygon over a surface, open or closed, which may pass through vertices and along edges.
+struct Surface_path
+{
+  /// Where it crosses edges, see `Edge_crossing`, and the vertices that it passes through, in order. At a vertex,
+  /// `position` is 0 and `halfedge` is from the vertex: the path leaves along it if the next point is a vertex too, and
+  /// otherwise into its face. The last point of an open path is a vertex of which any halfedge is given.
+  std::vector<Edge_crossing> points;
+  bool is_closed = true;
+  double length = 0;
+};
+
+/// Whether a point of a `Surface_path` is a vertex.
+inline bool is_vertex(const Edge_crossing& point)
+{
+  return point.position == 0;
+}
+
+/// Writes to `crossings` the edges that `loop` crosses when it is pushed a little to its left.
+/// \return whether consecutive vertices are neighbors and at least three edges are crossed
+inline bool push_off(const Triangulated_surface& surface, const Vertex_loop& loop,
+                     std::vector<Edge_crossing>& crossings)
+{
+  // Distance from the loop, relative to the length of the crossed edge; straightening moves it anyway.
+  constexpr double offset = 0.15;
+  crossings.clear();
+  const std::size_t size = loop.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const Index before = loop[(i + size - 1) % size];
+    const Index after = loop[(i + 1) % size];
+    const Index forward = surface.find_halfedge(loop[i], after);
+    if (forward == no_index || before == after || surface.find_halfedge(loop[i], before) == no_index) {
+      return false;
+    }
+    const std::size_t first_here = crossings.size();
+    for (Index h = surface.next_around_origin(forward); surface.target(h) != before;
+         h = surface.next_around_origin(h)) {
+      crossings.push_back({h, offset});
+    }
+    // The incident edges were collected from the way out to the way in.
+    std::reverse(crossings.begin() + std::ptrdiff_t(first_here), crossings.end());
+  }
+  return crossings.size() >= 3;
+}
+
+/// How far from a vertex a path that passes through it is pushed, relative to the length of the crossed edge.
+inline constexpr double vertex_offset = 0.01;
+
+/// Appends to `crossings` the edges around a vertex of a path that lie on the left of the path, from where it
+/// comes in to where it goes out. `before`, `vertex` and `after` are consecutive points of the path.
+template <class Surface>
+void push_off_vertex(const Surface& surface, const Edge_crossing& before, const Edge_crossing& vertex,
+                     const Edge_crossing& after, std::vector<Edge_crossing>& crossings)
+{
+  const auto previous_around_origin = [&surface](Index h) { return Surface::next(surface.twin(h)); };
+  const bool comes_along = is_vertex(before);
+  const Index back = surface.twin(before.halfedge);
+  const Index way_in = comes_along ? back : Surface::previous(back);
+  const Index way_out = vertex.halfedge;
+  Index incident_edge = comes_along ? previous_around_origin(way_in) : way_in;
+  // Both ends in one face: the left side holds all incident edges or none.
+  if (way_in == way_out && !comes_along && !is_vertex(after) && 1 - before.position < after.position) {
+    crossings.push_back({incident_edge, vertex_offset});
+    incident_edge = previous_around_origin(incident_edge);
+  }
+  for (; incident_edge != way_out; incident_edge = previous_around_origin(incident_edge)) {
+    crossings.push_back({incident_edge, vertex_offset});
+  }
+}
+
+/// Writes to `crossings` the edges that `path` crosses when it is pushed a little to its left where it passes through
+/// vertices and along edges. Linear in the number of points and the degrees of the vertices.
+/// \tparam Surface a model of `SurfaceTriangulation`
+/// \return whether at least three edges are crossed
+/// \pre `path` is closed
+template <class Surface>
+bool push_off_vertices(const Surface& surface, const Surface_path& path, std::vector<Edge_crossing>& crossings)
+{
+  CGAL_precondition(path.is_closed);
+  crossings.clear();
+  const std::vector<Edge_crossing>& points = path.points;
+  const std::size_t size = points.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (is_vertex(points[i])) {
+      push_off_vertex(surface, points[(i + size - 1) % size], points[i], points[(i + 1) % size], crossings);
+    } else {
+      crossings.push_back(points[i]);
+    }
+  }
+  cancel_backtracks(surface, crossings);
+  return crossings.size() >= 3;
 }
 
 } // namespace CSCD::internal

@@ -11,7 +11,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/parallel.h>
 
 #include <boost/math/constants/constants.hpp>
 

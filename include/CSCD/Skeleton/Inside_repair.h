@@ -14,7 +14,7 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>

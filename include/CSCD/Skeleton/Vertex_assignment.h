@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,6 @@
 #define CSCD_SKELETON_BUILD_CUT_GRAPH_SKELETON_H
 
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Packing/Separator_arrangement.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Inside_repair.h>

@@ -6,7 +6,7 @@
 #ifndef CSCD_SURFACE_NORMALIZATION_H
 #define CSCD_SURFACE_NORMALIZATION_H
 
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 

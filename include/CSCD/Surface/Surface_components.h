@@ -6,8 +6,7 @@
 #ifndef CSCD_SURFACE_SURFACE_COMPONENTS_H
 #define CSCD_SURFACE_SURFACE_COMPONENTS_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 

@@ -1,24 +1,412 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A surface at several levels of detail.
+// Coarser and coarser levels of detail of a surface, by edge collapses.
 
 #ifndef CSCD_SURFACE_SURFACE_LEVELS_H
 #define CSCD_SURFACE_SURFACE_LEVELS_H
 
-#include <CSCD/Surface/Coarsening.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/Vertex_fan_table.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/for_each_range.h>
+#include <CSCD/internal/parallel.h>
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
+
+namespace CSCD::internal {
+
+/// Coarsens a surface by half-edge collapses into a maximal independent set of vertices, which leaves about 2/7 of
+/// them. The coarse vertices are a subset of the fine ones, the coarse surface is an oriented manifold of the same
+/// topology, closed or with the same borders, and the result depends on the numbering of the fine surface alone.
+/// Linear.
+class Coarsening
+{
+public:
+  /// \param number_of_threads 0 for as many as TBB allows; collapses are done by one
+  explicit Coarsening(const Triangulated_surface& fine, unsigned number_of_threads = 1) : m_fine(fine)
+  {
+    freeze_wide_stars();
+    freeze_bridges();
+    collapse(number_of_threads);
+  }
+
+  /// Coarsens a surface with borders, by one thread.
+  /// \param is_fixed of each vertex, whether it stays and so do its faces; those on borders are to stay
+  Coarsening(const Triangulated_surface& fine, const std::vector<char>& is_fixed) : m_fine(fine)
+  {
+    freeze_wide_stars();
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      m_status[vertex] = is_fixed[vertex] != 0 ? Status::frozen : m_status[vertex];
+    }
+    collapse(1);
+  }
+
+  /// The coarse surface as points and faces.
+  Indexed_triangles triangles() const
+  {
+    Indexed_triangles result;
+    result.points.reserve(m_fine_vertex.size());
+    for (Index vertex : m_fine_vertex) {
+      result.points.push_back(m_fine.point(vertex));
+    }
+    result.faces.reserve(2 * m_fine_vertex.size());
+    std::vector<std::array<Index, 3>> bridging;
+    for (Index vertex : m_fine_vertex) {
+      append_faces_of(vertex, result.faces, bridging);
+    }
+    result.first_hole_filling_face = result.faces.size();
+    result.faces.insert(result.faces.end(), bridging.begin(), bridging.end());
+    return result;
+  }
+
+  /// For each coarse vertex, the fine vertex that it is.
+  const std::vector<Index>& fine_vertex() const { return m_fine_vertex; }
+  /// For each fine vertex, the coarse vertex that it is or was collapsed into.
+  const std::vector<Index>& coarse_vertex() const { return m_coarse_vertex; }
+  /// Hands over both.
+  void move_to(std::vector<Index>& fine, std::vector<Index>& coarse) &&
+  {
+    fine = std::move(m_fine_vertex);
+    coarse = std::move(m_coarse_vertex);
+  }
+
+private:
+  enum class Status : std::uint8_t
+  {
+    open,    ///< undecided, or could not be collapsed: stays
+    kept,    ///< in the independent set
+    removed, ///< collapsed into a kept vertex
+    frozen   ///< stays, and so do its faces
+  };
+
+  /// Vertices of higher degree are frozen. A bound keeps the working memory of a collapse small.
+  static constexpr Index max_degree = 20;
+
+  /// Consecutive vertices.
+  struct Block
+  {
+    bool contains(Index vertex) const { return begin <= vertex && vertex < end; }
+
+    Index begin;
+    Index end;
+  };
+
+  /// Vectors around a vertex, twice one after the other, so that no index has to be wrapped around.
+  using Star = std::array<Vector_3, 2 * std::size_t(max_degree)>;
+  /// Working memory of a thread, which need not be set to zero for each vertex.
+  struct Scratch
+  {
+    Star incident_edge;
+    Star face_vector;
+  };
+
+  /// The size of a block. Numbers go round the surface, so that most neighbors of a vertex are in its block; a smaller
+  /// surface is one block.
+  static constexpr Index block_size = 1U << 16U;
+  /// A collapse may not make a degree higher than this; leaves room for later collapses into the same vertex.
+  static constexpr Index max_degree_after = 16;
+  /// Squared cosine of the maximal turn of a face's normal in a collapse, about 78 degrees.
+  static constexpr double min_squared_cosine = 0.04;
+  /// Weight of the turn of the normals against the squared length in the cost of a collapse.
+  static constexpr double turn_weight = 3;
+
+  Index* ring(Index vertex) { return m_ring.data() + m_ring_begin[vertex]; }
+  const Index* ring(Index vertex) const { return m_ring.data() + m_ring_begin[vertex]; }
+
+  void freeze_wide_stars()
+  {
+    m_status.assign(m_fine.number_of_vertices(), Status::open);
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_fine.degree(vertex) > max_degree) {
+        m_status[vertex] = Status::frozen;
+        for (Index halfedge : m_fine.outgoing(vertex)) {
+          m_status[m_fine.target(halfedge)] = Status::frozen;
+        }
+      }
+    }
+  }
+
+  /// Does it all, for the vertices that are not frozen.
+  void collapse(unsigned number_of_threads)
+  {
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch&) {
+      return m_status[vertex] != Status::open || keep_if_free(vertex, block);
+    });
+    copy_rings(number_of_threads);
+    collapse_others(number_of_threads);
+    number_coarse_vertices();
+  }
+
+  /// The ring of a kept vertex has room to grow; no other ring grows.
+  void copy_rings(unsigned number_of_threads)
+  {
+    const Index n = m_fine.number_of_vertices();
+    m_degree.assign(n, 0);
+    m_ring_begin.resize(n);
+    Index size = 0;
+    for (Index vertex = 0; vertex < n; ++vertex) {
+      const Index degree = m_fine.degree(vertex);
+      m_degree[vertex] = std::uint8_t(degree <= max_degree ? degree : 0);
+      m_ring_begin[vertex] = size;
+      size += m_status[vertex] == Status::kept ? std::max(degree, max_degree_after) : Index(m_degree[vertex]);
+    }
+    m_ring.resize(size);
+    for_each_range(n, number_of_threads, [this](Index begin, Index end) {
+      for (Index vertex = begin; vertex < end; ++vertex) {
+        if (m_degree[vertex] > 0) {
+          const auto outgoing = m_fine.outgoing(vertex);
+          std::transform(outgoing.begin(), outgoing.end(), ring(vertex), [this](Index h) { return m_fine.target(h); });
+        }
+      }
+    });
+  }
+
+  /// Faces without weight stay as they are, so that every level has them.
+  void freeze_bridges()
+  {
+    for (Index h = 3 * m_fine.first_hole_filling_face(); h < m_fine.number_of_halfedges(); ++h) {
+      m_status[m_fine.origin(h)] = Status::frozen;
+    }
+  }
+
+  /// Calls `treat(vertex, block, scratch)` for all vertices of each block, in order, and then with a block of all
+  /// vertices for those for which it has returned false. Where it returns true, it may have changed what is stored of
+  /// vertices of the block, and of no others.
+  template <class Treat>
+  void for_each_vertex(unsigned number_of_threads, const Treat& treat)
+  {
+    const auto n = Index(m_status.size());
+    std::vector<std::vector<Index>> postponed(n / block_size + 1);
+    For_each_index<Scratch> for_each([] { return Scratch(); }, postponed.size() > 1 ? number_of_threads : 1);
+    for_each(Index(postponed.size()), [&](Index i, Scratch& scratch) {
+      const Block block{i * block_size, std::min((i + 1) * block_size, n)};
+      for (Index vertex = block.begin; vertex < block.end; ++vertex) {
+        if (!treat(vertex, block, scratch)) {
+          postponed[i].push_back(vertex);
+        }
+      }
+    });
+    Scratch scratch;
+    for (const std::vector<Index>& vertices : postponed) {
+      for (const Index vertex : vertices) {
+        treat(vertex, Block{0, n}, scratch);
+      }
+    }
+  }
+
+  /// Keeps `vertex` unless a neighbor is kept. \return false if it has a neighbor outside `block`
+  bool keep_if_free(Index vertex, const Block& block)
+  {
+    bool is_free = true;
+    for (const Index halfedge : m_fine.outgoing(vertex)) {
+      const Index neighbor = m_fine.target(halfedge);
+      if (!block.contains(neighbor)) {
+        return false;
+      }
+      is_free = is_free && m_status[neighbor] != Status::kept;
+    }
+    m_status[vertex] = is_free ? Status::kept : Status::open;
+    return true;
+  }
+
+  void collapse_others(unsigned number_of_threads)
+  {
+    m_parent.resize(m_status.size());
+    std::iota(m_parent.begin(), m_parent.end(), Index(0));
+    for_each_vertex(number_of_threads, [this](Index vertex, const Block& block, Scratch& scratch) {
+      return m_status[vertex] != Status::open || m_degree[vertex] < 3 || collapse_if_possible(vertex, block, scratch);
+    });
+  }
+
+  /// \return false if `vertex` has a neighbor outside `block`
+  bool collapse_if_possible(Index vertex, const Block& block, Scratch& scratch)
+  {
+    bool has_frozen_neighbor = false;
+    for (const Index* neighbor = ring(vertex); neighbor != ring(vertex) + m_degree[vertex]; ++neighbor) {
+      if (!block.contains(*neighbor)) {
+        return false;
+      }
+      has_frozen_neighbor = has_frozen_neighbor || m_status[*neighbor] == Status::frozen;
+    }
+    const Index side = has_frozen_neighbor ? no_index : best_collapse(vertex, scratch);
+    if (side != no_index) {
+      collapse(vertex, side);
+    }
+    return true;
+  }
+
+  /// The position in the ring of `vertex` of the kept neighbor that it is best collapsed into, or `no_index`.
+  Index best_collapse(Index vertex, Scratch& scratch) const
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    auto& [incident_edge, face_vector] = scratch;
+    for (Index i = 0; i < degree; ++i) {
+      incident_edge[i] = incident_edge[i + degree] = m_fine.point(neighbors[i]) - m_fine.point(vertex);
+    }
+    for (Index i = 0; i < degree; ++i) {
+      face_vector[i] = face_vector[i + degree] = incident_edge[i].cross(incident_edge[i + 1]);
+    }
+    Index best = no_index;
+    double best_cost = std::numeric_limits<double>::max();
+    for (Index i = 0; i < degree; ++i) {
+      if (m_status[neighbors[i]] != Status::kept || incident_edge[i].squaredNorm() >= best_cost) {
+        continue;
+      }
+      const double cosine = least_turn_squared_cosine(incident_edge, face_vector, degree, i);
+      const double cost = incident_edge[i].squaredNorm() * (1 + turn_weight * (1 - cosine));
+      if (cosine >= min_squared_cosine && cost < best_cost && is_collapsible(vertex, i)) {
+        best = i;
+        best_cost = cost;
+      }
+    }
+    return best;
+  }
+
+  /// The squared cosine of the maximal turn of a normal when the center moves along incident edge `side`; -1 if one
+  /// turns by 90 degrees or more.
+  static double least_turn_squared_cosine(const Star& incident_edge, const Star& face_vector, Index degree, Index side)
+  {
+    double least = 1;
+    for (Index a = side + 1; a + 1 < side + degree; ++a) {
+      const Vector_3 moved = (incident_edge[a] - incident_edge[side]).cross(incident_edge[a + 1] - incident_edge[side]);
+      const double product = moved.dot(face_vector[a]);
+      const double norms = moved.squaredNorm() * face_vector[a].squaredNorm();
+      if (product <= 0 || norms <= 0) {
+        return -1;
+      }
+      least = std::min(least, product * product / norms);
+      if (least < min_squared_cosine) {
+        return -1;
+      }
+    }
+    return least;
+  }
+
+  /// Whether collapsing `vertex` into its ring neighbor at `side` keeps a manifold: the link condition, and no vertex
+  /// left with fewer than three neighbors.
+  bool is_collapsible(Index vertex, Index side) const
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    if (m_degree[into] + degree - 4 > max_degree_after) {
+      return false;
+    }
+    if (m_degree[neighbors[(side + 1) % degree]] <= 3 || m_degree[neighbors[(side + degree - 1) % degree]] <= 3) {
+      return false;
+    }
+    const Index* others = ring(into);
+    Index common = 0;
+    for (Index i = 0; i < m_degree[into]; ++i) {
+      common += Index(std::count(neighbors, neighbors + degree, others[i]));
+    }
+    return common == 2;
+  }
+
+  void collapse(Index vertex, Index side)
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    splice_ring(vertex, side);
+    for (Index j = 2; j + 1 < degree; ++j) {
+      const Index other = neighbors[(side + j) % degree];
+      std::replace(ring(other), ring(other) + m_degree[other], vertex, into);
+    }
+    for (Index j : {Index(1), degree - 1}) {
+      const Index other = neighbors[(side + j) % degree];
+      // No ring holds a vertex twice.
+      Index* const end = std::remove(ring(other), ring(other) + m_degree[other], vertex);
+      m_degree[other] = std::uint8_t(end - ring(other));
+    }
+    m_status[vertex] = Status::removed;
+    m_parent[vertex] = into;
+  }
+
+  /// In the ring of the target of the collapse, puts the far side of the ring of `vertex` in its place.
+  void splice_ring(Index vertex, Index side)
+  {
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    const Index into = neighbors[side];
+    const Index* old_ring = ring(into);
+    std::array<Index, 2 * std::size_t(max_degree)> spliced;
+    Index size = 0;
+    for (Index i = 0; i < m_degree[into]; ++i) {
+      if (old_ring[i] != vertex) {
+        spliced[size++] = old_ring[i];
+        continue;
+      }
+      for (Index j = 2; j + 1 < degree; ++j) {
+        spliced[size++] = neighbors[(side + j) % degree];
+      }
+    }
+    std::copy(spliced.begin(), spliced.begin() + size, ring(into));
+    m_degree[into] = std::uint8_t(size);
+  }
+
+  void number_coarse_vertices()
+  {
+    m_coarse_vertex.assign(m_status.size(), no_index);
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] != Status::removed) {
+        m_coarse_vertex[vertex] = Index(m_fine_vertex.size());
+        m_fine_vertex.push_back(vertex);
+      }
+    }
+    for (Index vertex = 0; vertex < m_status.size(); ++vertex) {
+      if (m_status[vertex] == Status::removed) {
+        m_coarse_vertex[vertex] = m_coarse_vertex[m_parent[vertex]];
+      }
+    }
+  }
+
+  /// Appends the faces of which `vertex` is the smallest corner.
+  void append_faces_of(Index vertex, std::vector<std::array<Index, 3>>& faces,
+                       std::vector<std::array<Index, 3>>& bridging) const
+  {
+    const auto append = [&](Index a, Index b, std::vector<std::array<Index, 3>>& to) {
+      if (vertex < a && vertex < b) {
+        to.push_back({m_coarse_vertex[vertex], m_coarse_vertex[a], m_coarse_vertex[b]});
+      }
+    };
+    if (m_status[vertex] == Status::frozen) {
+      // Nothing around a frozen vertex has changed.
+      for (Index h : m_fine.outgoing(vertex)) {
+        append(m_fine.target(h), m_fine.opposite_vertex(h),
+               m_fine.is_hole_filling(Triangulated_surface::face(h)) ? bridging : faces);
+      }
+      return;
+    }
+    const Index degree = m_degree[vertex];
+    const Index* neighbors = ring(vertex);
+    for (Index i = 0; i < degree; ++i) {
+      append(neighbors[i], neighbors[(i + 1) % degree], faces);
+    }
+  }
+
+  const Triangulated_surface& m_fine;
+  std::vector<Index> m_ring; // of all vertices, one after the other
+  std::vector<Index> m_ring_begin;
+  std::vector<std::uint8_t> m_degree; // 0 where it is too high
+  std::vector<Status> m_status;
+  std::vector<Index> m_parent;
+  std::vector<Index> m_fine_vertex;
+  std::vector<Index> m_coarse_vertex;
+};
+
+} // namespace CSCD::internal
 
 namespace CSCD {
 

@@ -1,19 +1,29 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A body bounded by triangles: the surface of the pipeline for meshes.
+// A body bounded by triangles: how it is prepared, its surface in levels, and queries.
 
 #ifndef CSCD_SURFACE_TRIANGULATED_SOLID_H
 #define CSCD_SURFACE_TRIANGULATED_SOLID_H
 
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
+#include <CSCD/Surface/Solid_queries.h>
+#include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Surface/canonical_order.h>
+#include <CSCD/Surface/close_surface.h>
+#include <CSCD/Surface/double_sheets.h>
+#include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -149,8 +159,251 @@ private:
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/Surface/Triangulated_solid_impl.h>
-#endif
+namespace CSCD::internal {
+
+/// A surface in normalized coordinates and canonical order, and what was done to the input for it.
+struct Compiled_surface
+{
+  Triangulated_surface surface; ///< not measured yet
+  Normalization normalization;
+  std::vector<Index> input_point;     ///< the point of the input that a vertex is, `no_index` for an inserted vertex
+  std::vector<Index> component_begin; ///< the first vertex of every component, and the number of vertices at the end
+  std::vector<signed char> side_of_sheet; ///< of every vertex, 1 or 2, or 0; empty without sheets
+  Filled_cavities cavities;               ///< places in normalized coordinates
+  bool has_sampled_limbs = false;         ///< so many that coarser levels would lose them
+  std::size_t number_of_sheets = 0;
+  std::size_t number_of_wide_borders = 0;
+  std::size_t number_of_bridged_borders = 0;
+  std::size_t number_of_inserted_vertices = 0;
+  std::size_t number_of_degenerate_faces = 0;
+  std::size_t number_of_reversed_components = 0;
+};
+
+/// Gives the vertices of `triangles` that have been inserted since `side` was filled the side of some neighbor; linear
+/// for each level of insertion.
+inline void extend_sides(const Indexed_triangles& triangles, std::vector<signed char>& side)
+{
+  constexpr signed char unknown = -1;
+  side.resize(triangles.points.size(), unknown);
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      const signed char known = std::max({side[face[0]], side[face[1]], side[face[2]]});
+      for (const Index corner : face) {
+        if (side[corner] == unknown && known != unknown) {
+          side[corner] = known;
+          is_changed = true;
+        }
+      }
+    }
+  }
+}
+
+/// Closes, orients, refines, renumbers and normalizes `triangles`, and compiles them; near linear.
+/// \param treatment which components are doubled as sheets instead of being closed
+/// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+/// \pre the points are finite, each has a face, and `pairing`, that of the faces, has no conflict and no pinched vertex
+/// \throw Input_error if the surface has no extent or no area
+inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                        Border_treatment treatment, unsigned number_of_threads)
+{
+  Compiled_surface result;
+  std::size_t number_of_input_points = triangles.points.size();
+  const std::size_t number_of_input_faces = triangles.faces.size();
+  const Normalization to_unit_box = normalize_extent(triangles.points);
+  Doubled_sheets sheets;
+  if (treatment != Border_treatment::bridge && pairing.has_border()) {
+    sheets = double_sheets(triangles, pairing, treatment == Border_treatment::open);
+  }
+  if (sheets.number_of_sheets > 0) {
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  const std::size_t number_of_copied_points = triangles.points.size() - number_of_input_points;
+  result.number_of_sheets = sheets.number_of_sheets;
+  result.number_of_wide_borders = sheets.number_of_wide_borders;
+  result.number_of_bridged_borders = bridge_borders(triangles, pairing) - sheets.number_of_copied_borders;
+  if (pairing.has_border()) {
+    pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  }
+  Surface_components components(triangles);
+  result.number_of_degenerate_faces =
+      std::size_t(std::count_if(components.degenerate_faces.begin(), components.degenerate_faces.end(),
+                                [number_of_input_faces](Index face) { return face < number_of_input_faces; }));
+  result.cavities = fill_cavities(triangles, pairing, components, number_of_input_points, sheets.side);
+  number_of_input_points -= result.cavities.vertices.size();
+  if (result.cavities.number > 0 && !sheets.side.empty()) {
+    for (std::size_t i = 0; i < result.cavities.old_number.size(); ++i) {
+      sheets.side[i] = sheets.side[result.cavities.old_number[i]]; // which is not less than i
+    }
+    sheets.side.resize(result.cavities.old_number.size());
+  }
+  result.number_of_reversed_components = orient_outwards(triangles, pairing, components);
+  split_two_face_components(triangles, pairing, components);
+  result.has_sampled_limbs = sample_limbs(triangles, pairing, components, sheets.side) > 0;
+  refine_large_faces(triangles, pairing, components);
+  result.number_of_inserted_vertices = triangles.points.size() - number_of_input_points - number_of_copied_points;
+  if (sheets.number_of_sheets > 0) {
+    extend_sides(triangles, sheets.side);
+  }
+
+  Canonical_order order = canonical_order(triangles, pairing, components);
+  pairing = {}; // before memory is taken for those of the new numbers
+  renumber(triangles, order.vertices);
+  result.side_of_sheet.resize(sheets.side.size());
+  for (std::size_t i = 0; i < sheets.side.size(); ++i) {
+    result.side_of_sheet[i] = sheets.side[order.vertices[i]];
+  }
+  result.input_point = std::move(order.vertices);
+  for (Index& point : result.input_point) {
+    const bool is_renumbered = point < number_of_input_points && result.cavities.number > 0;
+    point = is_renumbered ? result.cavities.old_number[point] : point < number_of_input_points ? point : no_index;
+  }
+  result.component_begin = std::move(order.component_begin);
+  // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
+  const Normalization to_unit_area = normalize_area(triangles);
+  result.normalization = to_unit_box.then(to_unit_area);
+  for (Vector_3& place : result.cavities.places) {
+    place = to_unit_area.from_input(place);
+  }
+  result.surface = Triangulated_surface(std::move(triangles), number_of_threads);
+  CGAL_postcondition(!result.surface.defect());
+  return result;
+}
+
+} // namespace CSCD::internal
+
+namespace CSCD {
+
+inline Triangulated_solid::Triangulated_solid(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                              Border_treatment treatment, unsigned number_of_threads)
+{
+  internal::Compiled_surface compiled =
+      internal::compile_surface(std::move(triangles), std::move(pairing), treatment, number_of_threads);
+  m_input_vertex = std::move(compiled.input_point);
+  m_component_begin = std::move(compiled.component_begin);
+  m_normalization = compiled.normalization;
+  m_side_of_sheet = std::move(compiled.side_of_sheet);
+  m_number_of_sheets = compiled.number_of_sheets;
+  m_number_of_wide_borders = compiled.number_of_wide_borders;
+  m_number_of_bridged_borders = compiled.number_of_bridged_borders;
+  m_number_of_inserted_vertices = compiled.number_of_inserted_vertices;
+  m_number_of_degenerate_faces = compiled.number_of_degenerate_faces;
+  m_number_of_reversed_components = compiled.number_of_reversed_components;
+  m_levels = std::make_unique<const Surface_levels>(std::move(compiled.surface), number_of_threads,
+                                                    compiled.has_sampled_limbs);
+  m_number_of_cavities = compiled.cavities.number;
+  m_cavity_vertices.reserve(compiled.cavities.vertices.size());
+  for (std::size_t i = 0; i < compiled.cavities.vertices.size(); ++i) {
+    m_cavity_vertices.emplace_back(nearest_vertex(compiled.cavities.places[i]), compiled.cavities.vertices[i]);
+  }
+}
+
+inline Triangulated_solid::~Triangulated_solid() = default;
+
+inline const Triangulated_surface& Triangulated_solid::triangulation() const
+{
+  return m_levels->finest().surface;
+}
+
+inline Index Triangulated_solid::component(Index vertex) const
+{
+  return Index(std::upper_bound(m_component_begin.begin(), m_component_begin.end(), vertex) -
+               m_component_begin.begin()) -
+         1;
+}
+
+inline std::size_t Triangulated_solid::genus() const
+{
+  return genus_of_closed_surface(number_of_components(), triangulation().number_of_vertices(),
+                                 triangulation().number_of_faces());
+}
+
+inline const Surface_level& Triangulated_solid::query_level() const
+{
+  constexpr Index max_vertices = 60000;
+  return (*m_levels)[m_levels->finest_with_at_most(max_vertices)];
+}
+
+inline const Triangulated_surface& Triangulated_solid::query_surface() const
+{
+  return query_level().surface;
+}
+
+inline bool Triangulated_solid::is_inside(const Vector_3& point) const
+{
+  return queries().is_inside(point);
+}
+
+inline Surface_point Triangulated_solid::closest_point(const Vector_3& point) const
+{
+  return queries().closest_point(point);
+}
+
+inline std::optional<Surface_hit> Triangulated_solid::first_hit(const Vector_3& origin, const Vector_3& direction) const
+{
+  return queries().first_hit(origin, direction);
+}
+
+inline std::optional<Vector_3> Triangulated_solid::middle_behind(const Vector_3& point) const
+{
+  return queries().middle_behind(point);
+}
+
+inline void Triangulated_solid::crossings(const Vector_3& from, const Vector_3& to,
+                                          std::vector<double>& distances) const
+{
+  queries().crossings(from, to, distances);
+}
+
+inline void Triangulated_solid::describe(Skeletonization_report& report) const
+{
+  report.number_of_surface_components = number_of_components();
+  report.number_of_bridged_borders = number_of_bridged_borders();
+  report.number_of_sheets = number_of_sheets();
+  report.number_of_wide_borders = number_of_wide_borders();
+  report.number_of_cavities = number_of_cavities();
+  report.number_of_inserted_vertices = number_of_inserted_vertices();
+  report.number_of_degenerate_faces = number_of_degenerate_faces();
+  report.number_of_levels = levels().size();
+  report.genus = genus();
+}
+
+inline void Triangulated_solid::warn(Skeletonization_report& report) const
+{
+  report.add_warning(report.number_of_isolated_vertices, "vertex without a face: it belongs to no node",
+                     "vertices without a face: they belong to no node");
+  report.add_warning(number_of_bridged_borders(), "border: bridged by faces without weight",
+                     "borders: bridged by faces without weight");
+  report.add_warning(number_of_sheets(), "sheet: its separators lead from border to border",
+                     "sheets: their separators lead from border to border");
+  report.add_warning(number_of_degenerate_faces(), "face with (nearly) no area", "faces with (nearly) no area");
+  report.add_warning(number_of_cavities(), "cavity: filled; its vertices belong to the nodes of the body around",
+                     "cavities: filled; their vertices belong to the nodes of the bodies around");
+  report.add_warning(number_of_reversed_components(), "component that faced inwards: turned",
+                     "components that faced inwards: turned");
+}
+
+inline Index Triangulated_solid::nearest_vertex(const Vector_3& place) const
+{
+  const Surface_level& level = query_level();
+  const Index first = 3 * closest_point(place).face;
+  Index nearest = level.surface.origin(first);
+  for (const Index halfedge : {first + 1, first + 2}) {
+    const Index vertex = level.surface.origin(halfedge);
+    if ((level.surface.point(vertex) - place).squaredNorm() < (level.surface.point(nearest) - place).squaredNorm()) {
+      nearest = vertex;
+    }
+  }
+  return level.to_finest(nearest);
+}
+
+inline const internal::Solid_queries& Triangulated_solid::queries() const
+{
+  std::call_once(m_queries_built,
+                 [this] { m_queries = std::make_unique<const internal::Solid_queries>(query_surface()); });
+  return *m_queries;
+}
+
+} // namespace CSCD
 
 #endif // CSCD_SURFACE_TRIANGULATED_SOLID_H

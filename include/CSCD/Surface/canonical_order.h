@@ -6,9 +6,8 @@
 #ifndef CSCD_SURFACE_CANONICAL_ORDER_H
 #define CSCD_SURFACE_CANONICAL_ORDER_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

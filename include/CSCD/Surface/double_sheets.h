@@ -6,9 +6,8 @@
 #ifndef CSCD_SURFACE_DOUBLE_SHEETS_H
 #define CSCD_SURFACE_DOUBLE_SHEETS_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
-#include <CSCD/Surface/bridge_borders.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>

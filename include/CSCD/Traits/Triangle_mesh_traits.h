@@ -7,10 +7,9 @@
 #define CSCD_TRAITS_TRIANGLE_MESH_TRAITS_H
 
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Prepared_mesh.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>

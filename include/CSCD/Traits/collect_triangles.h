@@ -6,8 +6,7 @@
 #ifndef CSCD_TRAITS_COLLECT_TRIANGLES_H
 #define CSCD_TRAITS_COLLECT_TRIANGLES_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/read_mesh.h>
 
 #include <boost/graph/graph_traits.hpp>

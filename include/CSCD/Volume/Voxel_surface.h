@@ -6,8 +6,7 @@
 #ifndef CSCD_VOLUME_VOXEL_SURFACE_H
 #define CSCD_VOLUME_VOXEL_SURFACE_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/config.h>
 

@@ -12,9 +12,8 @@
 #ifndef CSCD_VOLUME_VOXEL_SURFACE_IMPL_H
 #define CSCD_VOLUME_VOXEL_SURFACE_IMPL_H
 
-#include <CSCD/Surface/Halfedge_pairing.h>
-#include <CSCD/Surface/Indexed_triangles.h>
 #include <CSCD/Surface/Surface_components.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/exceptions.h>

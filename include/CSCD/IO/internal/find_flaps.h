@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_INTERNAL_FIND_FLAPS_H
 #define CSCD_IO_INTERNAL_FIND_FLAPS_H
 
-#include <CSCD/Surface/Indexed_triangles.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 

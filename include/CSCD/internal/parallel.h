@@ -1,19 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The parallel loop.
+// The parallel loop, over single indices and over ranges.
 
-#ifndef CSCD_INTERNAL_FOR_EACH_INDEX_H
-#define CSCD_INTERNAL_FOR_EACH_INDEX_H
+#ifndef CSCD_INTERNAL_PARALLEL_H
+#define CSCD_INTERNAL_PARALLEL_H
 
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/config.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #ifdef CSCD_THREAD_SANITIZER
 #include <atomic>
 #endif
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
@@ -22,6 +25,58 @@
 #endif
 
 namespace CSCD::internal {
+
+/// The indices that `for_each_range()` passes at once: enough that the loop itself does not count.
+inline constexpr Index range_size = 1U << 13U;
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+/// Whether there can be several threads.
+inline constexpr bool has_threads = true;
+
+/// Calls `function(begin, end)` for ranges of `range_size` indices, from 0 to `size` - 1, the last one shorter: which
+/// they are does not depend on the number of threads. In order where there is one thread.
+/// \param number_of_threads 0 for as many as TBB allows
+void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function);
+
+/// Calls `function(i)` for `i` from 0 to `size` - 1, each of which is enough work for a thread. In order where there is
+/// one thread.
+void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function);
+
+/// Calls `first()` and `second()`, at the same time where there are several threads, else in this order.
+void call_both(unsigned number_of_threads, const std::function<void()>& first, const std::function<void()>& second);
+
+#else
+
+inline constexpr bool has_threads = false;
+
+// Templates, as a `std::function` takes more code than the loop of one thread.
+
+template <class Function>
+void for_each_range(Index size, unsigned /* number_of_threads */, const Function& function)
+{
+  for (Index begin = 0, end = 0; begin < size; begin = end) {
+    end = begin + (size - begin < range_size ? size - begin : range_size);
+    function(begin, end);
+  }
+}
+
+template <class Function>
+void for_each_part(Index size, unsigned /* number_of_threads */, const Function& function)
+{
+  for (Index i = 0; i < size; ++i) {
+    function(i);
+  }
+}
+
+template <class First, class Second>
+void call_both(unsigned /* number_of_threads */, const First& first, const Second& second)
+{
+  first();
+  second();
+}
+
+#endif // CGAL_LINKED_WITH_TBB
 
 /// What comes before a parallel loop comes before each of its calls, and each call before what follows the loop. TBB
 /// keeps this order by means of its library, which is not compiled with the thread sanitizer: all that a loop hands to
@@ -145,4 +200,39 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_INTERNAL_FOR_EACH_INDEX_H
+#ifdef CGAL_LINKED_WITH_TBB
+
+namespace CSCD::internal {
+
+inline void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function)
+{
+  const Index number_of_ranges = size / range_size + (size % range_size != 0 ? 1 : 0);
+  for_each_part(number_of_ranges, number_of_threads, [size, &function](Index range) {
+    const Index begin = range * range_size;
+    function(begin, begin + std::min(range_size, size - begin));
+  });
+}
+
+inline void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function)
+{
+  For_each_index<char> for_each([] { return '\0'; }, size > 1 ? number_of_threads : 1);
+  for_each(size, [&function](Index i, char&) { function(i); });
+}
+
+inline void call_both(unsigned number_of_threads, const std::function<void()>& first,
+                      const std::function<void()>& second)
+{
+  if (number_of_loop_threads(number_of_threads) == 1) {
+    first();
+    second();
+    return;
+  }
+  For_each_index<char> for_each([] { return '\0'; }, number_of_threads);
+  for_each(2, [&](Index i, char&) { i == 0 ? first() : second(); });
+}
+
+} // namespace CSCD::internal
+
+#endif // CGAL_LINKED_WITH_TBB
+
+#endif // CSCD_INTERNAL_PARALLEL_H

@@ -1,0 +1,535 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Triangles as indices of points: their order, the pairing of their halfedges, and checks of a manifold.
+
+#ifndef CSCD_SURFACE_TRIANGLES_H
+#define CSCD_SURFACE_TRIANGLES_H
+
+#include <CSCD/Options.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/config.h>
+#include <CSCD/internal/parallel.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CSCD {
+
+/// Halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise: so going around a face needs no memory.
+/// Triangulations are derived from this.
+struct Triangle_halfedges
+{
+  /// The halfedge after `halfedge` in its face.
+  static Index next(Index halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+  /// The halfedge before `halfedge` in its face.
+  static Index previous(Index halfedge) { return halfedge % 3 == 0 ? halfedge + 2 : halfedge - 1; }
+  /// The face of `halfedge`.
+  static Index face(Index halfedge) { return halfedge / 3; }
+};
+
+/// The genus of a closed surface, all components together: their Euler numbers V - E + F = V - F/2, each 2 - 2 g, add
+/// up.
+constexpr std::size_t genus_of_closed_surface(std::size_t number_of_components, std::size_t number_of_vertices,
+                                              std::size_t number_of_faces)
+{
+  return (2 * number_of_components + number_of_faces / 2 - number_of_vertices) / 2;
+}
+
+/// Points and triangles, counterclockwise seen from outside.
+struct Indexed_triangles
+{
+  /// The positions of the vertices.
+  std::vector<Vector_3> points;
+  /// The vertices of each face, counterclockwise seen from outside.
+  std::vector<std::array<Index, 3>> faces;
+  /// The faces from this one on only bridge borders: they close the surface but carry no area.
+  std::size_t first_hole_filling_face = 0;
+};
+
+namespace internal {
+
+/// The areas of the faces.
+inline std::vector<double> face_areas(const Indexed_triangles& triangles)
+{
+  std::vector<double> areas;
+  areas.reserve(triangles.faces.size());
+  for (const auto& [a, b, c] : triangles.faces) {
+    areas.push_back(triangle_area(triangles.points[a], triangles.points[b], triangles.points[c]));
+  }
+  return areas;
+}
+
+} // namespace internal
+
+/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
+/// order.
+inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
+{
+  std::vector<Index> new_number(number_of_vertices, no_index);
+  for (const std::array<Index, 3>& face : faces) {
+    for (Index corner : face) {
+      new_number[corner] = 0;
+    }
+  }
+  std::vector<Index> old_number;
+  old_number.reserve(number_of_vertices);
+  for (Index vertex = 0; vertex < number_of_vertices; ++vertex) {
+    if (new_number[vertex] != no_index) {
+      new_number[vertex] = Index(old_number.size());
+      old_number.push_back(vertex);
+    }
+  }
+  if (old_number.size() < number_of_vertices) {
+    for (std::array<Index, 3>& face : faces) {
+      for (Index& corner : face) {
+        corner = new_number[corner];
+      }
+    }
+  }
+  return old_number;
+}
+
+/// Sorts faces lexicographically, hole-filling faces after all others; linear where degrees are bounded.
+/// \pre the smallest corner of every face comes first
+inline void sort_faces(Indexed_triangles& triangles)
+{
+  // One bucket for each smallest corner, those of the hole-filling faces after the others.
+  const std::size_t n = triangles.points.size();
+  const auto bucket = [&triangles, n](std::size_t f) {
+    return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
+  };
+  internal::Compressed_rows<std::array<Index, 3>> buckets(2 * n, [&](const auto& add) {
+    for (std::size_t f = 0; f < triangles.faces.size(); ++f) {
+      add(bucket(f), triangles.faces[f]);
+    }
+  });
+  for (Index b = 0; b < 2 * n; ++b) {
+    std::sort(buckets[b].begin(), buckets[b].end());
+  }
+  triangles.faces = std::move(buckets).values();
+}
+
+/// Gives the vertex `order[i]` of `triangles` the number `i`, and sorts the faces accordingly, each from its smallest
+/// corner on. Linear where degrees are bounded.
+/// \pre `order` is a permutation
+inline void renumber(Indexed_triangles& triangles, const std::vector<Index>& order)
+{
+  std::vector<Index> number(order.size());
+  std::vector<Vector_3> points(order.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    number[order[i]] = i;
+    points[i] = triangles.points[order[i]];
+  }
+  triangles.points = std::move(points);
+  for (std::array<Index, 3>& face : triangles.faces) {
+    for (Index& corner : face) {
+      corner = number[corner];
+    }
+    if (face[1] < face[0] && face[1] < face[2]) {
+      face = {face[1], face[2], face[0]};
+    } else if (face[2] < face[0]) {
+      face = {face[2], face[0], face[1]};
+    }
+  }
+  sort_faces(triangles);
+}
+
+/// The sides of a set of triangles as halfedges.
+class Halfedge_pairing : public Triangle_halfedges
+{
+public:
+  Halfedge_pairing() = default;
+
+  /// Pairs the halfedges of `faces`, of which there are less than 2^29, by the numbers of their ends; near linear,
+  /// whatever the degrees.
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
+  /// \pre the corners of `faces` are less than `number_of_points`, and each face has three different ones
+  Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points,
+                   unsigned number_of_threads = 1);
+
+  /// The number of halfedges, three a face.
+  Index number_of_halfedges() const { return Index(m_twin.size()); }
+  /// The oppositely directed halfedge of the same edge; `no_index` on a border.
+  Index twin(Index halfedge) const { return m_twin[halfedge]; }
+  /// The halfedges that leave each point, counterclockwise: at a border the first one of the fan comes first, elsewhere
+  /// the smallest. Without order where there is a conflict or a pinched vertex.
+  const internal::Compressed_rows<Index>& outgoing() const { return m_outgoing; }
+  /// Hands over the twins of all halfedges and the rows of `outgoing()`.
+  void move_to(std::vector<Index>& twins, internal::Compressed_rows<Index>& outgoing_rows) &&
+  {
+    twins = std::move(m_twin);
+    outgoing_rows = std::move(m_outgoing);
+  }
+  /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
+  /// inconsistently, or more than two meet in one edge.
+  Index conflict() const { return m_findings.conflict; }
+  /// The first vertex around which the faces form several fans, or `no_index`. \pre there is no conflict
+  Index pinched_vertex() const { return m_findings.pinched_vertex; }
+  /// Whether any halfedge has no twin.
+  bool has_border() const { return m_findings.has_border; }
+
+private:
+  /// Most degrees are at most this, and nearly all the second one. Fans of more faces are ordered by sorting, so that
+  /// they do not cost their degree squared.
+  static constexpr std::size_t small_degree = 8;
+  static constexpr std::size_t medium_degree = 16;
+  /// Vertices ahead for which memory is asked for.
+  static constexpr Index prefetch_distance = 8;
+
+  /// What is no manifold around some vertices, the first of each kind.
+  struct Findings
+  {
+    Index conflict = no_index;
+    Index pinched_vertex = no_index;
+    bool has_border = false;
+  };
+
+  /// Pairs and orders the halfedges that leave the vertices from `begin` to `end` - 1, and no others.
+  Findings pair_range(const std::vector<std::array<Index, 3>>& faces, Index begin, Index end);
+  /// Pairs and orders those that leave `vertex`.
+  void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings);
+  /// Orders `row` counterclockwise from its first halfedge on, by searching one after the other; false if the faces do
+  /// not go once around.
+  template <std::size_t max_degree>
+  static bool order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row);
+  /// Pairs and orders by sorting, for faces of any kind; finds borders, conflicts and pinched vertices.
+  void order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings);
+
+  std::vector<Index> m_twin;
+  internal::Compressed_rows<Index> m_outgoing;
+  Findings m_findings;
+};
+
+/// Calls `use(h)` for each halfedge `h` that leaves the origin of `halfedge` inside the same fan of faces.
+template <class Use>
+void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use& use)
+{
+  Index at = halfedge;
+  do {
+    use(at);
+    at = pairing.twin(Halfedge_pairing::previous(at));
+  } while (at != no_index && at != halfedge);
+  if (at == no_index) {
+    for (at = pairing.twin(halfedge); at != no_index; at = pairing.twin(at)) {
+      at = Halfedge_pairing::next(at);
+      use(at);
+    }
+  }
+}
+
+/// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
+/// and that the faces around every vertex form one fan. Linear.
+/// \param name gives the number by which a message calls a vertex
+/// \param number_of_threads 0 for as many as TBB allows
+/// \throw Input_error naming the first edge or vertex that violates this
+Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
+                                unsigned number_of_threads = 1);
+
+/// Triangles of which the halfedges are paired, and the vertices of the input that they use.
+struct Checked_triangles
+{
+  Indexed_triangles triangles;
+  Halfedge_pairing pairing;
+  std::vector<Index> input_number; ///< for each point, its number in the input
+  std::size_t number_of_isolated_vertices = 0;
+};
+
+/// Leaves out the points without a face, and pairs the halfedges of the rest. Linear.
+/// \param number_of_threads 0 for as many as TBB allows
+/// \pre each face has three different corners, which are less than the number of points
+/// \throw Input_error naming the element, by its number in the input, if there are no faces, or an edge has more than two
+///        faces or faces of opposite orientation, a vertex is pinched, or a coordinate is not finite
+Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+                                  unsigned number_of_threads = 1);
+
+/// The same for triangles of which the halfedges are paired already.
+/// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
+/// \throw Input_error if a coordinate is not finite
+Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                  unsigned number_of_threads = 1);
+
+/// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
+/// appended. Linear. \return for every copy, in order, the vertex of which it is one
+/// \pre `pairing`, that of the faces, has no conflict; it is kept so
+std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing);
+
+} // namespace CSCD
+
+namespace CSCD::internal {
+
+/// Throws for the edge of `halfedge`, whose faces contradict each other.
+[[noreturn]] inline void refuse_edge(const Indexed_triangles& triangles, Index halfedge,
+                                     const std::function<Index(Index)>& name)
+{
+  const std::array<Index, 3>& owner = triangles.faces[halfedge / 3];
+  const Index source = owner[halfedge % 3];
+  const Index target = owner[(halfedge + 1) % 3];
+  const auto has_edge = [source, target](const std::array<Index, 3>& face) {
+    return std::count(face.begin(), face.end(), source) + std::count(face.begin(), face.end(), target) == 2;
+  };
+  const auto number_of_faces = std::count_if(triangles.faces.begin(), triangles.faces.end(), has_edge);
+  const std::string edge =
+      "the edge between vertices " + std::to_string(name(source)) + " and " + std::to_string(name(target));
+  if (number_of_faces > 2) {
+    throw Input_error(edge + " has " + std::to_string(number_of_faces) +
+                      " faces, a surface has at most two: remove faces or split the edge, for instance by "
+                      "CGAL::Polygon_mesh_processing::orient_polygon_soup");
+  }
+  throw Input_error(edge + " has two faces of opposite orientation: orient the faces consistently, for instance by "
+                           "CGAL::Polygon_mesh_processing::orient_polygon_soup; a one-sided surface has no inside");
+}
+
+/// Removes the points of `checked` that no face uses.
+/// \throw Input_error if one of the others has a coordinate that is not finite
+inline void keep_used_points(Checked_triangles& checked)
+{
+  std::vector<Vector_3>& points = checked.triangles.points;
+  checked.input_number = compact_numbers(checked.triangles.faces, points.size());
+  checked.number_of_isolated_vertices = points.size() - checked.input_number.size();
+  for (std::size_t i = 0; i < checked.input_number.size(); ++i) {
+    points[i] = Vector_3(points[checked.input_number[i]]);
+    if (!points[i].allFinite()) {
+      throw Input_error("vertex " + std::to_string(checked.input_number[i]) +
+                        " has a coordinate that is not finite: correct it or remove the vertex");
+    }
+  }
+  points.resize(checked.input_number.size());
+}
+
+} // namespace CSCD::internal
+
+namespace CSCD {
+
+inline Halfedge_pairing::Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points,
+                                          unsigned number_of_threads)
+    : m_twin(3 * faces.size(), no_index), m_outgoing(number_of_points, [&faces](const auto& add) {
+        Index halfedge = 0;
+        for (const std::array<Index, 3>& face : faces) {
+          for (const Index corner : face) {
+            add(corner, halfedge++);
+          }
+        }
+      })
+{
+  std::vector<Findings> findings(number_of_points / internal::range_size + 1);
+  internal::for_each_range(Index(number_of_points), number_of_threads, [&](Index begin, Index end) {
+    findings[begin / internal::range_size] = pair_range(faces, begin, end);
+  });
+  for (const Findings& found : findings) {
+    m_findings.conflict = m_findings.conflict == no_index ? found.conflict : m_findings.conflict;
+    m_findings.pinched_vertex = std::min(m_findings.pinched_vertex, found.pinched_vertex);
+    m_findings.has_border = m_findings.has_border || found.has_border;
+  }
+}
+
+inline Halfedge_pairing::Findings Halfedge_pairing::pair_range(const std::vector<std::array<Index, 3>>& faces,
+                                                               Index begin, Index end)
+{
+  Findings findings;
+  for (Index vertex = begin; vertex < end; ++vertex) {
+#ifdef __GNUC__
+    // Half of the time went to waiting for faces: ask for those of a vertex that comes soon.
+    if (vertex + prefetch_distance < end) {
+      for (const Index h : m_outgoing[vertex + prefetch_distance]) {
+        __builtin_prefetch(&faces[face(h)]);
+      }
+    }
+#endif
+    pair_around(faces, vertex, findings);
+  }
+  return findings;
+}
+
+inline void Halfedge_pairing::pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex,
+                                          Findings& findings)
+{
+  const auto row = m_outgoing[vertex];
+  const auto degree = row.size();
+  if (degree <= small_degree ? !order_by_search<small_degree>(faces, row)
+                             : degree > medium_degree || !order_by_search<medium_degree>(faces, row)) {
+    order_by_sorting(faces, vertex, findings);
+    return;
+  }
+  for (const Index* h = row.begin(); h != row.end(); ++h) {
+    m_twin[*h] = previous(h == row.begin() ? *(row.end() - 1) : *(h - 1));
+  }
+}
+
+template <std::size_t max_degree>
+bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& faces, CGAL::Iterator_range<Index*> row)
+{
+  std::array<Index, max_degree> target{};
+  std::array<Index, max_degree> apex{};
+  std::array<Index, max_degree> ordered{};
+  target.fill(no_index);
+  const auto degree = std::size_t(row.size());
+  for (std::size_t i = 0; i < degree; ++i) {
+    const Index h = row.begin()[i];
+    const std::array<Index, 3>& corners = faces[face(h)];
+    target[i] = corners[next(h) % 3];
+    apex[i] = corners[previous(h) % 3];
+  }
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < degree; ++i) {
+    ordered[i] = row.begin()[at];
+    // All are compared, without a branch; the sum tells the place of one, and that there are none or several.
+    std::size_t sum = 0;
+    for (std::size_t j = 0; j < max_degree; ++j) {
+      sum += target[j] == apex[at] ? max_degree + j : 0;
+    }
+    at = sum - max_degree;
+    if (at >= degree || (at == 0) != (i + 1 == degree)) {
+      return false;
+    }
+  }
+  std::copy(ordered.begin(), ordered.begin() + std::ptrdiff_t(degree), row.begin());
+  return true;
+}
+
+inline void Halfedge_pairing::order_by_sorting(const std::vector<std::array<Index, 3>>& faces, Index vertex,
+                                               Findings& findings)
+{
+  struct Sorted_corner
+  {
+    Index target;
+    Index apex;
+    Index halfedge;
+    bool operator<(const Sorted_corner& other) const
+    {
+      return std::tie(target, halfedge) < std::tie(other.target, other.halfedge);
+    }
+  };
+  const auto row = m_outgoing[vertex];
+  if (row.empty()) {
+    return;
+  }
+  std::vector<Sorted_corner> corners;
+  corners.reserve(row.size());
+  for (const Index h : row) {
+    corners.push_back({faces[face(h)][next(h) % 3], faces[face(h)][previous(h) % 3], h});
+  }
+  std::sort(corners.begin(), corners.end());
+  const auto is_same_edge = [](const Sorted_corner& a, const Sorted_corner& b) { return a.target == b.target; };
+  const auto same = std::adjacent_find(corners.begin(), corners.end(), is_same_edge);
+  if (same != corners.end() && findings.conflict == no_index) {
+    findings.conflict = (same + 1)->halfedge;
+  }
+  const auto is_less = [](const Sorted_corner& a, const Sorted_corner& b) { return a.halfedge < b.halfedge; };
+  auto first = std::min_element(corners.begin(), corners.end(), is_less);
+  std::vector<std::size_t> next_corner(corners.size(), corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto found = std::lower_bound(corners.begin(), corners.end(), Sorted_corner{corners[i].apex, 0, 0});
+    if (found != corners.end() && found->target == corners[i].apex) {
+      next_corner[i] = std::size_t(found - corners.begin());
+      m_twin[found->halfedge] = previous(corners[i].halfedge);
+    }
+  }
+  bool is_on_border = false;
+  for (auto it = corners.begin(); it != corners.end(); ++it) {
+    if (m_twin[it->halfedge] == no_index) {
+      first = is_on_border && is_less(*first, *it) ? first : it;
+      findings.has_border = is_on_border = true;
+    }
+  }
+  std::vector<Index> ordered;
+  ordered.reserve(corners.size());
+  std::size_t at = std::size_t(first - corners.begin());
+  do {
+    ordered.push_back(corners[at].halfedge);
+    at = next_corner[at];
+  } while (at < corners.size() && ordered.size() < corners.size() && corners[at].halfedge != first->halfedge);
+  if (ordered.size() == corners.size()) {
+    std::copy(ordered.begin(), ordered.end(), row.begin());
+  } else if (findings.pinched_vertex == no_index) {
+    findings.pinched_vertex = vertex;
+  }
+}
+
+inline Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
+                                       unsigned number_of_threads)
+{
+  Halfedge_pairing pairing(triangles.faces, triangles.points.size(), number_of_threads);
+  if (pairing.conflict() != no_index) {
+    internal::refuse_edge(triangles, pairing.conflict(), name);
+  }
+  if (pairing.pinched_vertex() != no_index) {
+    throw Input_error("vertex " + std::to_string(name(pairing.pinched_vertex())) +
+                      " is pinched: its faces form several fans that touch in this point only; duplicate it, for "
+                      "instance by CGAL::Polygon_mesh_processing::duplicate_non_manifold_vertices");
+  }
+  return pairing;
+}
+
+inline Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
+                                         unsigned number_of_threads)
+{
+  if (faces.empty()) {
+    throw Input_error(
+        "the mesh has no faces: a skeleton needs a surface; if these are points, use them as a point set");
+  }
+  Checked_triangles result;
+  result.triangles.points = std::move(points);
+  result.triangles.faces = std::move(faces);
+  result.triangles.first_hole_filling_face = result.triangles.faces.size();
+  internal::keep_used_points(result);
+  result.pairing = check_manifold(
+      result.triangles, [&result](Index vertex) { return result.input_number[vertex]; }, number_of_threads);
+  return result;
+}
+
+inline Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
+                                         unsigned number_of_threads)
+{
+  Checked_triangles result;
+  result.triangles = std::move(triangles);
+  result.pairing = std::move(pairing);
+  internal::keep_used_points(result);
+  if (result.number_of_isolated_vertices > 0) {
+    result.pairing = Halfedge_pairing(result.triangles.faces, result.triangles.points.size(), number_of_threads);
+  }
+  return result;
+}
+
+inline std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing)
+{
+  if (pairing.pinched_vertex() == no_index) {
+    return {};
+  }
+  std::vector<char> is_visited(pairing.number_of_halfedges(), 0);
+  std::vector<char> has_fan(triangles.points.size(), 0);
+  std::vector<Index> originals;
+  for (Index halfedge = 0; halfedge < pairing.number_of_halfedges(); ++halfedge) {
+    if (is_visited[halfedge]) {
+      continue;
+    }
+    Index vertex = triangles.faces[halfedge / 3][halfedge % 3];
+    if (has_fan[vertex]) {
+      originals.push_back(vertex);
+      triangles.points.push_back(Vector_3(triangles.points[vertex]));
+      vertex = Index(triangles.points.size() - 1);
+    } else {
+      has_fan[vertex] = 1;
+    }
+    for_each_in_fan(pairing, halfedge, [&](Index h) {
+      is_visited[h] = 1;
+      triangles.faces[h / 3][h % 3] = vertex;
+    });
+  }
+  pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+  return originals;
+}
+
+} // namespace CSCD
+
+#endif // CSCD_SURFACE_TRIANGLES_H
