@@ -12,7 +12,7 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Separator/is_around_hollow.h>
-#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Surface/Surface_levels.h>
 
 namespace CSCD {
@@ -85,8 +85,7 @@ CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_
                                                              const Packing& packing,
                                                              Skeletonization_report& report) const
 {
-  return internal::build_cut_graph_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(),
-                                            report);
+  return internal::embed_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(), report);
 }
 
 } // namespace CSCD

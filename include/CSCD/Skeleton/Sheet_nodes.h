@@ -1,15 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Leads branches on sheets to the borders at their ends.
+// The nodes of sheets: in the middle of open separators, between the sides, and up to the borders at the ends.
 
-#ifndef CSCD_SKELETON_SHEET_ENDS_H
-#define CSCD_SKELETON_SHEET_ENDS_H
+#ifndef CSCD_SKELETON_SHEET_NODES_H
+#define CSCD_SKELETON_SHEET_NODES_H
 
-#include <CSCD/Skeleton/Branch_refinement.h>
-#include <CSCD/Skeleton/Sheet_placement.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Branch_relaxation.h>
+#include <CSCD/Skeleton/Sheet_section.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -21,22 +24,76 @@
 
 namespace CSCD::internal {
 
+/// Moves `node`, of `separator`, to the middle of that if it is open, with half of the width of the sheet as radius.
+inline void place_on_sheet(const Triangulated_solid& solid, const Separator& separator, Skeleton_builder::Node& node)
+{
+  const Triangulated_surface& surface = solid.triangulation();
+  if (solid.side_of_sheet(surface.origin(separator.crossings.front().halfedge)) == 0) {
+    return;
+  }
+  node.is_on_sheet = true;
+  const auto side = [&solid](Index vertex) { return solid.side_of_sheet(vertex); };
+  if (const auto middle = middle_of_open_curve(surface, side, separator.crossings)) {
+    node.position = *middle;
+    node.radius = separator.length / 4;
+  }
+}
+
+/// Marks all nodes beside nodes of sheets, too, and moves them to the middle between the sides.
+inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
+{
+  const auto is_on_sheet = [&graph](Index node) { return graph[node].is_on_sheet; };
+  for (Index node = 0; solid.number_of_sheets() > 0 && node < graph.size(); ++node) {
+    const std::vector<Index>& neighbors = graph[node].neighbors;
+    if (!is_on_sheet(node) &&
+        (graph[node].is_opening || std::none_of(neighbors.begin(), neighbors.end(), is_on_sheet))) {
+      continue;
+    }
+    graph[node].is_on_sheet = true;
+    if (const auto middle = middle_of_sheet(solid, graph[node].position, graph[node].radius)) {
+      graph[node].position = *middle;
+    }
+  }
+}
+
+/// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
+/// where that is not found.
+inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
+{
+  return solid.is_inside(point) ? std::optional<Vector_3>(point) : solid.middle_behind(point);
+}
+
+/// Points of the rims of all sheets, as far from each other as their vertices. Linear.
+inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
+{
+  const Surface_level& level = solid.query_level();
+  const Triangulated_surface& surface = level.surface;
+  const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
+  std::vector<Vector_3> result;
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (side(surface.origin(h)) == 1 && side(surface.target(h)) == 2) {
+      result.push_back((surface.point(surface.origin(h)) + surface.point(surface.target(h))) / 2);
+    }
+  }
+  return result;
+}
+
 /// Leads branches on to where their sheets end. Separators across the end of a sheet cut off hardly more than a corner
 /// does, and are none; so the last one is about half a width before the end.
 class Sheet_ends
 {
 public:
-  Sheet_ends(const Triangulated_solid& solid, Skeleton_builder& builder)
-      : m_solid(solid), m_builder(builder), m_section(solid)
+  Sheet_ends(const Triangulated_solid& solid, Skeleton_builder& graph)
+      : m_solid(solid), m_graph(graph), m_section(solid)
   {
   }
 
   /// Adds nodes in the middle of sections of the sheet beyond every tip on a sheet, the last one at the border.
   void operator()()
   {
-    const Index size = m_solid.number_of_sheets() > 0 ? m_builder.size() : 0;
+    const Index size = m_solid.number_of_sheets() > 0 ? m_graph.size() : 0;
     for (Index node = 0; node < size; ++node) {
-      if (m_builder.degree(node) == 1 && m_builder[node].is_on_sheet) {
+      if (m_graph.degree(node) == 1 && m_graph[node].is_on_sheet) {
         prolong(node);
       }
     }
@@ -76,13 +133,13 @@ private:
       }
       step = std::min(step, step_length * m_half_width);
       if (tip == no_index) {
-        tip = m_builder.add_node(m_position, m_half_width);
-        m_builder[tip].is_on_sheet = true;
-        m_builder.add_edge(last, tip);
+        tip = m_graph.add_node(m_position, m_half_width);
+        m_graph[tip].is_on_sheet = true;
+        m_graph.add_edge(last, tip);
       }
-      m_builder[tip].position = m_position;
-      m_builder[tip].radius = m_half_width;
-      if (m_builder.edge_length(last, tip) >= 2 * step_length * m_half_width) {
+      m_graph[tip].position = m_position;
+      m_graph[tip].radius = m_half_width;
+      if (m_graph.edge_length(last, tip) >= 2 * step_length * m_half_width) {
         last = std::exchange(tip, no_index);
       }
     }
@@ -114,19 +171,19 @@ private:
   /// if that has no direction
   bool start_at(Index tip)
   {
-    m_half_width = m_builder[tip].radius;
-    m_position = m_builder[tip].position;
+    m_half_width = m_graph[tip].radius;
+    m_position = m_graph[tip].position;
     Index before = tip;
-    Index node = m_builder[tip].neighbors.front();
-    while (m_builder.is_regular(node) && m_builder.edge_length(tip, node) < m_half_width) {
-      before = std::exchange(node, m_builder.other_neighbor(node, before));
+    Index node = m_graph[tip].neighbors.front();
+    while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_half_width) {
+      before = std::exchange(node, m_graph.other_neighbor(node, before));
     }
-    const Vector_3 way = m_position - m_builder[node].position;
+    const Vector_3 way = m_position - m_graph[node].position;
     if (!(m_half_width > 0 && way.norm() > 0)) {
       return false;
     }
     m_direction = way.normalized();
-    m_taper = std::max(0., m_builder[node].radius - m_half_width) / way.norm();
+    m_taper = std::max(0., m_graph[node].radius - m_half_width) / way.norm();
     for (int i = 0; i < number_of_turns; ++i) {
       turn_to_shortest_section();
     }
@@ -159,7 +216,7 @@ private:
   }
 
   const Triangulated_solid& m_solid;
-  Skeleton_builder& m_builder;
+  Skeleton_builder& m_graph;
   Sheet_section m_section;
   Vector_3 m_position = Vector_3::Zero(); ///< where the branch has been led to
   Vector_3 m_direction = Vector_3::Zero();
@@ -167,16 +224,34 @@ private:
   double m_taper = 0;      ///< the most by which it has fallen, relative to the way
 };
 
-/// Centers the nodes of `builder` that are on sheets, and leads branches to the borders.
-inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& builder)
+/// Centers the nodes of `graph` that are on sheets, and leads branches to the borders.
+inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
 {
-  Branch_centering centering(solid, builder);
-  const Index number_of_nodes = builder.size();
-  centering.center_on_sheets(number_of_nodes);
-  Sheet_ends(solid, builder)();
-  centering.center_on_sheets(number_of_nodes); // those that were the last ones have a direction now
+  if (solid.number_of_sheets() > 0) {
+    Branch_relaxation relaxation(solid, graph);
+    relaxation(true);
+    Sheet_ends(solid, graph)();
+    relaxation(true); // the last nodes have a direction now
+    settle_on_sheets(solid, graph);
+  }
+}
+
+/// Places the nodes of the open ones of the `packed` separators: node i is that of `packed[i]`; all other nodes of
+/// sheets follow. Does nothing on surfaces that know no sheets.
+template <class Surface>
+void place_on_sheets(const Surface& /* surface */, const std::vector<Separator>& /* separators */,
+                     const std::vector<Index>& /* packed */, Skeleton_builder& /* graph */)
+{
+}
+inline void place_on_sheets(const Triangulated_solid& solid, const std::vector<Separator>& separators,
+                            const std::vector<Index>& packed, Skeleton_builder& graph)
+{
+  for (Index i = 0; i < packed.size() && i < graph.size(); ++i) {
+    place_on_sheet(solid, separators[packed[i]], graph[i]);
+  }
+  settle_on_sheets(solid, graph);
 }
 
 } // namespace CSCD::internal
 
-#endif // CSCD_SKELETON_SHEET_ENDS_H
+#endif // CSCD_SKELETON_SHEET_NODES_H
