@@ -174,7 +174,7 @@ private:
   static constexpr double center_share = 0.6;
   /// ... of the way to the curve through the neighbors, ...
   static constexpr double smooth_share = 0.25;
-  /// ... and of the way to the middle of the neighbors where there is no target.
+  /// ... and of the way to the middle of the neighbors without a target.
   static constexpr double plain_share = 0.2;
   /// The change of R, relative to its difference from the radius of the section.
   static constexpr double radius_share = 0.5;
@@ -292,7 +292,7 @@ private:
   }
 
   /// Whether no turn gets sharper than a right angle, and no edge leaves the body, if the node moves to `position`.
-  /// What was so before may stay.
+  /// A turn or an edge that was so before may stay.
   bool is_allowed(Index index, const Vector_3& position)
   {
     const double turn_before = sharpest_turn(index);

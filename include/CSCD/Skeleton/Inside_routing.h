@@ -71,7 +71,7 @@ public:
     m_surface.crossings(from, to, m_crossings);
     return m_crossings.empty();
   }
-  /// Whether the edge does. At an opening there is no surface that decides.
+  /// Whether the edge stays inside. At an opening, where no surface decides, it does.
   bool is_free(Index a, Index b)
   {
     // Along a face, the answer may depend on the direction: it is always the same one.

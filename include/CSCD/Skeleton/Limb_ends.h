@@ -135,7 +135,7 @@ public:
   }
 
 private:
-  /// The greatest length of what is cut off, relative to the radius where it starts ...
+  /// The greatest length of an end that is cut off, relative to the radius where it starts ...
   static constexpr double max_length = 1.5;
   /// ... and the greatest cosine of the turn there.
   static constexpr double max_cosine = 0.5;

@@ -24,7 +24,7 @@ namespace CSCD::internal {
 struct Bridged_border
 {
   Vector_3 centroid = Vector_3::Zero(); ///< by length
-  Vector_3 normal = Vector_3::Zero();   ///< the direction in which the body is open: that of the area vector
+  Vector_3 normal = Vector_3::Zero();   ///< out of the opening: along the area vector
   double length = 0;                    ///< of the curve
   double radius = 0;                    ///< mean distance of the curve from its centroid
   std::vector<Index> pieces;            ///< of the cut surface, that it passes, in ascending order
@@ -141,9 +141,9 @@ private:
   /// The length of a border at the end of a limb, relative to the last separator, is at least this: across a shorter
   /// one, the limb is closed.
   static constexpr double min_opening_length = 0.6;
-  /// The cosine of the angle between the normals of the two is at least this: the border is no window in the side.
+  /// The cosine of the angle between the normals of the two is at least this: the border is not a window in the side.
   static constexpr double min_opening_cosine = 0.3;
-  /// A component without separators is this deep behind its border, relative to the radius: it is no sheet.
+  /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
   static constexpr double min_depth = 1.5;
   /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the middle of its piece,
   /// relative to the radius of the body there, ...
@@ -211,8 +211,8 @@ private:
     }
   }
 
-  /// Removes the nodes at the end of a limb of which the separators cross its border, and those near the plane of the
-  /// border or beyond it. \return the last node that is left
+  /// Removes the nodes at the end of a limb whose separators cross its border, and those near the plane of the border
+  /// or beyond it. \return the last node that is left
   Index shorten_limb(Index piece, Index end, const Bridged_border& border)
   {
     const Index last = m_graph.last_heir(last_separator(border, piece));

@@ -39,7 +39,7 @@ inline void place_on_sheet(const Triangulated_solid& solid, const Separator& sep
   }
 }
 
-/// Marks all nodes beside nodes of sheets, too, and moves them to the middle between the sides.
+/// Marks all nodes next to nodes of sheets, too, and moves them to the middle between the sides.
 inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
 {
   const auto is_on_sheet = [&graph](Index node) { return graph[node].is_on_sheet; };
@@ -111,7 +111,7 @@ private:
   /// ... and its half width has fallen by this part of that distance more than before: all of it, if one end is cut
   /// off.
   static constexpr double min_loss = 0.75;
-  /// The tangent of the angle to both sides by which sections are turned to find the shortest, and how often.
+  /// The tangent of the angle between tried sections, of which the shortest is sought, and how often it is.
   static constexpr double turn = 0.15;
   static constexpr int number_of_turns = 5;
   /// A bound for the steps towards a point, near which they get shorter and shorter.
@@ -124,7 +124,7 @@ private:
     }
     const double min_step = min_step_length * m_half_width;
     double step = step_length * m_half_width;
-    Index last = end; // beyond which nodes are no longer moved
+    Index last = end; // nodes up to here stay
     Index tip = no_index;
     for (int i = 0; i < max_steps && step >= min_step; ++i) {
       if (!advance(step)) {
@@ -221,7 +221,7 @@ private:
   Vector_3 m_position = Vector_3::Zero(); ///< where the branch has been led to
   Vector_3 m_direction = Vector_3::Zero();
   double m_half_width = 0; ///< there
-  double m_taper = 0;      ///< the most by which it has fallen, relative to the way
+  double m_taper = 0;      ///< its steepest fall, relative to the way
 };
 
 /// Centers the nodes of `graph` that are on sheets, and leads branches to the borders.

@@ -99,7 +99,7 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
 }
 
 /// The middle between the sides of a sheet behind the surface that is nearest to `point`.
-/// \param radius half of the width of the sheet there: what is farther away is another body
+/// \param radius half of the width of the sheet there: a middle farther away is that of another body
 template <class Surface>
 std::optional<Vector_3> middle_of_sheet(const Surface& surface, const Vector_3& point, double radius)
 {
@@ -114,13 +114,13 @@ class Sheet_section
 public:
   explicit Sheet_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
 
-  /// The middle of the open curve in which the plane through `point` perpendicular to `axis` cuts the sheet, if it is
+  /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, if it is
   /// about as wide as expected.
   std::optional<Vector_3> operator()(const Vector_3& point, const Vector_3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
     const Index face = m_solid.closest_point(point).face;
-    // Where edges are in the plane, as on grids, it may miss the face beside them.
+    // Where edges are in the plane, as on grids, it may miss the face next to them.
     const bool is_cut = m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
                         m_section.cut_at_vertex(nearest_corner(face, point, axis), axis, max_length * expected_length);
     if (!is_cut || m_section.length() < min_length * expected_length) {

@@ -19,12 +19,12 @@
 namespace CSCD::internal {
 
 /// Assigns each vertex to the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
-/// however near another one comes. The nodes of a piece are its own, those of the separators around it, and all beside
-/// these up to the next ones of other pieces and separators.
+/// however near another one comes. The nodes of a piece are its own, those of the separators around it, and those next
+/// to these up to the next ones of other pieces and separators.
 class Vertex_assignment
 {
 public:
-  /// Assigns all vertices: compares each with all nodes of its piece, of which there are a few.
+  /// Assigns all vertices: compares each with all nodes of its piece.
   Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder)
       : m_surface(surface), m_builder(builder), m_nodes(cut_graph.pieces().size()), m_node(surface.number_of_vertices())
   {
@@ -36,7 +36,7 @@ public:
 
   /// The nodes of `piece`, in ascending order.
   const std::vector<Index>& nodes(Index piece) const { return m_nodes[piece]; }
-  /// The node to which `vertex` belongs.
+  /// The node of `vertex`.
   Index node(Index vertex) const { return m_node[vertex]; }
 
   /// Mean distance of the surface around each node from the curve, by area; of an opening, the radius of the border.
@@ -78,28 +78,31 @@ private:
         m_nodes[piece].push_back(node);
       }
     }
+    std::vector<Index> last_piece(m_builder.size(), no_index); // that each node was added to
     for (Index piece = 0; piece < m_nodes.size(); ++piece) {
       for (Index separator : cut_graph.pieces()[piece].separators) {
         m_nodes[piece].push_back(node_of_separator[separator]);
       }
-      add_nodes_beside(m_nodes[piece]);
+      add_nodes_between(piece, last_piece);
     }
   }
 
-  /// Adds to the nodes of a piece those that can be reached from them over nodes that stand for no piece or separator.
-  void add_nodes_beside(std::vector<Index>& nodes) const
+  /// Adds to the nodes of `piece` those that can be reached from them over nodes that stand for no piece or separator.
+  void add_nodes_between(Index piece, std::vector<Index>& last_piece)
   {
+    std::vector<Index>& nodes = m_nodes[piece];
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       for (Index neighbor : m_builder[nodes[i]].neighbors) {
         const Skeleton_builder::Node& node = m_builder[neighbor];
-        if (node.separators.empty() && node.pieces.empty() &&
-            std::find(nodes.begin(), nodes.end(), neighbor) == nodes.end()) {
+        if (node.separators.empty() && node.pieces.empty() && last_piece[neighbor] != piece) {
+          last_piece[neighbor] = piece;
           nodes.push_back(neighbor);
         }
       }
     }
     std::sort(nodes.begin(), nodes.end());
-    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
 
   double squared_distance(const Vector_3& point, Index node) const

@@ -19,7 +19,7 @@
 
 namespace CSCD::internal {
 
-/// Finds ways inside a body around what is outside: along its surface, and as far below it as there is room.
+/// Finds ways inside a body around its notches and holes: along its surface, and as far below it as there is room.
 class Way_inside
 {
 public:
@@ -50,7 +50,7 @@ private:
   static constexpr std::size_t max_work = 8;
   /// So much more takes some tenths of a second.
   static constexpr std::size_t free_work = 1 << 17;
-  /// A way of more nodes is no good skeleton.
+  /// A way of more nodes would not be a good skeleton.
   static constexpr std::size_t max_number_of_nodes = 64;
   /// Halvings of the depth below the surface, where the way is not free.
   static constexpr int max_halvings = 12;

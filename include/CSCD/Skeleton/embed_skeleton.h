@@ -41,8 +41,8 @@ inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>
   Rim_trimming(cut.solid, graph)();
 }
 
-/// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. What could not
-/// be led inside is counted in `report`.
+/// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. Counts the
+/// nodes and edges that could not be led inside in `report`.
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
                                         const std::vector<Index>& packed, const Cut_graph& cut_graph,
                                         Skeletonization_report& report)
