@@ -9,7 +9,7 @@
 #include <CSCD/Local/local_stages.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Packing/Separator_packing.h>
-#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Skeleton/embed_skeleton.h>
 
 #include <algorithm>
 
@@ -49,8 +49,7 @@ CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_
                                                              const Packing& packing,
                                                              Skeletonization_report& report) const
 {
-  return internal::build_cut_graph_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(),
-                                            report);
+  return internal::embed_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(), report);
 }
 
 } // namespace CSCD

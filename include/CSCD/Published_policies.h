@@ -15,10 +15,9 @@
 #include <CSCD/Published/build_quotient_skeleton.h>
 #include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Sheet_ends.h>
-#include <CSCD/Skeleton/Sheet_placement.h>
+#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -118,7 +117,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
 {
   if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
     if (m_settings.placement_rule == Placement_rule::sections) {
-      return internal::build_cut_graph_skeleton(surface, separators, packing.packed(), report);
+      return internal::embed_skeleton(surface, separators, packing.packed(), report);
     }
   }
   const auto place_nodes = [&](Skeleton_builder& builder) {

@@ -13,7 +13,7 @@
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/build_cut_graph_skeleton.h>
+#include <CSCD/Skeleton/embed_skeleton.h>
 #include <CSCD/Surface/Prepared_mesh.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/exceptions.h>
@@ -138,7 +138,7 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std
   Skeleton result;
   run_stage(Skeletonization_stage::build_skeleton, [&] {
     const Embedded_skeleton embedded =
-        internal::build_cut_graph_skeleton(mesh.solid(), separators, packing->packed(), packing->cut_graph(), report);
+        internal::embed_skeleton(mesh.solid(), separators, packing->packed(), packing->cut_graph(), report);
     result = internal::to_input(embedded, mesh);
     for (const Index separator : packing->packed()) {
       result.separators.push_back(internal::to_input(separators[separator], mesh.solid()));

@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What changes a builder keeps its cycles: splitting, bypassing, contracting, merging, making simple, dropping
-// overshoots, smoothing.
+// What changes a builder keeps its cycles: splitting, bypassing, contracting, merging, making simple.
 
-#include <CSCD/Skeleton/Branch_refinement.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/place_junctions.h>
 #include <CSCD/Vector_3.h>
@@ -224,79 +222,6 @@ TEST(merge_junctions, keeps_cycles)
   Skeleton_builder theta = make_builder(5, {{0, 2}, {2, 1}, {0, 3}, {3, 1}, {0, 4}, {4, 1}}, 100);
   CSCD::internal::merge_junctions(theta);
   EXPECT_EQ(euler_number(theta), -1);
-}
-
-/// A junction at the origin, of this radius, with two tips to its left and a branch over nodes at these places on the
-/// line; the last one is a tip. Nodes are numbered in this order.
-Skeleton_builder junction_with_branch(const std::vector<double>& places, double radius)
-{
-  Skeleton_builder builder = make_builder(3, {{0, 1}, {0, 2}}, radius);
-  builder[1].position = {-9, 1, 0};
-  builder[2].position = {-9, -1, 0};
-  Index last = 0;
-  for (double x : places) {
-    const Index node = builder.add_node({x, 0, 0}, radius);
-    builder.add_edge(last, node);
-    last = node;
-  }
-  return builder;
-}
-
-TEST(drop_overshoots, drops_nodes_that_the_branch_would_turn_back_from)
-{
-  Skeleton_builder builder = junction_with_branch({-1, 3, 6}, 2);
-  CSCD::internal::drop_overshoots(builder);
-  EXPECT_TRUE(builder[3].is_removed);
-  EXPECT_EQ(edges(builder), (Edges{{0, 1}, {0, 2}, {0, 4}, {4, 5}}));
-  EXPECT_TRUE(is_consistent(builder));
-}
-
-TEST(drop_overshoots, drops_several_in_a_row)
-{
-  Skeleton_builder builder = junction_with_branch({1.5, 1, 0.5, 3, 6}, 2);
-  CSCD::internal::drop_overshoots(builder);
-  EXPECT_EQ(edges(builder), (Edges{{0, 1}, {0, 2}, {0, 5}, {5, 6}, {6, 7}}))
-      << "back from 1.5, back from 1, but on from 0.5";
-  EXPECT_TRUE(is_consistent(builder));
-}
-
-TEST(drop_overshoots, leaves_branches_alone_that_go_on)
-{
-  for (Skeleton_builder builder : {junction_with_branch({1, 3, 6}, 2), junction_with_branch({-3, 3, 6}, 2)}) {
-    const Edges before = edges(builder);
-    CSCD::internal::drop_overshoots(builder);
-    EXPECT_EQ(edges(builder), before) << "nor those that turn back outside of the junction's ball";
-  }
-}
-
-TEST(drop_overshoots, leaves_tips_where_they_are)
-{
-  Skeleton_builder builder = junction_with_branch({-1, 3}, 2);
-  const Edges before = edges(builder);
-  CSCD::internal::drop_overshoots(builder);
-  EXPECT_EQ(edges(builder), before);
-}
-
-TEST(drop_overshoots, keeps_cycles_and_makes_no_parallel_edges)
-{
-  // A triangle at the junction, whose nodes both turn back.
-  Skeleton_builder builder = junction_with_branch({-1, -0.5}, 2);
-  builder.add_edge(4, 0);
-  ASSERT_EQ(euler_number(builder), 0);
-  const Edges before = edges(builder);
-  CSCD::internal::drop_overshoots(builder);
-  EXPECT_EQ(edges(builder), before);
-}
-
-TEST(smooth_branches, moves_nodes_within_branches_only)
-{
-  Skeleton_builder builder = make_builder(4, {{0, 1}, {1, 2}, {2, 3}});
-  builder[1].position.y() = 1;
-  CSCD::internal::smooth_branches(builder);
-  EXPECT_EQ(builder[0].position, Vector_3(0, 0, 0));
-  EXPECT_EQ(builder[3].position, Vector_3(3, 0, 0));
-  EXPECT_EQ(builder[1].position, Vector_3(1, 0.5, 0));
-  EXPECT_EQ(builder[2].position, Vector_3(2, 0.25, 0)) << "all at once, from the old positions";
 }
 
 } // namespace

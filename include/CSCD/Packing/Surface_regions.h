@@ -21,8 +21,6 @@ namespace CSCD::internal {
 class Surface_regions
 {
 public:
-  /// The size of the level that is precise enough for the centroids of regions.
-  static constexpr Index precise_size = 60000;
   /// The size of the level that is precise enough to decide what is nearest.
   static constexpr Index rough_size = 16000;
 

@@ -10,7 +10,7 @@
 #include <CSCD/Points/Closed_complex.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Skeleton/Inside_repair.h>
+#include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
@@ -446,11 +446,14 @@ void finish_skeleton(const Surface& surface, const Separator_regions& /* regions
                      Skeletonization_report& report)
 {
   make_simple(builder);
-  Inside_repair repair(surface, builder);
-  repair();
+  Inside_routing routing(surface, builder);
+  routing.bring_inside();
+  routing.route_edges();
+  routing.route_edges(true);
   builder.compact();
-  report.number_of_nodes_outside = repair.number_of_nodes_outside();
-  report.number_of_edges_outside = repair.number_of_edges_outside();
+  const auto outside = routing.count_outside();
+  report.number_of_nodes_outside = outside.number_of_nodes;
+  report.number_of_edges_outside = outside.number_of_edges;
 }
 /// A graph bounds no body.
 inline void finish_skeleton(const Spatial_graph& graph, const Separator_regions& regions, Skeleton_builder& builder,

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -21,6 +23,9 @@ namespace CSCD {
 class Skeleton_builder
 {
 public:
+  /// Two adjacent nodes, the smaller number first.
+  using Edge = std::pair<Index, Index>;
+
   /// A node of the skeleton.
   struct Node
   {
@@ -39,8 +44,12 @@ public:
     bool is_opening = false;
     /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
     bool is_on_sheet = false;
+    /// About how many vertices of the surface belong to the node; nothing where that was not counted.
+    std::optional<double> number_of_vertices = {};
     /// Whether the node was merged into another one.
     bool is_removed = false;
+    /// The node into which it was merged.
+    Index heir = no_index;
   };
 
   /// Adds a node without edges. \return its number
@@ -90,6 +99,14 @@ public:
   Node& operator[](Index node) { return m_nodes[node]; }
   /// The node of number `node`.
   const Node& operator[](Index node) const { return m_nodes[node]; }
+  /// The node that stands for `node` now: itself, or the one into which it was merged.
+  Index last_heir(Index node) const
+  {
+    while (m_nodes[node].is_removed) {
+      node = m_nodes[node].heir;
+    }
+    return node;
+  }
   /// The number of edges at `node`.
   std::size_t degree(Index node) const { return m_nodes[node].neighbors.size(); }
 
@@ -107,6 +124,33 @@ public:
 
   /// The length of the edge from `a` to `b`.
   double edge_length(Index a, Index b) const { return (m_nodes[a].position - m_nodes[b].position).norm(); }
+
+  /// The middle of the nodes that are adjacent to `node`. \pre it has one
+  Vector_3 middle_of_neighbors(Index node) const
+  {
+    Vector_3 sum = Vector_3::Zero();
+    for (Index neighbor : m_nodes[node].neighbors) {
+      sum += m_nodes[neighbor].position;
+    }
+    return sum / double(degree(node));
+  }
+
+  /// Whether the graph stays simple if the regular `node` is bypassed.
+  bool is_bypassable(Index node) const
+  {
+    const Index a = m_nodes[node].neighbors[0];
+    const Index b = m_nodes[node].neighbors[1];
+    const std::vector<Index>& around = m_nodes[a].neighbors;
+    return a != b && std::find(around.begin(), around.end(), b) == around.end();
+  }
+
+  /// All edges, in the order of `for_each_edge()`.
+  std::vector<Edge> edges() const
+  {
+    std::vector<Edge> result;
+    for_each_edge([&result](Index a, Index b) { result.emplace_back(a, b); });
+    return result;
+  }
 
   /// Drops the removed nodes; the others are renumbered in order.
   void compact();
@@ -133,6 +177,7 @@ private:
     append(m_nodes[heir].pieces, m_nodes[node].pieces);
     m_nodes[node] = Node();
     m_nodes[node].is_removed = true;
+    m_nodes[node].heir = heir;
   }
 
   static void append(std::vector<Index>& to, const std::vector<Index>& from)

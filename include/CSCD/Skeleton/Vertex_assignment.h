@@ -10,46 +10,34 @@
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// Assigns each vertex to the nearest node that can be reached by going downhill, in distance, from a node of its own
-/// piece of the surface; so vertices on a limb stay with that limb, however near another one comes.
+/// Assigns each vertex to the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
+/// however near another one comes. The nodes of a piece are its own, those of the separators around it, and those next
+/// to these up to the next ones of other pieces and separators.
 class Vertex_assignment
 {
 public:
-  /// Assigns all vertices; linear in their number for skeletons of bounded degree.
-  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder,
-                    unsigned number_of_threads = 1)
-      : m_surface(surface), m_builder(builder), m_node(surface.number_of_vertices())
+  /// Assigns all vertices: compares each with all nodes of its piece.
+  Vertex_assignment(const Triangulated_surface& surface, const Cut_graph& cut_graph, const Skeleton_builder& builder)
+      : m_surface(surface), m_builder(builder), m_nodes(cut_graph.pieces().size()), m_node(surface.number_of_vertices())
   {
-    collect_starts(cut_graph);
-    for_each_range(Index(m_node.size()), number_of_threads, [&](Index begin, Index end) {
-      for (Index vertex = begin; vertex < end; ++vertex) {
-        m_node[vertex] =
-            descend(surface.point(vertex), nearest_start(surface.point(vertex), cut_graph.piece_of_vertex(vertex)));
-      }
-    });
+    collect_nodes(cut_graph);
+    for (Index vertex = 0; vertex < m_node.size(); ++vertex) {
+      m_node[vertex] = nearest(surface.point(vertex), m_nodes[cut_graph.piece_of_vertex(vertex)]);
+    }
   }
 
-  /// The node to which `vertex` belongs.
+  /// The nodes of `piece`, in ascending order.
+  const std::vector<Index>& nodes(Index piece) const { return m_nodes[piece]; }
+  /// The node of `vertex`.
   Index node(Index vertex) const { return m_node[vertex]; }
-  /// For each node, how many vertices belong to it.
-  std::vector<Index> numbers_of_vertices() const
-  {
-    std::vector<Index> result(m_builder.size(), 0);
-    for (Index node : m_node) {
-      ++result[node];
-    }
-    return result;
-  }
 
   /// Mean distance of the surface around each node from the curve, by area; of an opening, the radius of the border.
   std::vector<double> radii() const
@@ -78,10 +66,8 @@ public:
   }
 
 private:
-  /// For each piece, the nodes of its separators and its own.
-  void collect_starts(const Cut_graph& cut_graph)
+  void collect_nodes(const Cut_graph& cut_graph)
   {
-    m_starts.resize(cut_graph.pieces().size());
     std::vector<Index> node_of_separator;
     for (Index node = 0; node < m_builder.size(); ++node) {
       for (Index separator : m_builder[node].separators) {
@@ -89,14 +75,34 @@ private:
         node_of_separator[separator] = node;
       }
       for (Index piece : m_builder[node].pieces) {
-        m_starts[piece].push_back(node);
+        m_nodes[piece].push_back(node);
       }
     }
-    for (Index piece = 0; piece < m_starts.size(); ++piece) {
+    std::vector<Index> last_piece(m_builder.size(), no_index); // that each node was added to
+    for (Index piece = 0; piece < m_nodes.size(); ++piece) {
       for (Index separator : cut_graph.pieces()[piece].separators) {
-        m_starts[piece].push_back(node_of_separator[separator]);
+        m_nodes[piece].push_back(node_of_separator[separator]);
+      }
+      add_nodes_between(piece, last_piece);
+    }
+  }
+
+  /// Adds to the nodes of `piece` those that can be reached from them over nodes that stand for no piece or separator.
+  void add_nodes_between(Index piece, std::vector<Index>& last_piece)
+  {
+    std::vector<Index>& nodes = m_nodes[piece];
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (Index neighbor : m_builder[nodes[i]].neighbors) {
+        const Skeleton_builder::Node& node = m_builder[neighbor];
+        if (node.separators.empty() && node.pieces.empty() && last_piece[neighbor] != piece) {
+          last_piece[neighbor] = piece;
+          nodes.push_back(neighbor);
+        }
       }
     }
+    std::sort(nodes.begin(), nodes.end());
   }
 
   double squared_distance(const Vector_3& point, Index node) const
@@ -104,28 +110,10 @@ private:
     return (point - m_builder[node].position).squaredNorm();
   }
 
-  Index nearest_start(const Vector_3& point, Index piece) const
+  Index nearest(const Vector_3& point, const std::vector<Index>& nodes) const
   {
-    return *std::min_element(m_starts[piece].begin(), m_starts[piece].end(),
+    return *std::min_element(nodes.begin(), nodes.end(),
                              [&](Index a, Index b) { return squared_distance(point, a) < squared_distance(point, b); });
-  }
-
-  Index descend(const Vector_3& point, Index node) const
-  {
-    double least = squared_distance(point, node);
-    for (bool is_descending = true; is_descending;) {
-      is_descending = false;
-      for (Index neighbor : m_builder[node].neighbors) {
-        const double distance = squared_distance(point, neighbor);
-        if (distance < least) {
-          least = distance;
-          node = neighbor;
-          is_descending = true;
-          break;
-        }
-      }
-    }
-    return node;
   }
 
   /// The squared distance of `point` from the edges at `node`, or from `node` where it has none.
@@ -146,8 +134,8 @@ private:
 
   const Triangulated_surface& m_surface;
   const Skeleton_builder& m_builder;
-  std::vector<Index> m_node;
-  std::vector<std::vector<Index>> m_starts;
+  std::vector<std::vector<Index>> m_nodes; ///< of each piece
+  std::vector<Index> m_node;               ///< of each vertex
 };
 
 } // namespace CSCD::internal

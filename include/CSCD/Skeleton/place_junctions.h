@@ -6,7 +6,7 @@
 #ifndef CSCD_SKELETON_PLACE_JUNCTIONS_H
 #define CSCD_SKELETON_PLACE_JUNCTIONS_H
 
-#include <CSCD/Skeleton/Sheet_placement.h>
+#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
@@ -213,41 +213,6 @@ private:
   Skeleton_builder& m_builder;
   std::vector<Vector_3> m_rim; ///< of sheets; empty until there is a junction on one
 };
-
-/// Removes the nodes next to a junction, within its ball, at which the branch turns by more than a right angle: the
-/// junction was moved past them, and the branch would double back. Neither topology nor the simplicity of the graph
-/// change.
-inline void drop_overshoots(Skeleton_builder& builder)
-{
-  const auto doubles_back = [&](Index junction, Index node, Index next) {
-    const Vector_3& position = builder[node].position;
-    const Vector_3 step = position - builder[junction].position;
-    return step.norm() < builder[junction].radius && step.dot(builder[next].position - position) < 0;
-  };
-  const auto overshooting_neighbor = [&](Index junction) {
-    for (Index node : builder[junction].neighbors) {
-      if (!builder.is_regular(node)) {
-        continue;
-      }
-      const Index next = builder.other_neighbor(node, junction);
-      const std::vector<Index>& around = builder[junction].neighbors;
-      const bool stays_simple = next != junction && std::find(around.begin(), around.end(), next) == around.end();
-      if (stays_simple && builder.degree(next) == 2 && doubles_back(junction, node, next)) {
-        return node;
-      }
-    }
-    return no_index;
-  };
-  for (Index junction = 0; junction < builder.size(); ++junction) {
-    while (builder.is_junction(junction)) {
-      const Index node = overshooting_neighbor(junction);
-      if (node == no_index) {
-        break;
-      }
-      builder.bypass(node);
-    }
-  }
-}
 
 } // namespace CSCD::internal
 

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The borders of a tube: place, size and the pieces of the cut surface behind them.
+// Where limbs end: the borders of a tube, and ends in rims.
 
 #include "Separator/make_separator.h"
+#include "Skeleton/make_branch.h"
 #include "support/Shape_solid.h"
 #include "support/shapes.h"
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Bridged_borders.h>
+#include <CSCD/Skeleton/Limb_ends.h>
+#include <CSCD/Skeleton/Limb_openings.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>
@@ -19,11 +22,12 @@
 
 namespace {
 
+using CSCD::Skeleton_builder;
 using CSCD::Vector_3;
 using CSCD::internal::Bridged_border;
+using CSCD::test::Shape_solid;
 
-std::vector<Bridged_border> borders_of_cut(const CSCD::test::Shape_solid& solid, const Vector_3& point,
-                                           const Vector_3& normal)
+std::vector<Bridged_border> borders_of_cut(const Shape_solid& solid, const Vector_3& point, const Vector_3& normal)
 {
   const std::vector<CSCD::Separator> separators{CSCD::test::section_separator(solid.surface(), point, normal, point)};
   const CSCD::internal::Separator_packing packing(solid.surface(), separators, {1});
@@ -33,7 +37,7 @@ std::vector<Bridged_border> borders_of_cut(const CSCD::test::Shape_solid& solid,
 TEST(Bridged_borders, of_an_open_tube)
 {
   constexpr std::size_t around = 24;
-  const CSCD::test::Shape_solid solid(CSCD::test::tube(6, 1, around, CSCD::test::Tube_end::open));
+  const Shape_solid solid(CSCD::test::tube(6, 1, around, CSCD::test::Tube_end::open));
   const std::vector<Bridged_border> borders = borders_of_cut(solid, solid.at(3.01, 0, 0), {1, 0, 0});
   ASSERT_EQ(borders.size(), 2u);
   const double half_angle = CSCD::test::pi / around;
@@ -51,7 +55,7 @@ TEST(Bridged_borders, of_an_open_tube)
 
 TEST(Bridged_borders, that_separators_cross)
 {
-  const CSCD::test::Shape_solid solid(CSCD::test::slit_tube(8, 1, 24));
+  const Shape_solid solid(CSCD::test::slit_tube(8, 1, 24));
   const std::vector<Bridged_border> borders = borders_of_cut(solid, solid.at(4.03, 0, 0), {1, 0, 0});
   ASSERT_EQ(borders.size(), 1u);
   EXPECT_EQ(borders.front().pieces, (std::vector<CSCD::Index>{0, 1}));
@@ -59,8 +63,38 @@ TEST(Bridged_borders, that_separators_cross)
 
 TEST(Bridged_borders, none_of_a_closed_body)
 {
-  const CSCD::test::Shape_solid solid(CSCD::test::capsule(6, 1, 24));
+  const Shape_solid solid(CSCD::test::capsule(6, 1, 24));
   EXPECT_TRUE(borders_of_cut(solid, solid.at(3.01, 0, 0), {1, 0, 0}).empty());
+}
+
+/// A branch along the x axis to x = `end`, and from there to a tip at (`x`, `y`, 0); its radius is 0.5.
+Skeleton_builder branch_with_end(const Shape_solid& solid, double end, double x, double y)
+{
+  return CSCD::test::make_branch(solid, {{end - 1, 0, 0}, {end - 0.5, 0, 0}, {end, 0, 0}, {x, y, 0}}, 0.5);
+}
+
+TEST(Rim_trimming, cuts_off_what_leads_into_a_rim)
+{
+  const std::vector<CSCD::test::Triple> places = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {4.3, 0, 0}};
+  const Shape_solid trumpet(
+      CSCD::test::swept_shape("trumpet", places, {0.5, 0.5, 0.5, 0.5, 0.5, 1.5}, 32, CSCD::test::Tube_end::flat));
+  Skeleton_builder into_rim = branch_with_end(trumpet, 4, 4.2, 0.6);
+  CSCD::internal::Rim_trimming(*trumpet, into_rim)();
+  into_rim.compact();
+  EXPECT_EQ(into_rim.size(), 3u);
+  EXPECT_EQ(into_rim.degree(2), 1u);
+  Skeleton_builder ahead = branch_with_end(trumpet, 3.5, 4.2, 0.2);
+  CSCD::internal::Rim_trimming(*trumpet, ahead)();
+  EXPECT_EQ(ahead.degree(3), 1u) << "goes on";
+}
+
+TEST(Rim_trimming, keeps_feet)
+{
+  const Shape_solid leg(
+      CSCD::test::limb_shape("leg", {{{0, 0, 0}, {4, 0, 0}, 0.5, 0.5}, {{4, 0, 0}, {4, 0.8, 0}, 0.5, 0.5}}, 0.15));
+  Skeleton_builder builder = branch_with_end(leg, 3.9, 4, 0.65);
+  CSCD::internal::Rim_trimming(*leg, builder)();
+  EXPECT_EQ(builder.degree(3), 1u);
 }
 
 } // namespace

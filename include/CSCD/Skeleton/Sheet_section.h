@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nodes on sheets: in the middle of open curves.
+// Sections of sheets: open curves, and their middles.
 
-#ifndef CSCD_SKELETON_SHEET_PLACEMENT_H
-#define CSCD_SKELETON_SHEET_PLACEMENT_H
+#ifndef CSCD_SKELETON_SHEET_SECTION_H
+#define CSCD_SKELETON_SHEET_SECTION_H
 
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
-#include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -18,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -101,7 +99,7 @@ std::optional<Vector_3> middle_of_open_curve(const Triangulated_surface& surface
 }
 
 /// The middle between the sides of a sheet behind the surface that is nearest to `point`.
-/// \param radius half of the width of the sheet there: what is farther away is another body
+/// \param radius half of the width of the sheet there: a middle farther away is that of another body
 template <class Surface>
 std::optional<Vector_3> middle_of_sheet(const Surface& surface, const Vector_3& point, double radius)
 {
@@ -110,95 +108,19 @@ std::optional<Vector_3> middle_of_sheet(const Surface& surface, const Vector_3& 
   return middle && (*middle - point).norm() <= max_shift * radius ? middle : std::nullopt;
 }
 
-/// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
-/// where that is not found.
-inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
-{
-  return solid.is_inside(point) ? std::optional<Vector_3>(point) : solid.middle_behind(point);
-}
-
-/// Points of the rims of all sheets, as far from each other as their vertices. Linear.
-inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
-{
-  const Surface_level& level = solid.query_level();
-  const Triangulated_surface& surface = level.surface;
-  const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
-  std::vector<Vector_3> result;
-  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
-    if (side(surface.origin(h)) == 1 && side(surface.target(h)) == 2) {
-      result.push_back((surface.point(surface.origin(h)) + surface.point(surface.target(h))) / 2);
-    }
-  }
-  return result;
-}
-
-/// Places nodes on sheets: those of open separators in their middle, with half of the width as radius, all others
-/// between the sides. Does nothing where there are no sheets.
-class Sheet_placement
-{
-public:
-  Sheet_placement(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
-
-  /// Moves `node`, of `separator`, if that is open.
-  void place(Index node, const Separator& separator)
-  {
-    if (m_solid.number_of_sheets() == 0 ||
-        m_solid.side_of_sheet(m_solid.triangulation().origin(separator.crossings.front().halfedge)) == 0) {
-      return;
-    }
-    const auto side = [this](Index vertex) { return m_solid.side_of_sheet(vertex); };
-    m_builder[node].is_on_sheet = true;
-    if (const auto middle = middle_of_open_curve(m_solid.triangulation(), side, separator.crossings)) {
-      m_builder[node].position = *middle;
-      m_builder[node].radius = separator.length / 4;
-    }
-  }
-
-  /// Marks all nodes beside nodes of sheets, too, and moves them to the middle between the sides.
-  void finish()
-  {
-    if (m_solid.number_of_sheets() == 0) {
-      return;
-    }
-    for (Index node = 0; node < m_builder.size(); ++node) {
-      if (m_builder[node].is_removed || !is_on_sheet(node)) {
-        continue;
-      }
-      m_builder[node].is_on_sheet = true;
-      if (const auto middle = middle_of_sheet(m_solid, m_builder[node].position, m_builder[node].radius)) {
-        m_builder[node].position = *middle;
-      }
-    }
-  }
-
-private:
-  bool is_on_sheet(Index node) const
-  {
-    if (m_builder[node].is_on_sheet || m_builder[node].is_opening) {
-      return m_builder[node].is_on_sheet;
-    }
-    const std::vector<Index>& neighbors = m_builder[node].neighbors;
-    return std::any_of(neighbors.begin(), neighbors.end(),
-                       [this](Index neighbor) { return m_builder[neighbor].is_on_sheet; });
-  }
-
-  const Triangulated_solid& m_solid;
-  Skeleton_builder& m_builder;
-};
-
 /// Sections of sheets perpendicular to a branch. Reuse one object.
 class Sheet_section
 {
 public:
   explicit Sheet_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
 
-  /// The middle of the open curve in which the plane through `point` perpendicular to `axis` cuts the sheet, if it is
+  /// The middle of the open section of the sheet with the plane through `point` perpendicular to `axis`, if it is
   /// about as wide as expected.
   std::optional<Vector_3> operator()(const Vector_3& point, const Vector_3& axis, double expected_half_width)
   {
     const double expected_length = 4 * expected_half_width; // on both sides
     const Index face = m_solid.closest_point(point).face;
-    // Where edges are in the plane, as on grids, it may miss the face beside them.
+    // Where edges are in the plane, as on grids, it may miss the face next to them.
     const bool is_cut = m_section.cut_at_face(face, axis, point, max_length * expected_length) ||
                         m_section.cut_at_vertex(nearest_corner(face, point, axis), axis, max_length * expected_length);
     if (!is_cut || m_section.length() < min_length * expected_length) {
@@ -231,23 +153,6 @@ private:
   Plane_section m_section;
 };
 
-/// Places the nodes of the open ones of the `packed` separators: node i is that of `packed[i]`; all other nodes of
-/// sheets follow. Does nothing on surfaces that know no sheets.
-template <class Surface>
-void place_on_sheets(const Surface& /* surface */, const std::vector<Separator>& /* separators */,
-                     const std::vector<Index>& /* packed */, Skeleton_builder& /* builder */)
-{
-}
-inline void place_on_sheets(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                            const std::vector<Index>& packed, Skeleton_builder& builder)
-{
-  Sheet_placement placement(solid, builder);
-  for (Index i = 0; i < packed.size() && i < builder.size(); ++i) {
-    placement.place(i, separators[packed[i]]);
-  }
-  placement.finish();
-}
-
 } // namespace CSCD::internal
 
-#endif // CSCD_SKELETON_SHEET_PLACEMENT_H
+#endif // CSCD_SKELETON_SHEET_SECTION_H

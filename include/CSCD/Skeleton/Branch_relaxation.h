@@ -1,0 +1,336 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Divides the edges of branches, and moves their nodes to the middle of the body.
+//
+// R is the radius of the body at a node. A node of degree 2 has a target: the center of the section of the body, or of
+// the sheet, perpendicular to the branch. Each sweep moves it part of the way there, and part of the way to a smooth
+// curve through its neighbors. A step that leads an edge out of the body, or makes the branch turn back, is halved.
+
+#ifndef CSCD_SKELETON_BRANCH_RELAXATION_H
+#define CSCD_SKELETON_BRANCH_RELAXATION_H
+
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Skeleton/Inside_routing.h>
+#include <CSCD/Skeleton/Sheet_section.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Vector_3.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Gives branches nodes at the right distance: removes those that own few vertices, and divides long edges.
+class Branch_division
+{
+public:
+  /// \param routing that of `graph`; both are referred to
+  Branch_division(Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
+      : m_routing(routing), m_graph(graph)
+  {
+  }
+
+  void operator()()
+  {
+    for (Index node = 0; node < m_graph.size(); ++node) {
+      if (m_graph.is_regular(node) && number_of_vertices(node) < min_vertices) {
+        drop(node);
+      }
+    }
+    for (const auto& [a, b] : m_graph.edges()) {
+      divide(a, b);
+    }
+  }
+
+private:
+  /// The length of the parts of an edge, relative to R.
+  static constexpr double part_length = 0.5;
+  /// The number of parts of an edge: bounds the work on long, thin ones.
+  static constexpr double max_parts = 30;
+  /// The number of vertices for each part, on the average.
+  static constexpr double part_vertices = 12;
+  /// The number of vertices of a node: the radii of nodes with fewer scatter by more than a third of what they do.
+  static constexpr double min_vertices = 8;
+  /// The length of an edge that replaces a node with fewer, relative to R: bends stay.
+  static constexpr double max_merged_edge = 1;
+
+  double number_of_vertices(Index node) const { return m_graph[node].number_of_vertices.value_or(min_vertices); }
+
+  /// Bypasses `node`, if the new edge is short and free.
+  void drop(Index node)
+  {
+    const Index a = m_graph[node].neighbors[0];
+    const Index b = m_graph[node].neighbors[1];
+    if (m_graph.is_bypassable(node) && m_graph.edge_length(a, b) < max_merged_edge * m_graph[node].radius &&
+        m_routing.is_free(a, b)) {
+      for (Index neighbor : {a, b}) {
+        m_graph[neighbor].number_of_vertices = number_of_vertices(neighbor) + number_of_vertices(node) / 2;
+      }
+      m_graph.bypass(node);
+    }
+  }
+
+  void divide(Index a, Index b)
+  {
+    const Skeleton_builder::Node from = m_graph[a];
+    const Skeleton_builder::Node to = m_graph[b];
+    if (from.is_opening || to.is_opening || m_graph.is_junction(a) || m_graph.is_junction(b)) {
+      return;
+    }
+    const double length = m_graph.edge_length(a, b);
+    const double owned =
+        number_of_vertices(a) / double(m_graph.degree(a)) + number_of_vertices(b) / double(m_graph.degree(b));
+    const double parts = std::min({std::floor(length / (part_length * (from.radius + to.radius) / 2)) + 1, max_parts,
+                                   std::floor(owned / part_vertices)});
+    Index last = a;
+    for (int i = 1; i < parts; ++i) {
+      const double along = i / parts;
+      const double radius = (1 - along) * from.radius + along * to.radius;
+      last = m_graph.split_edge(last, b, (1 - along) * from.position + along * to.position, radius);
+    }
+  }
+
+  Inside_routing<Triangulated_solid>& m_routing;
+  Skeleton_builder& m_graph;
+};
+
+/// Sections of the body. Reuse one object.
+class Body_section
+{
+public:
+  explicit Body_section(const Triangulated_solid& solid) : m_solid(solid), m_section(solid.query_surface()) {}
+
+  /// The section through `point` perpendicular to `axis`, if it surrounds the point, its centroid is in it, and it is
+  /// about as large as expected and compact.
+  std::optional<Section_disc> operator()(const Vector_3& point, const Vector_3& axis, double radius)
+  {
+    const auto hit = m_solid.first_hit(point, axis.unitOrthogonal());
+    if (!hit || !m_section.cut_at_face(hit->face, axis, point, max_length * 2 * pi * radius) ||
+        !is_in_outline(m_section.points(), point, axis)) {
+      return std::nullopt;
+    }
+    const Section_disc disc = section_disc(m_section.points());
+    const bool is_compact = m_section.length() * m_section.length() <= max_squared_length * 4 * pi * disc.area;
+    return is_compact && disc.radius() <= max_radius * radius && is_in_outline(m_section.points(), disc.center, axis)
+               ? std::optional<Section_disc>(disc)
+               : std::nullopt;
+  }
+
+private:
+  static constexpr double pi = boost::math::double_constants::pi;
+  /// The length of a section, relative to the expected circle.
+  static constexpr double max_length = 4;
+  /// The radius of a section, relative to the expected one.
+  static constexpr double max_radius = 1.5;
+  /// The squared length of a section, relative to that of the circle of the same area.
+  static constexpr double max_squared_length = 2;
+
+  const Triangulated_solid& m_solid;
+  Plane_section m_section;
+};
+
+/// Moves the nodes of branches to the middle of the body, and smooths the branches.
+class Branch_relaxation
+{
+public:
+  /// Both are referred to.
+  Branch_relaxation(const Triangulated_solid& solid, Skeleton_builder& graph)
+      : m_solid(solid), m_graph(graph), m_routing(solid, graph), m_body_section(solid), m_sheet_section(solid)
+  {
+  }
+
+  /// Relaxes all branches or, if `is_on_sheets`, those on sheets.
+  void operator()(bool is_on_sheets = false)
+  {
+    const auto is_chosen = [&](Index node) {
+      return m_graph.is_regular(node) && !m_graph[node].is_opening && (!is_on_sheets || m_graph[node].is_on_sheet);
+    };
+    std::vector<std::optional<Target>> targets(m_graph.size());
+    for (int sweep = 0; sweep < number_of_sweeps; ++sweep) {
+      for (Index node = 0; node < m_graph.size(); ++node) {
+        targets[node] = is_chosen(node) ? target(node) : std::nullopt;
+      }
+      for (Index node = 0; node < m_graph.size(); ++node) {
+        if (is_chosen(node)) {
+          move(node, targets[node]);
+        }
+      }
+    }
+  }
+
+private:
+  using Node = Skeleton_builder::Node;
+
+  static constexpr int number_of_sweeps = 4;
+  /// The part of the way to the target, ...
+  static constexpr double center_share = 0.6;
+  /// ... of the way to the curve through the neighbors, ...
+  static constexpr double smooth_share = 0.25;
+  /// ... and of the way to the middle of the neighbors without a target.
+  static constexpr double plain_share = 0.2;
+  /// The change of R, relative to its difference from the radius of the section.
+  static constexpr double radius_share = 0.5;
+  /// The direction of a branch is taken over this distance to both sides, relative to R: neighbors are often nearer
+  /// than the errors of their positions are small.
+  static constexpr double window = 0.7;
+  /// The distance of a target from its node, relative to R.
+  static constexpr double max_shift = 0.5;
+  /// How often a step is halved.
+  static constexpr int max_halvings = 3;
+
+  /// The middle of the body near a node.
+  struct Target
+  {
+    Vector_3 center;
+    double radius;
+  };
+
+  /// The target of the regular `index`, if a section decides it.
+  std::optional<Target> target(Index index)
+  {
+    const Node& node = m_graph[index];
+    const Index from = end_of_window(index, node.neighbors[0]);
+    const Index to = end_of_window(index, node.neighbors[1]);
+    const Vector_3 way = m_graph[to].position - m_graph[from].position;
+    if (!(way.norm() > 0) || turn_cosine(index) < 0 || is_in_junction(index, from) || is_in_junction(index, to)) {
+      return std::nullopt;
+    }
+    const std::optional<Target> target =
+        node.is_on_sheet ? middle_of_sheet_at(node, way.normalized()) : middle_of_body_at(node, way.normalized());
+    const bool is_near = target && (target->center - node.position).norm() <= max_shift * node.radius;
+    return is_near ? target : std::nullopt;
+  }
+
+  std::optional<Target> middle_of_body_at(const Node& node, const Vector_3& axis)
+  {
+    const std::optional<Section_disc> disc = m_body_section(node.position, axis, node.radius);
+    return disc ? std::optional<Target>({disc->center, disc->radius()}) : std::nullopt;
+  }
+  std::optional<Target> middle_of_sheet_at(const Node& node, const Vector_3& axis)
+  {
+    const std::optional<Vector_3> middle = m_sheet_section(node.position, axis, node.radius);
+    return middle ? std::optional<Target>({*middle, m_sheet_section.half_width()}) : std::nullopt;
+  }
+
+  /// The first node beyond the window on the way from `node` over its neighbor `next`, or the end of the branch.
+  Index end_of_window(Index node, Index next) const
+  {
+    const Vector_3& center = m_graph[node].position;
+    const double distance = window * m_graph[node].radius;
+    Index before = node;
+    while (m_graph.is_regular(next) && next != node && (m_graph[next].position - center).norm() < distance) {
+      before = std::exchange(next, m_graph.other_neighbor(next, before));
+    }
+    return next;
+  }
+
+  /// Whether `node` is in the ball of the junction `end`, where sections lead into other branches.
+  bool is_in_junction(Index node, Index end) const
+  {
+    return m_graph.is_junction(end) && m_graph.edge_length(node, end) < m_graph[end].radius;
+  }
+
+  /// The cosine of the turn at a regular node, 1 at any other.
+  double turn_cosine(Index node) const
+  {
+    if (!m_graph.is_regular(node)) {
+      return 1;
+    }
+    const Vector_3 in = m_graph[node].position - m_graph[m_graph[node].neighbors[0]].position;
+    const Vector_3 out = m_graph[m_graph[node].neighbors[1]].position - m_graph[node].position;
+    const double product = in.norm() * out.norm();
+    return product > 0 ? in.dot(out) / product : -1;
+  }
+
+  /// Where the cubic curve through two nodes on each side of the regular `node` passes; near the ends of the branch,
+  /// the middle of the neighbors.
+  Vector_3 smoothed(Index node) const
+  {
+    const Index a = m_graph[node].neighbors[0];
+    const Index b = m_graph[node].neighbors[1];
+    if (!m_graph.is_regular(a) || !m_graph.is_regular(b)) {
+      return m_graph.middle_of_neighbors(node);
+    }
+    const Vector_3& before = m_graph[m_graph.other_neighbor(a, node)].position;
+    const Vector_3& after = m_graph[m_graph.other_neighbor(b, node)].position;
+    return (4 * (m_graph[a].position + m_graph[b].position) - before - after) / 6;
+  }
+
+  /// Moves the regular `index` as far as that is allowed.
+  void move(Index index, const std::optional<Target>& target)
+  {
+    Node& node = m_graph[index];
+    const Vector_3 start = node.position;
+    Vector_3 step = Vector_3::Zero();
+    if (target) {
+      step = center_share * (target->center - start) + smooth_share * (smoothed(index) - start);
+      node.radius += radius_share * (target->radius - node.radius);
+    } else {
+      const double share = turn_cosine(index) < 0 ? 1 : plain_share;
+      step = share * (m_graph.middle_of_neighbors(index) - start);
+    }
+    for (int halving = 0; halving <= max_halvings; ++halving, step /= 2) {
+      if (is_allowed(index, place(node, start + step))) {
+        node.position = place(node, start + step);
+        return;
+      }
+    }
+  }
+
+  /// `point`, on sheets between their sides.
+  Vector_3 place(const Node& node, const Vector_3& point) const
+  {
+    return node.is_on_sheet ? middle_of_sheet(m_solid, point, node.radius).value_or(point) : point;
+  }
+
+  /// Whether no turn gets sharper than a right angle, and no edge leaves the body, if the node moves to `position`.
+  /// A turn or an edge that was so before may stay.
+  bool is_allowed(Index index, const Vector_3& position)
+  {
+    const double turn_before = sharpest_turn(index);
+    const Vector_3 start = std::exchange(m_graph[index].position, position);
+    const double turn = sharpest_turn(index);
+    const auto stays_free = [&](Index neighbor) {
+      if (m_graph[index].is_on_sheet || m_routing.is_free(index, neighbor)) {
+        return true;
+      }
+      m_graph[index].position = start;
+      const bool was_free = m_routing.is_free(index, neighbor);
+      m_graph[index].position = position;
+      return !was_free;
+    };
+    const std::vector<Index>& neighbors = m_graph[index].neighbors;
+    const bool result =
+        (turn >= 0 || turn >= turn_before) && std::all_of(neighbors.begin(), neighbors.end(), stays_free);
+    m_graph[index].position = start;
+    return result;
+  }
+
+  /// The least cosine of the turns at `node` and its neighbors.
+  double sharpest_turn(Index node) const
+  {
+    double result = turn_cosine(node);
+    for (Index neighbor : m_graph[node].neighbors) {
+      result = std::min(result, turn_cosine(neighbor));
+    }
+    return result;
+  }
+
+  const Triangulated_solid& m_solid;
+  Skeleton_builder& m_graph;
+  Inside_routing<Triangulated_solid> m_routing;
+  Body_section m_body_section;
+  Sheet_section m_sheet_section;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_BRANCH_RELAXATION_H

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From the cut graph to a graph in space: a node for each separator and each junction.
+
+#ifndef CSCD_SKELETON_CUT_GRAPH_NODES_H
+#define CSCD_SKELETON_CUT_GRAPH_NODES_H
+
+#include <CSCD/Packing/Cut_graph.h>
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Inside_routing.h>
+#include <CSCD/Skeleton/Sheet_nodes.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/internal/Compressed_rows.h>
+
+#include <CGAL/Iterator_range.h>
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// The surface cut along its packed separators. What it refers to outlives it.
+struct Cut_solid
+{
+  const Triangulated_solid& solid;
+  const std::vector<Separator>& all_separators;
+  const std::vector<Index>& packed;
+  const Cut_graph& cut_graph;
+
+  /// The packed separator at position `i`.
+  const Separator& separator(Index i) const { return all_separators[packed[i]]; }
+  /// The positions of the separators around `piece`.
+  const std::vector<Index>& around(Index piece) const { return cut_graph.pieces()[piece].separators; }
+  Index number_of_pieces() const { return Index(cut_graph.pieces().size()); }
+};
+
+/// The vertices of each piece, on the level of the queries.
+class Piece_vertices
+{
+public:
+  explicit Piece_vertices(const Cut_solid& cut) : m_surface(cut.solid.query_surface())
+  {
+    const Surface_level& level = cut.solid.query_level();
+    m_vertices = Compressed_rows<Index>(cut.number_of_pieces(), [&](const auto& add) {
+      for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+        add(cut.cut_graph.piece_of_vertex(level.to_finest(vertex)), vertex);
+      }
+    });
+    m_refinement = double(cut.solid.triangulation().number_of_vertices()) / m_surface.number_of_vertices();
+  }
+
+  /// The vertices of `piece`; none in a piece that is smaller than the triangles of the level.
+  CGAL::Iterator_range<const Index*> operator[](Index piece) const { return m_vertices[piece]; }
+  /// About how many vertices of the finest level `piece` has.
+  double number_of_vertices(Index piece) const { return m_refinement * m_vertices.size(piece); }
+
+  const Vector_3& point(Index vertex) const { return m_surface.point(vertex); }
+
+  /// The centroid by area, if the piece has vertices.
+  std::optional<Vector_3> centroid(Index piece) const
+  {
+    Vector_3 sum = Vector_3::Zero();
+    double weight = 0;
+    for (Index vertex : m_vertices[piece]) {
+      sum += double(m_surface.vertex_area(vertex)) * point(vertex);
+      weight += double(m_surface.vertex_area(vertex));
+    }
+    return weight > 0 ? std::optional<Vector_3>(sum / weight) : std::nullopt;
+  }
+
+  /// The point of `piece` that is farthest from `center`.
+  Vector_3 farthest(Index piece, const Vector_3& center) const
+  {
+    Vector_3 result = center;
+    for (Index vertex : m_vertices[piece]) {
+      if ((point(vertex) - center).squaredNorm() > (result - center).squaredNorm()) {
+        result = point(vertex);
+      }
+    }
+    return result;
+  }
+
+  /// The largest extent of `piece` from `origin` in `direction`; 0 if it does not reach beyond `origin`.
+  double extent(Index piece, const Vector_3& origin, const Vector_3& direction) const
+  {
+    double result = 0;
+    for (Index vertex : m_vertices[piece]) {
+      result = std::max(result, direction.dot(point(vertex) - origin));
+    }
+    return result;
+  }
+
+private:
+  const Triangulated_surface& m_surface;
+  Compressed_rows<Index> m_vertices;
+  double m_refinement; ///< vertices of the finest level for each one of this level
+};
+
+/// Adds the nodes of separators, joins them where a piece lies between two, and adds a junction in each piece that has
+/// three or more around it, and a node in each component without any. Parallel edges and loops may occur.
+class Cut_graph_nodes
+{
+public:
+  /// \param routing that of `graph`; all are referred to
+  /// \pre `graph` is empty
+  Cut_graph_nodes(const Cut_solid& cut, const Piece_vertices& pieces, Inside_routing<Triangulated_solid>& routing,
+                  Skeleton_builder& graph)
+      : m_cut(cut), m_pieces(pieces), m_routing(routing), m_graph(graph),
+        m_node_of_piece(cut.number_of_pieces(), no_index)
+  {
+    place_separators();
+    for (Index piece = 0; piece < cut.number_of_pieces(); ++piece) {
+      join_piece(piece);
+    }
+  }
+
+  /// The node in the middle of `piece` or, if there is none, that of its first separator.
+  Index node_of_piece(Index piece) const
+  {
+    const Index own = m_node_of_piece[piece];
+    return m_graph.last_heir(own != no_index ? own : m_cut.around(piece).front());
+  }
+
+private:
+  /// The weight of the center of a separator for a junction, relative to its squared length.
+  static constexpr double separator_weight = 0.1;
+  /// Longer edges are led over the centroid of their piece, relative to the radius, ...
+  static constexpr double min_bent_edge = 1;
+  /// ... for this part of the way there, ...
+  static constexpr double bend_share = 0.7;
+  /// ... if the piece has this many vertices.
+  static constexpr double min_bent_vertices = 24;
+
+  /// Node i is that of the separator at position i.
+  void place_separators()
+  {
+    std::vector<Vector_3> outline;
+    for (Index i = 0; i < m_cut.packed.size(); ++i) {
+      const Separator& separator = m_cut.separator(i);
+      crossing_points(m_cut.solid.triangulation(), separator.crossings, outline);
+      const Section_disc disc = section_disc(outline);
+      const Index node = m_graph.add_node(disc.center, disc.radius());
+      m_graph[node].separators = {i};
+      m_graph[node].number_of_vertices = 0;
+      place_on_sheet(m_cut.solid, separator, m_graph[node]);
+    }
+  }
+
+  void join_piece(Index piece)
+  {
+    const std::vector<Index>& around = m_cut.around(piece);
+    const double number_of_vertices = m_pieces.number_of_vertices(piece);
+    const bool has_node = around.empty() || around.size() > 2;
+    const double share = number_of_vertices / double(around.size() + (has_node ? 1 : 0));
+    for (Index i : around) {
+      *m_graph[i].number_of_vertices += share;
+    }
+    if (has_node) {
+      m_node_of_piece[piece] = add_middle(piece);
+      m_graph[m_node_of_piece[piece]].number_of_vertices = share;
+    } else if (around.size() == 2) {
+      m_graph.add_edge(around[0], around[1]);
+      if (around[0] != around[1] && number_of_vertices >= min_bent_vertices) {
+        bend_edge(piece, around[0], around[1]);
+      }
+    }
+  }
+
+  /// Adds a node in the middle of `piece`, joined to its separators.
+  Index add_middle(Index piece)
+  {
+    Vector_3 sum = Vector_3::Zero();
+    double weight = 0;
+    double radius = 0;
+    const auto add = [&](const Vector_3& point, double point_weight) {
+      sum += point_weight * point;
+      weight += point_weight;
+    };
+    if (const std::optional<Vector_3> centroid = m_pieces.centroid(piece)) {
+      add(*centroid, m_cut.cut_graph.pieces()[piece].area);
+    }
+    for (Index i : m_cut.around(piece)) {
+      const Separator& separator = m_cut.separator(i);
+      add(separator.center, separator_weight * separator.length * separator.length);
+      radius = std::max(radius, separator.radius());
+    }
+    const Vector_3 position = weight > 0 ? Vector_3(sum / weight) : m_pieces.point(*m_pieces[piece].begin());
+    const Index node = m_graph.add_node(position, radius);
+    m_graph[node].pieces = {piece};
+    for (Index i : m_cut.around(piece)) {
+      m_graph.add_edge(node, i);
+    }
+    if (m_cut.around(piece).empty()) {
+      const Index vertex = m_cut.solid.query_level().to_finest(*m_pieces[piece].begin());
+      m_graph[node].is_on_sheet = m_cut.solid.side_of_sheet(vertex) != 0;
+      m_graph[node].radius = (m_cut.solid.closest_point(position).point - position).norm();
+    }
+    return node;
+  }
+
+  /// Leads a long edge towards the centroid of its piece, which is on the outer side of a bend.
+  void bend_edge(Index piece, Index a, Index b)
+  {
+    const double radius = (m_graph[a].radius + m_graph[b].radius) / 2;
+    const Vector_3 from = m_graph[a].position;
+    const Vector_3 to = m_graph[b].position;
+    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
+    if (!centroid || m_graph[a].is_on_sheet || (to - from).norm() < min_bent_edge * radius) {
+      return;
+    }
+    const Vector_3 middle = (from + to) / 2;
+    const Vector_3 along = (to - from).normalized();
+    Vector_3 aside = *centroid - middle;
+    aside -= aside.dot(along) * along;
+    const Vector_3 point = middle + bend_share * aside;
+    if (aside.norm() < radius && m_cut.solid.is_inside(point) && m_routing.is_free(from, point) &&
+        m_routing.is_free(point, to)) {
+      const double share = m_pieces.number_of_vertices(piece) / 4;
+      *m_graph[a].number_of_vertices -= share;
+      *m_graph[b].number_of_vertices -= share;
+      m_graph[m_graph.split_edge(a, b, point, radius)].number_of_vertices = 2 * share;
+    }
+  }
+
+  const Cut_solid& m_cut;
+  const Piece_vertices& m_pieces;
+  Inside_routing<Triangulated_solid>& m_routing;
+  Skeleton_builder& m_graph;
+  std::vector<Index> m_node_of_piece; ///< `no_index` where only separators have nodes
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_CUT_GRAPH_NODES_H

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The nodes of sheets: in the middle of open separators, between the sides, and up to the borders at the ends.
+
+#ifndef CSCD_SKELETON_SHEET_NODES_H
+#define CSCD_SKELETON_SHEET_NODES_H
+
+#include <CSCD/Separator/Separator.h>
+#include <CSCD/Skeleton/Branch_relaxation.h>
+#include <CSCD/Skeleton/Sheet_section.h>
+#include <CSCD/Skeleton/Skeleton_builder.h>
+#include <CSCD/Surface/Surface_levels.h>
+#include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// Moves `node`, of `separator`, to the middle of that if it is open, with half of the width of the sheet as radius.
+inline void place_on_sheet(const Triangulated_solid& solid, const Separator& separator, Skeleton_builder::Node& node)
+{
+  const Triangulated_surface& surface = solid.triangulation();
+  if (solid.side_of_sheet(surface.origin(separator.crossings.front().halfedge)) == 0) {
+    return;
+  }
+  node.is_on_sheet = true;
+  const auto side = [&solid](Index vertex) { return solid.side_of_sheet(vertex); };
+  if (const auto middle = middle_of_open_curve(surface, side, separator.crossings)) {
+    node.position = *middle;
+    node.radius = separator.length / 4;
+  }
+}
+
+/// Marks all nodes next to nodes of sheets, too, and moves them to the middle between the sides.
+inline void settle_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
+{
+  const auto is_on_sheet = [&graph](Index node) { return graph[node].is_on_sheet; };
+  for (Index node = 0; solid.number_of_sheets() > 0 && node < graph.size(); ++node) {
+    const std::vector<Index>& neighbors = graph[node].neighbors;
+    if (!is_on_sheet(node) &&
+        (graph[node].is_opening || std::none_of(neighbors.begin(), neighbors.end(), is_on_sheet))) {
+      continue;
+    }
+    graph[node].is_on_sheet = true;
+    if (const auto middle = middle_of_sheet(solid, graph[node].position, graph[node].radius)) {
+      graph[node].position = *middle;
+    }
+  }
+}
+
+/// `point`, if it is between the sides of a sheet, or else the middle between these behind the nearest point; nothing
+/// where that is not found.
+inline std::optional<Vector_3> point_in_sheet(const Triangulated_solid& solid, const Vector_3& point)
+{
+  return solid.is_inside(point) ? std::optional<Vector_3>(point) : solid.middle_behind(point);
+}
+
+/// Points of the rims of all sheets, as far from each other as their vertices. Linear.
+inline std::vector<Vector_3> rim_points(const Triangulated_solid& solid)
+{
+  const Surface_level& level = solid.query_level();
+  const Triangulated_surface& surface = level.surface;
+  const auto side = [&](Index vertex) { return solid.side_of_sheet(level.to_finest(vertex)); };
+  std::vector<Vector_3> result;
+  for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+    if (side(surface.origin(h)) == 1 && side(surface.target(h)) == 2) {
+      result.push_back((surface.point(surface.origin(h)) + surface.point(surface.target(h))) / 2);
+    }
+  }
+  return result;
+}
+
+/// Leads branches on to where their sheets end. Separators across the end of a sheet cut off hardly more than a corner
+/// does, and are none; so the last one is about half a width before the end.
+class Sheet_ends
+{
+public:
+  Sheet_ends(const Triangulated_solid& solid, Skeleton_builder& graph)
+      : m_solid(solid), m_graph(graph), m_section(solid)
+  {
+  }
+
+  /// Adds nodes in the middle of sections of the sheet beyond every tip on a sheet, the last one at the border.
+  void operator()()
+  {
+    const Index size = m_solid.number_of_sheets() > 0 ? m_graph.size() : 0;
+    for (Index node = 0; node < size; ++node) {
+      if (m_graph.degree(node) == 1 && m_graph[node].is_on_sheet) {
+        prolong(node);
+      }
+    }
+  }
+
+private:
+  /// The length of a step, relative to half of the width. Nodes are twice as far apart, as those that divide branches.
+  static constexpr double step_length = 0.25;
+  /// Steps are halved down to this length, likewise: the distance of the tip from the border.
+  static constexpr double min_step_length = 0.01;
+  /// A step that is led back by more than this part of it has met the border.
+  static constexpr double min_progress = 0.5;
+  /// A section is cut off by the border at the end if its middle is farther aside than this, relative to a step, ...
+  static constexpr double max_shift = 0.25;
+  /// ... and its half width has fallen by this part of that distance more than before: all of it, if one end is cut
+  /// off.
+  static constexpr double min_loss = 0.75;
+  /// The tangent of the angle between tried sections, of which the shortest is sought, and how often it is.
+  static constexpr double turn = 0.15;
+  static constexpr int number_of_turns = 5;
+  /// A bound for the steps towards a point, near which they get shorter and shorter.
+  static constexpr int max_steps = 64;
+
+  void prolong(Index end)
+  {
+    if (!start_at(end)) {
+      return;
+    }
+    const double min_step = min_step_length * m_half_width;
+    double step = step_length * m_half_width;
+    Index last = end; // nodes up to here stay
+    Index tip = no_index;
+    for (int i = 0; i < max_steps && step >= min_step; ++i) {
+      if (!advance(step)) {
+        step /= 2;
+        continue;
+      }
+      step = std::min(step, step_length * m_half_width);
+      if (tip == no_index) {
+        tip = m_graph.add_node(m_position, m_half_width);
+        m_graph[tip].is_on_sheet = true;
+        m_graph.add_edge(last, tip);
+      }
+      m_graph[tip].position = m_position;
+      m_graph[tip].radius = m_half_width;
+      if (m_graph.edge_length(last, tip) >= 2 * step_length * m_half_width) {
+        last = std::exchange(tip, no_index);
+      }
+    }
+  }
+
+  /// Goes on by one step, to the middle of the section there, or straight on, where that is cut off by the border at
+  /// the end, which need not be perpendicular to the branch. \return false if the sheet ends before
+  bool advance(double step)
+  {
+    const std::optional<Vector_3> point = point_in_sheet(m_solid, m_position + step * m_direction);
+    if (!point || m_direction.dot(*point - m_position) < min_progress * step) {
+      return false;
+    }
+    const std::optional<Vector_3> middle = m_section(*point, m_direction, m_half_width);
+    const double shift = middle ? (*middle - *point).norm() : m_half_width;
+    const double loss = m_half_width - m_section.half_width();
+    if (!middle || shift >= m_half_width || (shift > max_shift * step && loss - m_taper * step > min_loss * shift)) {
+      m_position = *point;
+    } else {
+      m_direction = (m_direction + 2 * (*middle - m_position).normalized()).normalized();
+      m_position = *middle;
+      m_half_width = m_section.half_width();
+      m_taper = std::max(m_taper, loss / step);
+    }
+    return true;
+  }
+
+  /// Goes to the end `tip` of a branch, in the direction of its last part, as long as half of the width. \return false
+  /// if that has no direction
+  bool start_at(Index tip)
+  {
+    m_half_width = m_graph[tip].radius;
+    m_position = m_graph[tip].position;
+    Index before = tip;
+    Index node = m_graph[tip].neighbors.front();
+    while (m_graph.is_regular(node) && m_graph.edge_length(tip, node) < m_half_width) {
+      before = std::exchange(node, m_graph.other_neighbor(node, before));
+    }
+    const Vector_3 way = m_position - m_graph[node].position;
+    if (!(m_half_width > 0 && way.norm() > 0)) {
+      return false;
+    }
+    m_direction = way.normalized();
+    m_taper = std::max(0., m_graph[node].radius - m_half_width) / way.norm();
+    for (int i = 0; i < number_of_turns; ++i) {
+      turn_to_shortest_section();
+    }
+    return true;
+  }
+
+  /// Turns the direction until the section here is shortest, as that of a parabola through three lengths, and goes to
+  /// its middle.
+  void turn_to_shortest_section()
+  {
+    const Vector_3 aside =
+        m_direction.cross(m_solid.query_surface().face_vector(m_solid.closest_point(m_position).face)).normalized();
+    std::array<double, 3> half_width{};
+    for (std::size_t k = 0; k < half_width.size(); ++k) {
+      if (!m_section(m_position, m_direction + (double(k) - 1) * turn * aside, m_half_width)) {
+        return;
+      }
+      half_width[k] = m_section.half_width();
+    }
+    const double slope = half_width[2] - half_width[0];
+    const double bend = half_width[0] + half_width[2] - 2 * half_width[1];
+    const double change = bend > 0 ? std::clamp(-slope / (2 * bend), -1., 1.) : (slope > 0 ? -1. : 1.);
+    const Vector_3 direction = (m_direction + change * turn * aside).normalized();
+    const std::optional<Vector_3> middle = m_section(m_position, direction, m_half_width);
+    if (middle && (*middle - m_position).norm() < m_half_width) {
+      m_position = *middle;
+      m_direction = direction;
+      m_half_width = m_section.half_width();
+    }
+  }
+
+  const Triangulated_solid& m_solid;
+  Skeleton_builder& m_graph;
+  Sheet_section m_section;
+  Vector_3 m_position = Vector_3::Zero(); ///< where the branch has been led to
+  Vector_3 m_direction = Vector_3::Zero();
+  double m_half_width = 0; ///< there
+  double m_taper = 0;      ///< its steepest fall, relative to the way
+};
+
+/// Centers the nodes of `graph` that are on sheets, and leads branches to the borders.
+inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
+{
+  if (solid.number_of_sheets() > 0) {
+    Branch_relaxation relaxation(solid, graph);
+    relaxation(true);
+    Sheet_ends(solid, graph)();
+    relaxation(true); // the last nodes have a direction now
+    settle_on_sheets(solid, graph);
+  }
+}
+
+/// Places the nodes of the open ones of the `packed` separators: node i is that of `packed[i]`; all other nodes of
+/// sheets follow. Does nothing on surfaces that know no sheets.
+template <class Surface>
+void place_on_sheets(const Surface& /* surface */, const std::vector<Separator>& /* separators */,
+                     const std::vector<Index>& /* packed */, Skeleton_builder& /* graph */)
+{
+}
+inline void place_on_sheets(const Triangulated_solid& solid, const std::vector<Separator>& separators,
+                            const std::vector<Index>& packed, Skeleton_builder& graph)
+{
+  for (Index i = 0; i < packed.size() && i < graph.size(); ++i) {
+    place_on_sheet(solid, separators[packed[i]], graph[i]);
+  }
+  settle_on_sheets(solid, graph);
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SKELETON_SHEET_NODES_H
