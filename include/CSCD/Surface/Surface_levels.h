@@ -32,7 +32,7 @@ namespace CSCD::internal {
 class Coarsening
 {
 public:
-  /// \param number_of_threads 0 for as many as TBB allows; collapses are done by one
+  /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   explicit Coarsening(const Triangulated_surface& fine, unsigned number_of_threads = 1) : m_fine(fine)
   {
     freeze_wide_stars();
