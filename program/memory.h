@@ -1,26 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sizes of memory in options and messages, and the bound that the system keeps.
+// The bound of memory that the system keeps.
 
 #ifndef CSCD_PROGRAM_MEMORY_H
 #define CSCD_PROGRAM_MEMORY_H
 
-#include <cstddef>
-#include <string>
-
 namespace cscd {
 
-/// The bytes that `size` means: a number of megabytes, or of what the letter K, M, G or T behind it says.
-/// \throw Usage_error naming `option` if it means none
-std::size_t parse_memory_size(const std::string& size, const std::string& option);
-
-/// Limits the memory that this process may write to, unless its limit is lower: more ends it with a message. May be
-/// called between fork and exec.
-void limit_memory(std::size_t bytes);
-
-/// Limits it to what the machine can give. Without a limit, the system promises what it does not have, and kills this
-/// program or another where that is used.
+/// Limits the memory that this process may write to, to the amount that the machine can give, unless its limit is
+/// lower: more ends it with a message. Without a limit, Linux promises memory that it does not have, and kills this
+/// program or another when that is used. Other systems are left alone.
 void limit_memory_to_available();
 
 } // namespace cscd

@@ -198,12 +198,10 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
 
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command :
-       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other :
-         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
