@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -484,6 +485,30 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
   std::abort();
 }
 
+/// The arguments, with `skeletonize` in front of those that name no command.
+/// \throw cscd::Usage_error if there are none, or the first one is neither a command nor a file
+std::vector<const char*> with_command(int argc, char** argv, const CLI::App& app)
+{
+  std::vector<const char*> result(argv, argv + argc);
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  const std::string commands = CLI::detail::join(names, ", ");
+  if (argc < 2) {
+    throw cscd::Usage_error("name an input, or a command: " + commands);
+  }
+  const std::string first = argv[1];
+  if (std::count(names.begin(), names.end(), first) > 0 || first == "-h" || first == "--help" || first == "--version") {
+    return result;
+  }
+  if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
+    throw cscd::Usage_error(first + ": is neither a command nor a file; the commands are " + commands);
+  }
+  result.insert(result.begin() + 1, "skeletonize");
+  return result;
+}
+
 int run(int argc, char** argv)
 {
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
@@ -506,8 +531,9 @@ int run(int argc, char** argv)
   add_segment(app, segment_options);
   cscd::Loops_options loops_options;
   add_loops(app, loops_options);
+  const std::vector<const char*> arguments = with_command(argc, argv, app);
   try {
-    app.parse(argc, argv);
+    app.parse(int(arguments.size()), arguments.data());
   } catch (const CLI::Success& success) { // help or version
     return app.exit(success) == 0 ? done : internal_failure;
   } catch (const CLI::ParseError& error) {
