@@ -44,5 +44,6 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "curve skeletons of triangle meshes and point sets: program
  Computes, measures, compares and converts skeletons; segments meshes by them.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS python3) # cscd-batch
 
 include(CPack)

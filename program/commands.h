@@ -144,21 +144,6 @@ struct Simplify_options
   bool is_quiet = false;
 };
 
-/// Which inputs to skeletonize, each in a process of its own.
-struct Batch_options
-{
-  std::vector<std::string> inputs;          ///< file names
-  std::string list;                         ///< file with a name a line, `standard_stream`, or empty
-  std::string output_folder;                ///< gets the results and the manifest
-  std::string part;                         ///< "I/N", of the inputs, or empty for all
-  std::size_t number_of_jobs = 0;           ///< processes at once; 0 for one a core
-  double timeout = 0;                       ///< seconds for each input, or 0
-  std::size_t memory = 0;                   ///< bytes for each process, or 0
-  bool resumes = false;                     ///< leaves out what the manifest has as done or failed
-  bool is_quiet = false;                    ///< writes no summary
-  std::vector<std::string> command_options; ///< of `cscd skeletonize`; {} stands for the output files without ending
-};
-
 /// Reads a mesh or points, skeletonizes it and writes the results.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void skeletonize(const Skeletonize_options& options);
@@ -174,11 +159,6 @@ void compare(const Compare_options& options);
 /// Reads a skeleton, simplifies it and writes it.
 /// \throw Usage_error, `CSCD::File_error`, `CSCD::Input_error`
 void simplify(const Simplify_options& options);
-
-/// Skeletonizes many inputs, each in a process of its own, and writes what became of them into a manifest.
-/// \return whether each input of this run has a skeleton
-/// \throw Usage_error, `CSCD::File_error`
-bool batch(const Batch_options& options);
 
 /// What is wrong with the value `root` of `--root`; empty if nothing is.
 std::string check_root(const std::string& root);

@@ -18,6 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
@@ -79,11 +80,6 @@ constexpr const char* loops_examples =
   cscd loops bunny.off -o necks.vtp --constrictions
 )";
 
-constexpr const char* batch_examples =
-    R"(  cscd batch meshes/*.off --output-dir skeletons --timeout 60     each in a process of its own
-  cscd batch --list names.txt --output-dir out --resume -- -o {}.json --html {}.html --detail 0.3
-)";
-
 constexpr const char* explanations = R"(
 Input: triangle or polygon meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt
 .csv .asc .pcd .las, or .ply .off .vtp .vtk without faces; volumes, by cscd skeletonize alone: .nrrd .nhdr .nii .nii.gz
@@ -105,7 +101,7 @@ public:
          {std::pair("skeletonize", skeletonize_examples), std::pair("evaluate", evaluate_examples),
           std::pair("compare", compare_examples), std::pair("simplify", simplify_examples),
           std::pair("diameter", diameter_examples), std::pair("segment", segment_examples),
-          std::pair("loops", loops_examples), std::pair("batch", batch_examples)}) {
+          std::pair("loops", loops_examples)}) {
       if (command.empty() || command == its_command) {
         examples += its_examples;
       }
@@ -170,15 +166,6 @@ std::string check_length(const std::string& text, bool may_be_relative)
   double value = 0;
   const bool is_length = CLI::detail::lexical_cast(number, value) && value >= 0 && std::isfinite(value);
   return is_length ? "" : "must be a number that is at least 0, not " + text;
-}
-
-/// Adds an option that takes a size of memory, and puts the bytes into `size`.
-void add_memory_size(CLI::App& command, const std::string& name, std::size_t& size, const std::string& description)
-{
-  command
-      .add_option_function<std::string>(
-          name, [name, &size](const std::string& text) { size = cscd::parse_memory_size(text, name); }, description)
-      ->type_name("SIZE");
 }
 
 void add_fragments(CLI::App& command, cscd::Fragment_options& options, const std::string& unit)
@@ -473,46 +460,6 @@ void add_loops(CLI::App& app, cscd::Loops_options& options)
       ->capture_default_str();
 }
 
-void add_batch(CLI::App& app, cscd::Batch_options& options)
-{
-  CLI::App* command = app.add_subcommand("batch", "skeletonize many inputs, each in a process of its own");
-  command->add_option("INPUT", options.inputs, "files of meshes or of points");
-  command->add_option("--list", options.list, "file that names further inputs, one a line, or - for standard input")
-      ->check(check_name)
-      ->type_name("FILE");
-  command
-      ->add_option("--output-dir", options.output_folder,
-                   "folder for the results, named as the inputs are, and for manifest.csv: what became of each")
-      ->check(check_name)
-      ->type_name("DIR")
-      ->required();
-  command->add_option("--part", options.part, "of N parts of the inputs only the I-th, with a manifest of its own")
-      ->check(check_name)
-      ->type_name("I/N");
-  command->add_option("--jobs", options.number_of_jobs, "number of processes at once; by default one for each core")
-      ->check(check_count)
-      ->type_name("J");
-  command->add_option("--timeout", options.timeout, "seconds after which a process is stopped")
-      ->check(CLI::PositiveNumber)
-      ->type_name("S");
-  add_memory_size(*command, "--memory", options.memory, "memory that each process may use: megabytes, or as in 2G");
-  command->add_flag("--resume", options.resumes, "leave out inputs that the manifest has as done or failed");
-  command->add_flag("-q,--quiet", options.is_quiet, "print nothing but errors");
-  command->footer("Behind -- follow options of cscd skeletonize; {} stands for the name of the results without ending. "
-                  "By default\n-o {}.graph --threads 1. The exit status is 2 if an input of this run has no skeleton.");
-}
-
-/// Takes the arguments behind `--` from those of `cscd batch`: they are for another command.
-void take_command_options(int& argc, char** argv, cscd::Batch_options& options)
-{
-  char** const end = argv + argc;
-  if (argc > 1 && std::string(argv[1]) == "batch") {
-    char** const dashes = std::find(argv, end, std::string("--"));
-    options.command_options.assign(std::min(dashes + 1, end), end);
-    argc = int(dashes - argv);
-  }
-}
-
 /// Says what is wrong in one line.
 void complain(std::string message)
 {
@@ -538,6 +485,30 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
   std::abort();
 }
 
+/// The arguments, with `skeletonize` in front of those that name no command.
+/// \throw cscd::Usage_error if there are none, or the first one is neither a command nor a file
+std::vector<const char*> with_command(int argc, char** argv, const CLI::App& app)
+{
+  std::vector<const char*> result(argv, argv + argc);
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    names.push_back(command->get_name());
+  }
+  const std::string commands = CLI::detail::join(names, ", ");
+  if (argc < 2) {
+    throw cscd::Usage_error("name an input, or a command: " + commands);
+  }
+  const std::string first = argv[1];
+  if (std::count(names.begin(), names.end(), first) > 0 || first == "-h" || first == "--help" || first == "--version") {
+    return result;
+  }
+  if (first.find_first_of("./-") == std::string::npos && !std::filesystem::exists(first)) {
+    throw cscd::Usage_error(first + ": is neither a command nor a file; the commands are " + commands);
+  }
+  result.insert(result.begin() + 1, "skeletonize");
+  return result;
+}
+
 int run(int argc, char** argv)
 {
   CLI::App app("Curve skeletons of 3D shapes.", "cscd");
@@ -560,11 +531,9 @@ int run(int argc, char** argv)
   add_segment(app, segment_options);
   cscd::Loops_options loops_options;
   add_loops(app, loops_options);
-  cscd::Batch_options batch_options;
-  add_batch(app, batch_options);
-  take_command_options(argc, argv, batch_options);
+  const std::vector<const char*> arguments = with_command(argc, argv, app);
   try {
-    app.parse(argc, argv);
+    app.parse(int(arguments.size()), arguments.data());
   } catch (const CLI::Success& success) { // help or version
     return app.exit(success) == 0 ? done : internal_failure;
   } catch (const CLI::ParseError& error) {
@@ -582,10 +551,6 @@ int run(int argc, char** argv)
     cscd::write_diameters(diameter_options);
   } else if (app.got_subcommand("loops")) {
     cscd::write_loops(loops_options);
-  } else if (app.got_subcommand("batch")) {
-    if (!cscd::batch(batch_options)) {
-      return bad_input;
-    }
   } else {
     cscd::skeletonize(skeletonize_options);
   }

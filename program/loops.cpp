@@ -37,11 +37,6 @@ bool is_json(const std::string& filename)
   return filename == standard_stream || std::filesystem::path(filename).extension() == ".json";
 }
 
-bool is_page(const std::string& filename)
-{
-  return std::filesystem::path(filename).extension() == ".html";
-}
-
 bool is_wanted(const Loops_options& options, CSCD::Loop_kind kind)
 {
   const std::array<bool, 3> chosen{options.handles, options.tunnels, options.constrictions};
@@ -143,7 +138,7 @@ void write_loops(const Loops_options& options)
   if (is_page(options.output)) {
     check_viewer_source("--output");
   } else {
-    check_skeleton_outputs({options.output}, options.input);
+    check_skeleton_outputs({options.output}, options.input, " .html");
   }
   Input input = read_mesh(options.input, options.format, options.is_quiet);
   const Loops loops = find_loops(options, input);

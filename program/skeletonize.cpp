@@ -75,15 +75,18 @@ void check_outputs(const Skeletonize_options& options)
 {
   std::vector<std::string> skeletons;
   for (const std::string& output : options.outputs) {
-    if (is_rig(output) || is_node_volume(output)) {
+    if (is_rig(output) || is_node_volume(output) || is_page(output)) {
       check_is_not_input(output, options.input, "--output");
     } else {
       skeletons.push_back(output);
     }
   }
-  check_skeleton_outputs(skeletons, options.input);
+  check_skeleton_outputs(skeletons, options.input, " .glb .html");
   for (const auto& [option, file] : other_outputs(options)) {
     check_is_not_input(file, options.input, option);
+  }
+  if (std::any_of(options.outputs.begin(), options.outputs.end(), is_page)) {
+    check_viewer_source("--output");
   }
   if (!options.html.empty()) {
     check_viewer_source("--html");
@@ -208,8 +211,13 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                    const Skeletonize_options& options)
 {
+  const auto write_page_of_input = [&](std::ostream& out) {
+    write_page(out, input, result, std::filesystem::path(name_of(options.input)).filename().string());
+  };
   for (const std::string& output : options.outputs) {
-    if (is_rig(output)) {
+    if (is_page(output)) {
+      write_to(files, output, write_page_of_input);
+    } else if (is_rig(output)) {
       write_rig(files, output, input, result, options);
     } else {
       write_skeleton_output(files, output, result.skeleton, result.roots, options.swc);
@@ -232,8 +240,7 @@ void write_results(CSCD::File_group& files, const Input& input, const Skeletoniz
   }
   write_labels(files, input, result, options);
   if (!options.html.empty()) {
-    const std::string name = std::filesystem::path(name_of(options.input)).filename().string();
-    write_to(files, options.html, [&](std::ostream& out) { write_page(out, input, result, name); });
+    write_to(files, options.html, write_page_of_input);
   }
   if (!options.report.empty()) {
     write_to(files, options.report,
@@ -255,7 +262,7 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
         return file.second.empty() || file.first == "--report";
       });
   if (is_nothing_written) {
-    say(options.input, "the skeleton is not written; name a file by --output or --html");
+    say(options.input, "the skeleton is not written; name a file by --output");
   }
 }
 
@@ -330,7 +337,8 @@ Input read_mesh(const std::string& name, const std::string& format, bool is_quie
   return input;
 }
 
-void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input)
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
+                            const std::string& other_endings)
 {
   for (const std::string& output : outputs) {
     try {
@@ -338,7 +346,7 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
         CSCD::check_skeleton_filename(output);
       }
     } catch (const CSCD::File_error& error) {
-      throw Usage_error(error.what());
+      throw Usage_error(error.what() + other_endings);
     }
     check_is_not_input(output, input, "--output");
   }
@@ -442,6 +450,11 @@ void check_viewer_source(const std::string& option)
   }
 }
 
+bool is_page(const std::string& output)
+{
+  return boost::algorithm::iends_with(output, ".html");
+}
+
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
 {
   CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
@@ -456,7 +469,8 @@ bool needs_mesh(const Skeletonize_options& options)
   return options.wrap ||
          !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
            options.labelled.empty() && options.report.empty() && options.html.empty()) ||
-         std::any_of(options.outputs.begin(), options.outputs.end(), is_rig);
+         std::any_of(options.outputs.begin(), options.outputs.end(),
+                     [](const std::string& output) { return is_rig(output) || is_page(output); });
 }
 
 /// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.

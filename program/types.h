@@ -107,8 +107,10 @@ void check_skeleton_argument(const std::string& filename);
 bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton);
 
 /// Refuses outputs to which no skeleton can be written, by their endings, and those that are the input.
+/// \param other_endings that the command knows, for messages
 /// \throw Usage_error
-void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input);
+void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
+                            const std::string& other_endings = "");
 
 /// Removes and joins components as `options` demand.
 void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
@@ -147,6 +149,9 @@ void write_output(const std::string& filename, const Write& write)
   write_to(files, filename, write);
   files.publish();
 }
+
+/// Whether `output` is a viewer page, by its ending.
+bool is_page(const std::string& output);
 
 /// Writes the viewer page.
 /// \param name of the input, without its folder, which means nothing to whom the page is given

@@ -4,7 +4,7 @@
 
 Usage: dask_batch.py LIST OUTPUT_FOLDER [--parts N] [--scheduler ADDRESS | --workers N] [-- option of skeletonize...]
 
-The program cscd has to be in the PATH of the workers, list and folder on a file system that they share. Without a
+cscd and cscd-batch have to be in the PATH of the workers, list and folder on a file system that they share. Without a
 scheduler, workers are processes of this machine. Started once more, with the same number of parts, it does what is
 left.
 """
@@ -17,10 +17,10 @@ import distributed
 
 
 def run_part(part, options):
-    """Runs `cscd batch` on a part; it ends with the worker, so that another one can take over.
+    """Runs `cscd-batch` on a part; it ends with the worker, so that another one can take over.
 
     Returns its last message if it ended by itself; raises if it was killed, for Dask to try again."""
-    command = ["setpriv", "--pdeathsig", "KILL", "cscd", "batch", "--part", part, "--jobs", "1", "--resume", *options]
+    command = ["setpriv", "--pdeathsig", "KILL", "cscd-batch", "--part", part, "--jobs", "1", "--resume", *options]
     outcome = subprocess.run(command, capture_output=True, text=True, check=False)
     if outcome.returncode < 0 or outcome.returncode > 2:
         raise RuntimeError(f"part {part} was ended by status {outcome.returncode}: {outcome.stderr}")

@@ -4,7 +4,7 @@
 #
 # Skeletonizes the shapes that a list names as an array job of Slurm: each task does a part of them.
 #   sbatch --array=1-16 slurm_array.sh LIST OUTPUT_FOLDER [-- option of skeletonize...]
-# The program cscd has to be in PATH, list and folder on a file system that all nodes share. Submitted once more, with
+# cscd and cscd-batch have to be in PATH, list and folder on a file system that all nodes share. Submitted once more, with
 # the same number of tasks, it does what is left.
 
 #SBATCH --job-name=cscd
@@ -19,7 +19,7 @@ folder=$2
 shift 2
 
 status=0
-cscd batch --list "$list" --output-dir "$folder" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
+cscd-batch --list "$list" --output-dir "$folder" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
   --jobs "${SLURM_CPUS_PER_TASK:-1}" --resume "$@" || status=$?
 
 # Killed, as when a node runs out of memory: goes on with what is left, three times at most.

@@ -4,7 +4,7 @@
 #
 # Usage: test/cluster/run.sh [NUMBER_OF_SHAPES]
 # Installs what is missing (Debian, Ubuntu) and tries the recipes of doc/datasets.md on generated shapes, 10,000 by
-# default: each splits the list, has a worker killed, and has to give the same files as one `cscd batch`. Runs as root,
+# default: each splits the list, has a worker killed, and has to give the same files as one `cscd-batch`. Runs as root,
 # as it starts a Slurm of its own, and wants the program to be built. No part of the other tests: it takes minutes.
 
 set -euo pipefail
@@ -80,15 +80,15 @@ expect_same()
 options=(-- --separators 8)
 
 begin=$SECONDS
-cscd batch --list list --output-dir one "${options[@]}" || [[ $? == 2 ]] # some shapes are broken
+cscd-batch --list list --output-dir one "${options[@]}" || [[ $? == 2 ]] # some shapes are broken
 echo "one: $((SECONDS - begin)) s"
 
 run_parallel()
 {
   seq 1 8 | parallel --jobs 2 --retries 3 \
-    cscd batch --list list --output-dir "$work/parallel" --part '{}/8' --jobs 1 --resume "${options[@]}"
+    cscd-batch --list list --output-dir "$work/parallel" --part '{}/8' --jobs 1 --resume "${options[@]}"
 }
-run_and_kill parallel --full "^cscd batch .*--output-dir $work/parallel " -- run_parallel
+run_and_kill parallel --full "cscd-batch .*--output-dir $work/parallel " -- run_parallel
 expect_same parallel
 
 run_and_kill dask --parent CHILD --full spawn_main -- \
@@ -102,5 +102,5 @@ run_slurm()
   sbatch --wait --array=1-8 --output slurm_task.log "$cluster/slurm_array.sh" list "$work/slurm" "${options[@]}" ||
     [[ $? == 2 ]] # the greatest of the tasks, of which one has broken shapes
 }
-run_and_kill slurm --full "^cscd batch .*--output-dir $work/slurm " -- run_slurm
+run_and_kill slurm --full "cscd-batch .*--output-dir $work/slurm " -- run_slurm
 expect_same slurm

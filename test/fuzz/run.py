@@ -23,7 +23,7 @@ from markdown_tables import markdown, replace_between_markers  # noqa: E402
 
 PAGE = ROOT / "doc/reliability.md"
 # Share of the time; the whole pipeline takes a thousand times as long for an input as a reader.
-SHARES = {"read_triangle_mesh": 2, "read_points": 4, "read_skeleton": 2, "read_volume": 1, "read_manifest": 1,
+SHARES = {"read_triangle_mesh": 2, "read_points": 4, "read_skeleton": 2, "read_volume": 1,
           "use_skeleton": 3, "extract_curve_skeleton": 10}
 HEAD = ["target", "executions", "edges of the code covered", "CPU minutes", "found"]
 

@@ -199,16 +199,35 @@ TEST_F(Cscd, loops_are_written_by_kind_and_format)
 
 TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
 {
-  for (const std::string command :
-       {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+  for (const std::string command : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops"}) {
     const std::string help = run(command + " --help").out;
     const std::string examples = help.substr(0, help.find("\n\n"));
-    for (const std::string other :
-         {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops", "batch"}) {
+    for (const std::string other : {"skeletonize", "evaluate", "compare", "simplify", "diameter", "segment", "loops"}) {
       EXPECT_EQ(other == command, examples.find("cscd " + other) != std::string::npos) << examples;
     }
   }
   EXPECT_NE(std::string::npos, run("--help").out.find(".pwn"));
+}
+
+TEST_F(Cscd, skeletonizes_without_the_name_of_a_command)
+{
+  m_folder.write("torus.off", off(torus()));
+  m_folder.write("segment", off(torus())); // commands come first
+  EXPECT_EQ(run("skeletonize torus.off -o -").out, run("torus.off -o -").out);
+  EXPECT_TRUE(is_graph_of_a_cycle(run("-o - torus.off").out));
+  EXPECT_TRUE(is_graph_of_a_cycle(run("- --format off -o - < torus.off").out));
+  EXPECT_TRUE(is_graph_of_a_cycle(run("./segment --format off -o -").out));
+  expect_refusal("missing.off", 2, {"missing.off: cannot be opened"});
+}
+
+TEST_F(Cscd, writes_pages_by_the_ending_of_an_output)
+{
+  m_folder.write("torus.off", off(torus()));
+  EXPECT_EQ(0, run("torus.off -o page.html -o t.graph --html same.html -q").status);
+  EXPECT_NE(std::string::npos, content("page.html").find("<!DOCTYPE html>"));
+  EXPECT_EQ(content("page.html"), content("same.html"));
+  EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
+  expect_refusal("page.html -o page.html", 1, {"is the input"});
 }
 
 TEST_F(Cscd, tells_its_version)
@@ -221,8 +240,10 @@ TEST_F(Cscd, tells_its_version)
 TEST_F(Cscd, refuses_bad_usage)
 {
   m_folder.write("torus.off", off(torus()));
-  expect_refusal("", 1, {"subcommand", "--help"});
-  expect_refusal("skeletonise torus.off", 1, {"--help"});
+  expect_refusal("", 1, {"input", "command", "skeletonize, evaluate", "--help"});
+  expect_refusal("skeletonise torus.off", 1, {"skeletonise: is neither", "skeletonize, evaluate", "--help"});
+  expect_refusal("batch torus.off", 1, {"batch: is neither"});
+  expect_refusal("torus.off --bad", 1, {"--bad"});
   expect_refusal("skeletonize", 1, {"INPUT"});
   expect_refusal("skeletonize torus.off --bad", 1, {"--bad"});
   expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
@@ -787,7 +808,7 @@ TEST_F(Cscd, prints_a_summary)
   EXPECT_NE(std::string::npos, outcome.out.find("1 component, 1 cycle, 0 tips, 0 junctions\ntime: ")) << outcome.out;
   EXPECT_EQ(3, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
   // No progress bar, as this is no terminal.
-  EXPECT_EQ("cscd: torus.off: the skeleton is not written; name a file by --output or --html\n", outcome.err);
+  EXPECT_EQ("cscd: torus.off: the skeleton is not written; name a file by --output\n", outcome.err);
   EXPECT_EQ(1, number_of_files());
 }
 
