@@ -212,6 +212,7 @@ TABLES_OF_PROGRAM = {
 
 # By program, the sentences on when, where and how runs of one kind were measured, for programs whose kinds are run apart.
 CIRCUMSTANCES_OF_KINDS = {
+    "benchmark_skeletonization": {"circumstances_of_summary": "mesh"},
     "benchmark_points": {"circumstances_of_clouds": "cloud", "circumstances_of_published_clouds": "published"},
     "benchmark_published": published_tables.CIRCUMSTANCES,
 }

@@ -395,6 +395,7 @@ def main():
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path(__file__).parent / "fig", metavar="FOLDER")
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(PICTURES))
     options = parser.parse_args()
+    options.output.mkdir(parents=True, exist_ok=True)
     names = options.names or [name for name in PICTURES if name != "comparison" or options.mcf]
     with tempfile.TemporaryDirectory() as folder:
         shapes = Shapes(pathlib.Path(folder))

@@ -41,7 +41,6 @@ take() {
   echo "$figures/$picture.png"
 }
 
-take viewer_armadillo meshes/armadillo.off "turn=180"
 take viewer_camel_branches meshes/camel.off "separators=1&color=1"
 take viewer_elephant_balls meshes/elephant.off "balls=1&surface=0"
 take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
