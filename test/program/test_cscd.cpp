@@ -211,7 +211,7 @@ TEST_F(Cscd, help_of_a_command_shows_its_own_examples)
   EXPECT_NE(std::string::npos, run("--help").out.find(".pwn"));
 }
 
-TEST_F(Cscd, tells_its_version)
+TEST_F(Cscd, prints_its_version)
 {
   const Outcome outcome = run("--version");
   EXPECT_EQ(0, outcome.status);
