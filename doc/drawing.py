@@ -197,17 +197,26 @@ class Scene:
 
     def __init__(self, rotation):
         self.rotation = rotation
+        self.through = THROUGH_BODY
         self.bodies, self.lines, self.clouds = [], [], []
 
-    def body(self, points, faces, color=BODY):
-        self.bodies.append((points @ self.rotation.T, faces, np.asarray(color)))
+    def body(self, points, faces, color=BODY, colors_of_faces=None):
+        """A mesh; `color` is one color or one for each vertex."""
+        points = points @ self.rotation.T
+        normals = normals_of(points, faces)
+        colors = np.broadcast_to(np.asarray(color), (len(points), 3))
+        if colors_of_faces is not None:  # each face gets vertices of its own
+            points, normals, colors = points[faces.ravel()], normals[faces.ravel()], np.repeat(colors_of_faces, 3, axis=0)
+            faces = np.arange(len(points)).reshape(-1, 3)
+        self.bodies.append((points, faces, normals, colors))
 
     def cloud(self, points, color=(0.45, 0.48, 0.52), size=0.004):
         """Points as balls of a radius relative to the extent of the scene."""
         self.clouds.append((points @ self.rotation.T, np.asarray(color), size))
 
     def skeleton(self, points, edges, colors, radius=0.007):
-        """Edges as tubes of a radius relative to the extent of the scene, a number or one for each node."""
+        """Edges as tubes of a radius relative to the extent of the scene, a number or one for each node. All skeletons of a
+        scene are seen through its bodies by `through`."""
         self.lines.append((points @ self.rotation.T, edges, colors, radius))
 
     def box(self):
@@ -233,9 +242,8 @@ class Scene:
             return np.column_stack([(xy - corner) * zoom, scale * zoom * points[:, 2]])
 
         body, line, cloud = (Layer(h, w) for _ in range(3))
-        for points, faces, color in self.bodies:
-            colors = np.tile(color, (len(points), 1)) if color.ndim == 1 else color
-            body.triangles(place(points), normals_of(points, faces), colors, faces)
+        for points, faces, normals, colors in self.bodies:
+            body.triangles(place(points), normals, colors, faces)
         for points, edges, colors, radius in self.lines:
             radii = np.broadcast_to(np.asarray(radius, float) * extent / scale, len(points))
             p, n, c, f = tubes(points, edges, radii, colors)
@@ -252,7 +260,7 @@ class Scene:
         dark = hollows(body.depth.reshape(h, w), covered.reshape(h, w), int(extent * zoom)).ravel()
         image[covered] = (shade * (1 - dark[:, None]))[covered]
         image = self._with(image, cloud, body, 1.0)
-        image = self._with(image, line, body, THROUGH_BODY)
+        image = self._with(image, line, body, self.through)
         image = image.reshape(height, SAMPLES, width, SAMPLES, 3).mean((1, 3))
         return image
 

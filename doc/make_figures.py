@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Makes the pictures of README.md and of doc/gallery.md anew, in one style: see drawing.py.
+"""Makes the pictures of README.md, doc/gallery.md and doc/applications.md anew, in one style: see drawing.py.
 
 Usage: make_figures.py --program build/bin/cscd [--mcf build/bin/benchmark/mcf_skeleton] [--msls COMMAND] [--output FOLDER]
 [NAME...]: by default all pictures that the given programs allow, into doc/fig. COMMAND, MESH and SKELETON.graph behind it,
@@ -328,6 +328,65 @@ def gallery(options, shapes):
     return picture
 
 
+APPLICATION_SHAPES = ["armadillo", "bull", "camel", "dino", "elephant", "man"]
+LOOPS = {"handle": np.array([0.84, 0.12, 0.12]), "tunnel": np.array([0.05, 0.25, 0.85]),
+         "constriction": np.array([0.0, 0.5, 0.15])}
+
+
+def lines_of(program, command, path, ending):
+    """What a command of the program writes to a file, as text."""
+    with tempfile.TemporaryDirectory() as folder:
+        name = pathlib.Path(folder) / f"result{ending}"
+        subprocess.run([program, command, path, "-o", name, "--quiet"], check=True)
+        return name.read_text()
+
+
+def of_shapes(shapes, draw):
+    """Six shapes, each drawn by `draw(path, scene, points, faces)`."""
+    width, height = 640, 480
+    picture = Picture(3 * width, 2 * height)
+    for number, name in enumerate(APPLICATION_SHAPES):
+        points, faces = read_off(shapes.mesh(name))
+        scene = Scene(view(*POSES[name]))
+        draw(shapes.mesh(name), scene, points, faces)
+        picture.place(scene.draw(width, height), width * (number % 3), height * (number // 3))
+    return picture
+
+
+def application_diameters(options, shapes):
+    """How thick bodies are: thin blue, thick red."""
+
+    def draw(path, scene, points, faces):
+        diameters = np.log(np.loadtxt(lines_of(options.program, "diameter", path, ".txt").split()))
+        scene.body(points, faces, colors_of_radii(diameters, *np.quantile(diameters, [0.02, 0.98])))
+
+    return of_shapes(shapes, draw)
+
+
+def application_parts(options, shapes):
+    """Parts by the skeleton."""
+
+    def draw(path, scene, points, faces):
+        parts = np.array(lines_of(options.program, "segment", path, ".seg").split(), int)
+        scene.body(points, faces, colors_of_faces=0.25 + 0.75 * BRANCHES[parts % len(BRANCHES)])
+
+    return of_shapes(shapes, draw)
+
+
+def application_loops(options, shapes):
+    """Loops around handles red, tunnels blue, constrictions green."""
+
+    def draw(path, scene, points, faces):
+        scene.body(points, faces)
+        scene.through = 0.15
+        for loop in json.loads(lines_of(options.program, "loops", path, ".json")):
+            number = len(loop["points"])
+            edges = [(i, (i + 1) % number) for i in range(number)]
+            scene.skeleton(np.array(loop["points"]), edges, [LOOPS[loop["kind"]]] * number, 0.006)
+
+    return of_shapes(shapes, draw)
+
+
 def gutter():
     """A half pipe that bends, as a mesh with a border."""
     along, across = 90, 14
@@ -384,7 +443,9 @@ def others(options, shapes):
     return picture
 
 
-PICTURES = {"others": others, "hero": hero, "inputs": inputs, "comparison": comparison, "detail": detail, "gallery": gallery}
+PICTURES = {"hero": hero, "inputs": inputs, "others": others, "comparison": comparison, "detail": detail, "gallery": gallery,
+            "application_diameters": application_diameters, "application_parts": application_parts,
+            "application_loops": application_loops}
 
 
 def main():
