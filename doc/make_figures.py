@@ -68,7 +68,7 @@ def read_off(path):
 
 
 def tree_scan(rng, number=30000):
-    """Points on the bark of a generated tree of 10 meters, as a scanner sees it."""
+    """Points on the bark of a generated tree of 10 meters."""
     limbs = []  # points of the axis, radii
 
     def grow(base, direction, length, radius, order):
