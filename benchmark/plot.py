@@ -8,7 +8,7 @@ import subprocess
 
 def draw(path, x_label, y_label, curves, logarithmic=False):
     """Writes a picture of `curves`, lists of points (x, y) by name, to `path`, a PNG file."""
-    script = ["set terminal pngcairo size 800,480", f"set output '{path}'", f"set xlabel '{x_label}'",
+    script = ["set terminal pngcairo noenhanced size 800,480", f"set output '{path}'", f"set xlabel '{x_label}'",
               f"set ylabel '{y_label}'", "set key outside right", "set grid", "set yrange [0:*]"]
     if logarithmic:
         script.append("set logscale x 2")

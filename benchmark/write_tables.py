@@ -8,6 +8,7 @@ made the files, each named after the program that wrote it; FOLDER is that of RE
 Tables stand between lines `<!-- begin NAME -->` and `<!-- end NAME -->`; what is between them is replaced.
 """
 
+import json
 import pathlib
 import statistics
 import sys
@@ -18,6 +19,9 @@ import tree_tables
 from markdown_tables import (count, growth_exponent, is_right, markdown, replace_between_markers, runs_of, seconds,
                              topology)
 from measurements import circumstances, number_of_repetitions, read_medians
+
+
+QUOTED = json.loads((pathlib.Path(__file__).parent / "quoted_results.json").read_text())
 
 
 def meshes_of(medians):
@@ -49,6 +53,30 @@ def mesh_table(medians):
                      "MB, CSCD / MCF"], rows)
 
 
+def times_as_fast(slow, fast):
+    return f"{slow / fast:.0f}"
+
+
+def summary_table(medians):
+    """CSCD next to MCF and to what is quoted of MSLS, on the meshes for which there are all three."""
+    quoted = {row["mesh"]: row for row in QUOTED["MSLS"]["rows"]}
+    rows = []
+    for mesh, ours, _, mcf in meshes_of(medians):
+        msls = quoted.get(mesh)
+        if msls and mcf:
+            rows.append([
+                mesh,
+                count(ours["vertices"]),
+                f"{seconds(ours):.3f}",
+                f"{seconds(mcf):.2f} ({times_as_fast(seconds(mcf), seconds(ours))})",
+                f"{msls['seconds']:.1f} ({times_as_fast(msls['seconds'], seconds(ours))})",
+                " / ".join(f"{run['percent_inside']:.0f}" for run in (ours, mcf, msls)),
+                " / ".join(count(run["tips"]) for run in (ours, mcf, msls)),
+            ])
+    return markdown(["mesh", "vertices", "CSCD, s", "MCF, s (times as long)", "MSLS, s (times as long)",
+                     "% inside: CSCD / MCF / MSLS", "tips"], rows)
+
+
 def quality_table(medians):
     rows = []
     for mesh, ours, _, mcf in meshes_of(medians):
@@ -66,6 +94,8 @@ def quality_table(medians):
 
 def growth_table(medians):
     names = [name for name in medians if name.startswith("growing/") and name.endswith("/CSCD")]
+    if not names:
+        return None
     rows = []
     for name in names:
         one, two = medians[name], medians.get(name + "_2_threads")
@@ -159,6 +189,7 @@ def growing_cloud_table(medians):
 TABLES_OF_PROGRAM = {
     "benchmark_skeletonization": {
         "circumstances": None,
+        "summary": summary_table,
         "meshes": mesh_table,
         "quality": quality_table,
         "growth": growth_table,
@@ -181,6 +212,7 @@ TABLES_OF_PROGRAM = {
 
 # By program, the sentences on when, where and how runs of one kind were measured, for programs whose kinds are run apart.
 CIRCUMSTANCES_OF_KINDS = {
+    "benchmark_skeletonization": {"circumstances_of_summary": "mesh"},
     "benchmark_points": {"circumstances_of_clouds": "cloud", "circumstances_of_published_clouds": "published"},
     "benchmark_published": published_tables.CIRCUMSTANCES,
 }

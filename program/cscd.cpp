@@ -454,7 +454,7 @@ void add_loops(CLI::App& app, cscd::Loops_options& options)
   command->add_flag("--constrictions", options.constrictions, "write constrictions");
   command
       ->add_option("--min-depth", options.min_depth,
-                   "by how much loops beside a constriction are longer at least, relative to its length")
+                   "minimum constriction depth (relative extra length of neighboring loops)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("D")
       ->capture_default_str();
@@ -480,7 +480,7 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
     std::fprintf(stderr, "cscd: %s\n", not_enough_memory);
     std::_Exit(internal_failure);
   } catch (...) {
-    std::fputs("cscd: internal failure; please report it together with the input\n", stderr);
+    std::fputs("cscd: internal failure; report it as CONTRIBUTING.md says, with the input\n", stderr);
   }
   std::abort();
 }
@@ -590,7 +590,8 @@ int main(int argc, char** argv)
     // oneTBB throws its own exception where there is no memory for the stack of a thread.
     complain(std::strstr(error.what(), "pthread_create") != nullptr
                  ? not_enough_memory
-                 : std::string("internal failure: ") + error.what() + "; please report it together with the input");
+                 : std::string("internal failure: ") + error.what() +
+                       "; report it as CONTRIBUTING.md says, with the input");
     return internal_failure;
   }
 }

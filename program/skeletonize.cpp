@@ -377,7 +377,7 @@ void check_domain(const Skeletonize_options& options)
         std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
         std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
     if (is_given) {
-      throw Usage_error(std::string(option) + ": graphs have no surface; leave it or --as graph out");
+      throw Usage_error(std::string(option) + ": needs a surface; remove it or --as graph");
     }
   }
 }

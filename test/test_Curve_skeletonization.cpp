@@ -164,7 +164,7 @@ TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)
   }
 }
 
-TEST_F(Curve_skeletonization, wants_its_stages_in_order)
+TEST_F(Curve_skeletonization, requires_stages_in_order)
 {
   Skeletonization skeletonization(m_traits);
   Skeleton skeleton;
@@ -242,7 +242,7 @@ struct Recorder : CSCD::Default_skeletonization_visitor
 
 using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Recorder&>;
 
-TEST_F(Curve_skeletonization, tells_its_visitor_of_its_stages)
+TEST_F(Curve_skeletonization, reports_stages_to_the_visitor)
 {
   Recorder recorder;
   Visited_skeletonization skeletonization(m_traits, CSCD::Local_policies(), recorder);

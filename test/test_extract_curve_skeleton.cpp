@@ -321,7 +321,7 @@ private:
   std::size_t m_questions_until_stop; ///< 0: never
 };
 
-TEST_F(Extract_curve_skeleton, tells_its_visitor_of_each_stage_once_in_order)
+TEST_F(Extract_curve_skeleton, reports_each_stage_once_in_order)
 {
   Recording_visitor::Record record;
   CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::visitor(Recording_visitor(record)));

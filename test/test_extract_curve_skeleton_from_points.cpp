@@ -135,7 +135,7 @@ TEST_P(Sampled_shape, has_it_under_noise)
   }
 }
 
-TEST_P(Sampled_shape, bears_missing_data)
+TEST_P(Sampled_shape, handles_missing_data)
 {
   std::vector<Triple> points = sampled(m_shape, number, 1);
   const double radius = 0.02 * diagonal(m_shape);
@@ -145,7 +145,7 @@ TEST_P(Sampled_shape, bears_missing_data)
   expect_topology(m_shape, skeletonize(points));
 }
 
-TEST_P(Sampled_shape, bears_duplicates_and_outliers)
+TEST_P(Sampled_shape, handles_duplicates_and_outliers)
 {
   std::vector<Triple> points = sampled(m_shape, number, 1);
   const Outcome clean = skeletonize(points);
@@ -331,7 +331,7 @@ TEST(Point_skeleton, warns_of_points_that_hardly_sample_a_surface)
   }));
 }
 
-TEST(Point_skeleton, bears_few_points_and_flat_ones)
+TEST(Point_skeleton, handles_few_or_coplanar_points)
 {
   std::mt19937_64 random(1);
   for (const std::size_t number : {4u, 5u, 6u, 8u, 12u, 20u, 50u}) {

@@ -3,4 +3,5 @@
 #
 # Links from Markdown to the examples lead to their folder on a host of Git: makes them lead to pages of the manual.
 s,\[([^]]*)\]\((\.\./)?examples/([a-z_]+\.cpp)\),\\ref \3 "\1",g
+s,\[([^]]*)\]\((doc/)?manual/user_manual\.dox\),\\ref user_manual "\1",g
 s,\((\.\./)?examples/\),(examples.html),g

@@ -18,9 +18,9 @@ namespace CSCD {
 /// and writers work on it; a Boost graph is converted at the boundary.
 struct Skeleton
 {
-  std::vector<Vector_3> points; ///< the nodes
-  std::vector<double> radii{};  ///< one for each node, or empty if they are not known
-  std::vector<std::array<Index, 2>> edges{};
+  std::vector<Vector_3> points;               ///< the nodes
+  std::vector<double> radii{};                ///< one for each node, or empty if they are not known
+  std::vector<std::array<Index, 2>> edges{};  ///< pairs of nodes
   std::vector<char> is_joined{};              ///< for each edge, whether it was added to join components
   std::vector<char> is_opening{};             ///< for each node, whether a limb ends there at a border; may be empty
   std::vector<double> significance{};         ///< one for each edge, see `compute_significance()`; may be empty

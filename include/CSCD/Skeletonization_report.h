@@ -49,8 +49,8 @@ struct Reconstruction_report
   bool is_averaged = false;                 ///< whether noise was averaged away where the cloud was thinned
   std::size_t number_of_neighbors = 0;      ///< the k of the neighborhoods
   double spacing = 0;                       ///< median over the points of the mean distance to the nearest six
-  double noise = 0;                         ///< deviation of the points from planes, relative to the spacing
-  bool is_smoothed = false;                 ///< whether the points were moved to the planes
+  double noise = 0;                         ///< lower quartile of the deviations from quadrics, relative to the spacing
+  bool is_smoothed = false;                 ///< whether the points were moved to the quadrics
   std::size_t number_of_outliers = 0;       ///< points far from all others: left out of the surface
   std::size_t number_of_unused_points = 0;  ///< points that are no vertices: they belong to the node of the nearest
   std::size_t number_of_border_edges = 0;   ///< edges at holes of the surface

@@ -33,10 +33,10 @@ class Point_complex;
 ///
 /// | expression | value |
 /// |---|---|
-/// | `T::Point`, `T::Input_descriptor` | the points of the input, and what identifies a vertex or point there |
+/// | `T::Point`, `T::Input_descriptor` | the points of the input, and the descriptor of a vertex or point there |
 /// | `T::Surface` | the type of the surface, a model of `SkeletonizationSurface`, or `Spatial_graph` |
 /// | `t.surface()` | the surface: a `const T::Surface&` |
-/// | `t.descriptors(v)` | a range of what identifies, in the input, that which belongs to vertex `v`; may be empty |
+/// | `t.descriptors(v)` | the input elements represented by vertex `v`; may be empty |
 /// | `t.to_input_point(p)` | a point of the surface in the coordinates of the input |
 /// | `t.to_input_length(l)` | a length on the surface in the unit of the input |
 /// | `t.describe_input(report)` | writes counts, genus and warnings to a `Skeletonization_report&` |

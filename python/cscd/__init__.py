@@ -47,7 +47,7 @@ IndexArray = npt.NDArray[np.int32]
 
 
 class Branch(typing.NamedTuple):
-    """A path between nodes that have not two edges, or a cycle."""
+    """A path between nodes of degree other than two, or a cycle."""
 
     nodes: IndexArray
     """From end to end; one that returns to its first node has it at both ends."""
@@ -144,7 +144,7 @@ class Skeleton:
         return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
 
     def branches(self) -> list[Branch]:
-        """The paths between nodes that have not two edges, and cycles: each edge is in one of them."""
+        """The paths between nodes of degree other than two, and cycles: each edge is in one of them."""
         return [Branch(np.array(row[0], dtype=np.int32), *row[1:]) for row in self._core.branches()]
 
     def to_networkx(self) -> networkx.Graph:

@@ -123,7 +123,7 @@ def test_a_mesh_taken_for_a_graph_keeps_its_cycle():
         ({"domain": "volume"}, "domain: volume not in"),
         ({"neighbors": 5}, 'neighbors: joins points to a graph; add domain="graph"'),
         ({"domain": "graph", "normals": np.zeros((3, 3))}, "normals: graphs have none"),
-        ({"domain": "graph", "method": "published"}, "method: graphs have no surface"),
+        ({"domain": "graph", "method": "published"}, "method: needs a surface"),
     ],
 )
 def test_what_is_wrong_with_a_graph_is_said(arguments, message):

@@ -154,7 +154,7 @@ TEST(Winding_number, knows_the_inside_behind_holes)
   EXPECT_LT(wrong_off_surface, 0.02);
 }
 
-TEST(Winding_number, bears_few_points)
+TEST(Winding_number, handles_few_points)
 {
   EXPECT_EQ(Winding_number({}, {})({1, 2, 3}), 0);
   const Winding_number one({{0, 0, 0}}, {{0, 0, 4 * pi}});

@@ -329,7 +329,7 @@ TEST(Heat_method, scales_with_the_surface_and_moves_with_it)
       1e-9);
 }
 
-TEST(Heat_method, bears_degenerate_faces)
+TEST(Heat_method, handles_degenerate_faces)
 {
   const CSCD::test::Shape ball = CSCD::test::sphere(4);
   const std::vector<double> expected = distances_from(Heat_method(CSCD::test::to_surface(ball)), 1000);

@@ -328,7 +328,7 @@ TEST(Point_cloud_skeleton, takes_normals)
   }
 }
 
-TEST(Point_cloud_skeleton, bears_few_points_and_flat_ones)
+TEST(Point_cloud_skeleton, handles_few_or_coplanar_points)
 {
   std::mt19937_64 random(1);
   for (const std::size_t number : {12u, 20u, 50u}) {

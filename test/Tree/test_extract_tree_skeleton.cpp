@@ -348,7 +348,7 @@ TEST(Tree_skeleton, has_its_parents_in_swc)
             Tree_point(root[2], root[3], root[4]));
 }
 
-TEST(Tree_skeleton, bears_hardly_any_points)
+TEST(Tree_skeleton, handles_hardly_any_points)
 {
   EXPECT_EQ(1u, tree_of({{1, 2, 3}}).report.number_of_nodes);
   const Tree_outcome duplicates = tree_of(std::vector<Triple>(50, {1, 2, 3}));

@@ -53,7 +53,7 @@ TEST(Circle_fit, is_exact_on_exact_points)
   }
 }
 
-TEST(Circle_fit, bears_noise_on_an_arc)
+TEST(Circle_fit, handles_noise_on_an_arc)
 {
   expect_circle(fit_circle(arc(200, 2 * pi, 0.2)), 0.03);
   const std::optional<Circle_fit> third = fit_circle(arc(200, 2 * pi / 3, 0.1));

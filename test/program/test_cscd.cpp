@@ -230,7 +230,7 @@ TEST_F(Cscd, writes_pages_by_the_ending_of_an_output)
   expect_refusal("page.html -o page.html", 1, {"is the input"});
 }
 
-TEST_F(Cscd, tells_its_version)
+TEST_F(Cscd, prints_its_version)
 {
   const Outcome outcome = run("--version");
   EXPECT_EQ(0, outcome.status);

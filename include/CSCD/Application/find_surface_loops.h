@@ -40,7 +40,7 @@ struct Surface_loop
   /// Of a constriction, by how much longer it must become if it is to move away, relative to its own length. The loops
   /// parallel to it are followed on either side, up to three of its diameters away, `length / pi`, and until they have
   /// no connected piece any more that is as long as it; the depth is the excess of the longest piece, on the side where
-  /// that is less. It is 0 if they do not get half a diameter away so, and for other loops.
+  /// that is less. It is 0 if no such loop reaches half a diameter away, and for other loops.
   double depth = 0;
   /// Its points on edges and vertices, in order; the last and the first are neighbors.
   std::vector<Point> points;

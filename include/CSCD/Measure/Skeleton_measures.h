@@ -89,8 +89,8 @@ struct Surface_limb
 struct Limb_measures
 {
   std::vector<Surface_limb> limbs;             ///< of the surface
-  std::size_t number_of_limbs_without_tip = 0; ///< what the skeleton misses
-  std::size_t number_of_tips_without_limb = 0; ///< what the skeleton has too much
+  std::size_t number_of_limbs_without_tip = 0; ///< missed limbs
+  std::size_t number_of_tips_without_limb = 0; ///< spurious tips
   double tip_recall = undefined_measure;       ///< the fraction of the limbs that have a tip
   double tip_precision = undefined_measure;    ///< the fraction of the tips that have a limb
 };
@@ -155,7 +155,7 @@ struct Skeleton_comparison
   Skeleton_distance from_second_to_first; ///< of the points of the second from the first
   Match_count tips;                       ///< nodes with one edge
   Match_count junctions;                  ///< nodes with three edges or more
-  Match_count branches;                   ///< paths between nodes that have not two edges, and cycles
+  Match_count branches;                   ///< paths between nodes of degree other than two, and cycles
   /// Whether branches are joined in the same way, wherever they are: the skeletons of a body in two poses should agree.
   bool has_same_structure = false;
 

@@ -239,10 +239,10 @@ Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::f
 /// Triangles of which the halfedges are paired, and the vertices of the input that they use.
 struct Checked_triangles
 {
-  Indexed_triangles triangles;
-  Halfedge_pairing pairing;
-  std::vector<Index> input_number; ///< for each point, its number in the input
-  std::size_t number_of_isolated_vertices = 0;
+  Indexed_triangles triangles;                 ///< those of the input, with points that have a face
+  Halfedge_pairing pairing;                    ///< of their halfedges
+  std::vector<Index> input_number;             ///< for each point, its number in the input
+  std::size_t number_of_isolated_vertices = 0; ///< points of the input without a face
 };
 
 /// Leaves out the points without a face, and pairs the halfedges of the rest. Linear.

@@ -58,7 +58,7 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
 } // namespace internal
 
 /// tells whether dense points are a scan of trees, or of other branching thin things, by the form of their
-/// neighborhoods: of a tenth of them and more the points lie along curves, and not on a surface. Fewer than 20,000
+/// neighborhoods: in more than 8 % of them the points lie along curves, and not on a surface. Fewer than 20,000
 /// points show too little of their form for that: the answer is no. Linear, and fast: a sample of 50,000 points is
 /// looked at. Does not depend on the order of the points.
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
