@@ -361,7 +361,7 @@ TEST(Published_policies, draw_fewer_sources_where_thousands_of_vertices_are_inse
     share = fraction;
     throw std::runtime_error("enough is known");
   };
-  EXPECT_THROW(Policies().find_separators(traits.surface(), CSCD::Search_settings(), report, stop), std::runtime_error);
+  EXPECT_THROW(Policies().find_separators(traits.surface(), CSCD::Options(), report, stop), std::runtime_error);
   const double number = double(report.number_of_sources) / share;
   EXPECT_LT(number, double(Policies::default_number_of_sources) / 3);
   EXPECT_GT(number, 100);

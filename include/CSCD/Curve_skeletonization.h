@@ -9,7 +9,6 @@
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Options.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -265,7 +264,7 @@ private:
   const Traits& m_traits;
   Policies m_policies;
   Visitor m_visitor;
-  Search_settings m_settings;
+  Options m_settings;
   unsigned m_number_of_threads = 0;
   std::size_t m_number_of_input_warnings = 0;
   std::vector<Separator> m_separators;

@@ -7,8 +7,8 @@
 #define CSCD_GRAPH_POLICIES_H
 
 #include <CSCD/Graph/Spatial_graph.h>
+#include <CSCD/Options.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
@@ -28,7 +28,7 @@ public:
 
   /// Seeks separators from vertices in random order; the more separators a vertex is part of already, the rarer it is
   /// taken for a source. Near O(n log n) where limbs are thin, O(n^2) for a body without any.
-  std::vector<Separator> find_separators(const Spatial_graph& graph, const Search_settings& settings,
+  std::vector<Separator> find_separators(const Spatial_graph& graph, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
   /// Packs separators that have no vertex in common, and gives each vertex to the nearest of them.

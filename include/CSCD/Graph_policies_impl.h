@@ -33,7 +33,7 @@ namespace CSCD::internal {
 class Graph_search
 {
 public:
-  Graph_search(const Spatial_graph& graph, const Search_settings& settings)
+  Graph_search(const Spatial_graph& graph, const Options& settings)
       : m_graph(graph), m_settings(settings), m_generator(settings.random_seed), m_order(graph.number_of_vertices()),
         m_touches(graph.number_of_vertices(), 0),
         m_for_each([this] { return std::make_unique<Graph_separator_finder>(m_graph); }, settings.number_of_threads)
@@ -98,7 +98,7 @@ private:
   }
 
   const Spatial_graph& m_graph;
-  const Search_settings& m_settings;
+  const Options& m_settings;
   boost::random::mt19937 m_generator;
   std::vector<Index> m_order;      ///< of the vertices, at random
   std::size_t m_next = 0;          ///< in this order
@@ -113,8 +113,7 @@ private:
 
 namespace CSCD {
 
-CSCD_INLINE std::vector<Separator> Graph_policies::find_separators(const Spatial_graph& graph,
-                                                                   const Search_settings& settings,
+CSCD_INLINE std::vector<Separator> Graph_policies::find_separators(const Spatial_graph& graph, const Options& settings,
                                                                    Skeletonization_report& report,
                                                                    const Progress& progress) const
 {

@@ -6,7 +6,7 @@
 #ifndef CSCD_LOCAL_POLICIES_H
 #define CSCD_LOCAL_POLICIES_H
 
-#include <CSCD/Separator/Search_settings.h>
+#include <CSCD/Options.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -65,7 +65,7 @@ public:
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
   /// Those that lead around something hollow are not returned.
-  std::vector<Separator> find_separators(const Triangulated_solid& solid, const Search_settings& settings,
+  std::vector<Separator> find_separators(const Triangulated_solid& solid, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
   /// Appends separators to `separators` around handles that no source has found.

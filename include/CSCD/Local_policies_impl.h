@@ -30,11 +30,13 @@ CSCD_INLINE const std::vector<Index>& Local_policies::Packing::packed() const
 }
 
 CSCD_INLINE std::vector<Separator> Local_policies::find_separators(const Triangulated_solid& solid,
-                                                                   const Search_settings& settings,
+                                                                   const Options& settings,
                                                                    Skeletonization_report& report,
                                                                    const Progress& progress) const
 {
-  return internal::find_local_separators(solid, m_detail, settings, report, progress);
+  Options options = settings;
+  options.detail = m_detail.value();
+  return internal::find_local_separators(solid, options, report, progress);
 }
 
 CSCD_INLINE Local_policies::Packing Local_policies::pack_separators(const Triangulated_solid& solid,

@@ -7,13 +7,13 @@
 #define CSCD_PUBLISHED_POLICIES_H
 
 #include <CSCD/Curve_skeletonization.h>
+#include <CSCD/Options.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Published/Region_sections.h>
 #include <CSCD/Published/Sampled_search.h>
 #include <CSCD/Published/build_quotient_skeleton.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -51,7 +51,7 @@ public:
   /// Draws `settings.maximum_number_of_sources` sources. Where that has no bound, `default_number_of_sources`; fewer,
   /// but as many as the mesh has vertices, where most vertices were inserted into large faces and there are thousands.
   template <class Surface>
-  std::vector<Separator> find_separators(const Surface& surface, const Search_settings& settings,
+  std::vector<Separator> find_separators(const Surface& surface, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 
   /// Drops separators by score, inside test and overlap, and gives each vertex to the nearest that remains.
@@ -88,13 +88,13 @@ private:
 };
 
 template <class Surface>
-std::vector<Separator> Published_policies::find_separators(const Surface& surface, const Search_settings& settings,
+std::vector<Separator> Published_policies::find_separators(const Surface& surface, const Options& settings,
                                                            Skeletonization_report& report,
                                                            const Progress& progress) const
 {
   check_skeletonization_surface<Surface>();
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
-  const bool is_bounded = settings.maximum_number_of_sources != Search_settings().maximum_number_of_sources;
+  const bool is_bounded = settings.maximum_number_of_sources != Options().maximum_number_of_sources;
   std::vector<Separator> separators =
       search(is_bounded ? settings.maximum_number_of_sources : number_of_sources(surface), report, progress);
   for (Separator& separator : separators) {
@@ -135,7 +135,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
 #ifdef CSCD_COMPILED
 #define CSCD_PUBLISHED_POLICIES_INSTANCE(prefix, Surface)                                                              \
   prefix template std::vector<Separator> Published_policies::find_separators<Surface>(                                 \
-      const Surface&, const Search_settings&, Skeletonization_report&, const Progress&) const;                         \
+      const Surface&, const Options&, Skeletonization_report&, const Progress&) const;                                 \
   prefix template Published_policies::Packing Published_policies::pack_separators<Surface>(                            \
       const Surface&, const std::vector<Separator>&, Skeletonization_report&) const;                                   \
   prefix template Embedded_skeleton Published_policies::build_skeleton<Surface>(                                       \

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 namespace CSCD {
@@ -33,6 +34,9 @@ inline const char* name(Skeletonization_stage stage)
                                                                             "pack separators", "build skeleton"};
   return names[static_cast<std::size_t>(stage)];
 }
+
+/// Called with the part of a stage that is done, in [0, 1]; an exception that it throws ends the stage.
+using Progress = std::function<void(double fraction)>;
 
 /// The visitor that does nothing and never stops the work; the default model of `SkeletonizationVisitor`.
 /// All functions are called from the thread that started the skeletonization, in a sequence that does not depend on

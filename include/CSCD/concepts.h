@@ -7,7 +7,7 @@
 #ifndef CSCD_CONCEPTS_H
 #define CSCD_CONCEPTS_H
 
-#include <CSCD/Separator/Search_settings.h>
+#include <CSCD/Options.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton_graph.h>
@@ -188,7 +188,7 @@ constexpr void check_skeletonization_surface()
 /// | `p.pack_separators(s, separators, report)` | a `P::Packing` of `separators`, to which more may be appended |
 /// | `p.build_skeleton(s, separators, packing, report)` | an `Embedded_skeleton` |
 ///
-/// Separators are sought by the `Search_settings`, with frequent calls of `progress(fraction)`, a `Progress`, which may
+/// Separators are sought by the `Options`, with frequent calls of `progress(fraction)`, a `Progress`, which may
 /// throw. The answer must not depend on the number of threads. In the `Skeletonization_report` each function fills in
 /// what it knows: the numbers of sources and of separators that were not taken, of handle cuts, of nodes and edges
 /// outside. Policies can be copied.
@@ -208,7 +208,7 @@ class SkeletonizationPolicies
 template <class P, class S>
 inline constexpr bool is_skeletonization_policies_v =
     CSCD_GIVES(std::vector<Separator>, const P&,
-               t.find_separators(std::declval<const S&>(), std::declval<const Search_settings&>(),
+               t.find_separators(std::declval<const S&>(), std::declval<const Options&>(),
                                  std::declval<Skeletonization_report&>(), std::declval<const Progress&>()));
 
 /// refuses at compile time a type that is no model of `SkeletonizationPolicies` for surfaces of type `S`.

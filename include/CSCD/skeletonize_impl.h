@@ -7,8 +7,8 @@
 #define CSCD_SKELETONIZE_IMPL_H
 
 #include <CSCD/Local/local_stages.h>
+#include <CSCD/Options.h>
 #include <CSCD/Packing/Separator_packing.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
@@ -122,8 +122,7 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std
   internal::Stage_runner run_stage(visitor, report);
   std::vector<Separator> separators;
   run_stage(Skeletonization_stage::find_separators, [&] {
-    const Search_settings settings{options.random_seed, options.number_of_threads, options.maximum_number_of_sources};
-    separators = internal::find_local_separators(mesh.solid(), detail, settings, report,
+    separators = internal::find_local_separators(mesh.solid(), options, report,
                                                  [&](double fraction) { run_stage.progress(fraction); });
     report.number_of_separators = separators.size();
   });

@@ -7,7 +7,7 @@
 #include "support/Allow_threads.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Covering_search.h>
-#include <CSCD/Separator/Search_settings.h>
+#include <CSCD/Options.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
@@ -62,10 +62,10 @@ struct Findings
 
 Separator_search make_search(const Solid& solid, unsigned seed, unsigned number_of_threads)
 {
-  CSCD::Search_settings settings;
+  CSCD::Options settings;
   settings.random_seed = seed;
   settings.number_of_threads = number_of_threads;
-  return Separator_search(solid, CSCD::Detail(), settings);
+  return Separator_search(solid, settings);
 }
 
 Findings search(const Solid& solid, unsigned seed, unsigned number_of_threads, std::size_t max_sources = no_limit)

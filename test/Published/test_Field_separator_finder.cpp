@@ -6,12 +6,12 @@
 #include "Separator/is_closed_curve.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
+#include <CSCD/Options.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Sampled_search.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -166,7 +166,7 @@ TEST(Sampled_search, counts_loops_that_are_held)
     const Searched_triangulation solid(is_cone ? CSCD::test::tapered_tube(8, 0.3, 1.5, 32)
                                                : CSCD::test::tube(10, 1, 32, CSCD::test::Tube_end::flat));
     CSCD::Skeletonization_report report;
-    CSCD::Search_settings settings;
+    CSCD::Options settings;
     const std::vector<CSCD::Separator> separators =
         CSCD::internal::Sampled_search(solid, settings, CSCD::Field_search_settings())(96, report, [](double) {});
     EXPECT_GT(separators.size(), 48u);

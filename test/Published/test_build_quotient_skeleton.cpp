@@ -9,11 +9,11 @@
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Local_policies.h>
+#include <CSCD/Options.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Region_packing.h>
 #include <CSCD/Published/build_quotient_skeleton.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
@@ -82,8 +82,7 @@ Outcome skeletonize(const CSCD::Triangulated_solid& solid, const std::vector<Sep
 Outcome skeletonize(const CSCD::Triangulated_solid& solid)
 {
   Skeletonization_report report;
-  return skeletonize(solid,
-                     CSCD::Local_policies().find_separators(solid, CSCD::Search_settings(), report, [](double) {}));
+  return skeletonize(solid, CSCD::Local_policies().find_separators(solid, CSCD::Options(), report, [](double) {}));
 }
 
 class Quotient_skeleton_test : public testing::TestWithParam<CSCD::test::Shape_maker>

@@ -6,7 +6,7 @@
 #ifndef CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 
-#include <CSCD/Separator/Search_settings.h>
+#include <CSCD/Options.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
@@ -47,7 +47,7 @@ public:
   ~Policies_archetype() = default;
 
   /// The separator around one vertex.
-  std::vector<Separator> find_separators(const Surface& surface, const Search_settings&, Skeletonization_report& report,
+  std::vector<Separator> find_separators(const Surface& surface, const Options&, Skeletonization_report& report,
                                          const Progress& progress) const
   {
     report.number_of_sources = 1;

@@ -18,7 +18,7 @@ struct Policies
   {
     const std::vector<CSCD::Index>& packed() const;
   };
-  std::vector<CSCD::Separator> find_separators(const Surface& surface, const CSCD::Search_settings& settings,
+  std::vector<CSCD::Separator> find_separators(const Surface& surface, const CSCD::Options& settings,
                                                CSCD::Skeletonization_report& report,
                                                const CSCD::Progress& progress) const;
 };

@@ -11,11 +11,11 @@
 #include <CSCD/Local/Covering_search.h>
 #include <CSCD/Local/Local_separator_finder.h>
 #include <CSCD/Measure/distance_to_edges.h>
+#include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
@@ -46,10 +46,10 @@ namespace CSCD::internal {
 /// The local separators of `solid`, from sources all over the surface.
 inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
 {
-  Search_settings settings;
+  Options settings;
   settings.random_seed = random_seed;
   Skeletonization_report report;
-  return Covering_search(solid, Detail(), settings)(report, [](double) {});
+  return Covering_search(solid, settings)(report, [](double) {});
 }
 
 /// The lengths of the curves parallel to a closed curve that separates a surface.

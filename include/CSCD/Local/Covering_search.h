@@ -7,10 +7,10 @@
 #define CSCD_LOCAL_COVERING_SEARCH_H
 
 #include <CSCD/Local/Local_separator_finder.h>
+#include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/Surface_regions.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
@@ -295,16 +295,16 @@ class Separator_search
 {
 public:
   /// \param solid is referred to
-  Separator_search(const Triangulated_solid& solid, const Detail& detail, const Search_settings& settings)
-      : m_solid(solid), m_coverage(solid.levels()), m_sources(solid.levels(), settings.random_seed),
+  Separator_search(const Triangulated_solid& solid, const Options& options)
+      : m_solid(solid), m_coverage(solid.levels()), m_sources(solid.levels(), options.random_seed),
         m_failure_radius([radius = Coverage_band::max_failure_radius(solid.levels())](Index) { return radius; }),
         m_for_each(
-            [&solid, min_area_ratio = detail.min_loop_area_ratio()] {
+            [&solid, min_area_ratio = Detail(options.detail).min_loop_area_ratio()] {
               return Worker{Local_separator_finder(solid.levels(), min_area_ratio,
                                                    [&solid](Index vertex) { return solid.side_of_sheet(vertex); }),
                             Coverage_band(solid.levels())};
             },
-            settings.number_of_threads)
+            options.number_of_threads)
   {
   }
 
@@ -415,10 +415,10 @@ private:
 class Covering_search
 {
 public:
-  /// \param solid is referred to \param detail how small a limb may be
-  Covering_search(const Triangulated_solid& solid, const Detail& detail, const Search_settings& settings)
-      : m_levels(solid.levels()), m_min_branch_area_ratio(detail.min_branch_area_ratio()),
-        m_max_sources(settings.maximum_number_of_sources), m_search(solid, detail, settings)
+  /// \param solid is referred to
+  Covering_search(const Triangulated_solid& solid, const Options& options)
+      : m_levels(solid.levels()), m_min_branch_area_ratio(Detail(options.detail).min_branch_area_ratio()),
+        m_max_sources(options.maximum_number_of_sources), m_search(solid, options)
   {
   }
   Covering_search(Covering_search&&) = delete; // the search calls back

@@ -7,9 +7,9 @@
 #define CSCD_LOCAL_LOCAL_STAGES_H
 
 #include <CSCD/Local/Covering_search.h>
+#include <CSCD/Options.h>
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Packing/cut_handles.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
@@ -22,13 +22,12 @@
 
 namespace CSCD::internal {
 
-/// Seeks separators until they cover the surface, or until the bound of `settings` on the number of sources is reached.
+/// Seeks separators until they cover the surface, or until the bound of `options` on the number of sources is reached.
 /// Separators around a hollow are not returned.
-inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, const Detail& detail,
-                                                    const Search_settings& settings, Skeletonization_report& report,
-                                                    const Progress& progress)
+inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, const Options& options,
+                                                    Skeletonization_report& report, const Progress& progress)
 {
-  std::vector<Separator> separators = Covering_search(solid, detail, settings)(report, progress);
+  std::vector<Separator> separators = Covering_search(solid, options)(report, progress);
   const auto first_tunnel = std::remove_if(separators.begin(), separators.end(), [&solid](const Separator& separator) {
     return is_around_hollow(solid, separator);
   });

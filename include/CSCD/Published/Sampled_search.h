@@ -6,13 +6,13 @@
 #ifndef CSCD_PUBLISHED_SAMPLED_SEARCH_H
 #define CSCD_PUBLISHED_SAMPLED_SEARCH_H
 
+#include <CSCD/Options.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Separator/Loop_projection.h>
-#include <CSCD/Separator/Search_settings.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
@@ -399,7 +399,7 @@ class Sampled_search
 {
 public:
   /// \pre `field_settings.is_multiscale` and `is_intrinsic` only if `surface` is a `Triangulated_solid`
-  Sampled_search(const Surface& surface, const Search_settings& settings, const Field_search_settings& field_settings)
+  Sampled_search(const Surface& surface, const Options& settings, const Field_search_settings& field_settings)
       : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_method::batch_size),
         m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
         m_make_search(make_search_factory(surface, field_settings)),
