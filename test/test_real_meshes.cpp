@@ -64,8 +64,8 @@ TEST_P(Closed_real_mesh, gets_a_skeleton_inside_with_all_invariants)
   EXPECT_EQ(m_report.betti_number, GetParam().genus);
   const CSCD::test::Inside_count count = CSCD::test::count_inside(m_mesh, m_skeleton);
   EXPECT_EQ(count.number_of_nodes_outside, m_report.number_of_nodes_outside);
-  EXPECT_GE(count.fraction_of_nodes_inside(), 0.98);
-  EXPECT_GE(count.fraction_of_length_inside(), 0.99);
+  EXPECT_EQ(count.number_of_nodes_outside, 0u);
+  EXPECT_GE(count.fraction_of_length_inside(), 0.999);
 }
 
 class Open_real_mesh : public Skeletonized_real_mesh

@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <set>
@@ -303,10 +304,22 @@ TEST(Compare_skeletons, matches_the_nearest_pairs_of_all)
   }
 }
 
+/// The processor time since it was made.
+class Stopwatch
+{
+public:
+  double seconds() const { return double(std::clock() - m_begin) / CLOCKS_PER_SEC; }
+
+private:
+  std::clock_t m_begin = std::clock();
+};
+
 TEST(Compare_skeletons, of_many_arms_at_one_hub_each_is_found)
 {
-  constexpr std::size_t number_of_arms = 5000; // minutes, if all pairs are looked at
+  constexpr std::size_t number_of_arms = 5000;
+  const Stopwatch stopwatch;
   const Skeleton_comparison c = compare_skeletons(star(number_of_arms, 3), star(number_of_arms, 3));
+  EXPECT_LT(stopwatch.seconds(), 30) << "minutes, if all pairs are looked at";
   EXPECT_EQ(c.tips.number_matched, number_of_arms);
   EXPECT_EQ(c.branches.number_matched, number_of_arms);
   EXPECT_TRUE(c.has_same_structure);
@@ -364,9 +377,11 @@ TEST(Compare_skeletons, structure_of_a_long_caterpillar)
     }
     return make_skeleton(points, edges);
   };
-  constexpr std::size_t length = 5000; // minutes, if surroundings are compared step by step
+  constexpr std::size_t length = 5000;
+  const Stopwatch stopwatch;
   EXPECT_TRUE(compare_skeletons(caterpillar(length, true), caterpillar(length, true)).has_same_structure);
   EXPECT_FALSE(compare_skeletons(caterpillar(length, true), caterpillar(length, false)).has_same_structure);
+  EXPECT_LT(stopwatch.seconds(), 30) << "minutes, if surroundings are compared step by step";
 }
 
 TEST(Compare_skeletons, refuses_what_cannot_be_compared)
