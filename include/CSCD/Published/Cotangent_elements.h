@@ -6,7 +6,7 @@
 #ifndef CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
 #define CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
 
-#include <CSCD/Published/Flat_triangle.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>

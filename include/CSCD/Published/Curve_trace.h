@@ -7,7 +7,7 @@
 #define CSCD_PUBLISHED_CURVE_TRACE_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -6,8 +6,7 @@
 #ifndef CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
 #define CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
 
-#include <CSCD/Published/Cut_locus_settings.h>
-#include <CSCD/Published/Point_derivatives.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Vector_3.h>
 
