@@ -135,7 +135,7 @@ std::vector<std::vector<Index>> region_meetings(const Spatial_graph& graph, cons
   return Graph_region_meetings(graph, region).meetings();
 }
 
-/// What is particular to graphs, once regions are joined.
+/// Finishes skeletons of graphs, once regions are joined.
 class Graph_skeleton_finishing
 {
 public:

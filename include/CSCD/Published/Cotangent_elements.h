@@ -22,7 +22,7 @@
 namespace CSCD::internal {
 
 /// A triangle in the plane, counterclockwise: corner 0 at the origin, corner 1 at (`base`, 0), corner 2 at (`apex_x`,
-/// `apex_y`). This is the frame in which vectors in a face are given, so that a face needs no points in space.
+/// `apex_y`). Vectors in a face are given in this frame, so that a face needs no points in space.
 struct Face_layout
 {
   double base = 0;   ///< positive

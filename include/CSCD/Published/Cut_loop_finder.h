@@ -54,7 +54,7 @@ public:
   bool is_exhausted() const { return m_budget == 0; }
 
   /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
-  /// edges; O(m log m) for the m vertices around a minimum that is no source.
+  /// edges; O(m log m) for the m vertices around a minimum that is not a source.
   /// \return false, with steps to somewhere, if `source` is not connected with `vertex` or the budget is spent
   template <class Measures>
   bool operator()(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
@@ -220,7 +220,7 @@ private:
   std::array<Complex, 2> m_gradient{};
 };
 
-/// An edge of a vertex: where it leads, and in which direction.
+/// An edge of a vertex: its end and its direction.
 struct Incident_edge
 {
   Index halfedge;  ///< from the vertex

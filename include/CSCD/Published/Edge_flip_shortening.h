@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortens curves along edges to geodesics by flipping the edges beside them (appendix E).
+// Shortens curves along edges to geodesics by flipping the edges next to them (appendix E).
 
 #ifndef CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
 #define CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
@@ -64,7 +64,8 @@ public:
   }
 
 private:
-  std::vector<std::pair<Index, typename Base::Halfedge>> m_log; // what has been overwritten, the last at the end
+  std::vector<std::pair<Index, typename Base::Halfedge>>
+      m_log; // halfedges before they were overwritten, the last at the end
 };
 
 /// A path of segments, each along a halfedge, open or closed, as a linked list. Where several segments run along one
@@ -96,7 +97,7 @@ public:
   Index next(Index segment) const { return m_segments[segment].next; }
   Index previous(Index segment) const { return m_segments[segment].previous; }
   bool is_removed(Index segment) const { return m_segments[segment].halfedge == no_index; }
-  /// How often what follows the segment has changed.
+  /// How often the next segment has changed.
   Index version(Index segment) const { return m_segments[segment].version; }
 
   /// Makes `second`, or nothing, follow `first`, or nothing.
@@ -224,7 +225,7 @@ template <class Surface>
 class Edge_flip_shortening
 {
 public:
-  /// A bend is taken for straight if the angle on either side is at least pi less this, in radians.
+  /// A bend counts as straight if the angle on either side is at least pi less this, in radians.
   static constexpr double angle_tolerance = 1e-5;
   /// A closed curve has collapsed when it is shorter than this part of its first length.
   static constexpr double collapsed_part = 0.15;
@@ -382,7 +383,7 @@ private:
     return Surface::face(m_triangulation.input_halfedge(halfedge)) >= m_number_of_faces;
   }
 
-  /// The angle behind `segment` on one side, or a part of it that is no bend any more; endless over closed faces.
+  /// The angle behind `segment` on one side, or a part of it that is not a bend any more; endless over closed faces.
   double angle_behind(Index segment, bool is_left)
   {
     const auto [first, last] = sides(segment, is_left);

@@ -17,9 +17,9 @@
 
 namespace CSCD {
 
-/// Keeps every cut point and its path to the root of the tree: what remains when leaves that are no cut points are
-/// removed until there are none left. No cut point is missed, but false ones far away keep their paths too.
-/// `Growing_policy` is the other choice.
+/// Keeps every cut point and its path to the root of the tree: other leaves are removed again and again until all
+/// leaves are cut points. No cut point is missed, but false ones far away keep their paths too. `Growing_policy` is the
+/// other choice.
 struct Pruning_policy
 {
   /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their paths to the root; linear.
@@ -34,8 +34,8 @@ struct Pruning_policy
   }
 };
 
-/// Keeps what can be reached from the root of the tree through cut points. Noise elsewhere does no harm, but one vertex
-/// that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
+/// Keeps the vertices that can be reached from the root of the tree through cut points. Noise elsewhere does no harm,
+/// but one vertex that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
 struct Growing_policy
 {
   /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.

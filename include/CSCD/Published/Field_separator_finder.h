@@ -170,7 +170,7 @@ private:
 struct Field_search_result
 {
   Search_outcome outcome = Search_outcome::no_cut;
-  /// `found`, or why there is no cut.
+  /// `found`, or the reason why there is none.
   Cut_loop_outcome loop = Cut_loop_outcome::no_cut_point;
   /// Where a loop was found, how its shortening ended; `collapsed` otherwise.
   Shortening_outcome shortening = Shortening_outcome::collapsed;

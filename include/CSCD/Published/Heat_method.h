@@ -54,7 +54,7 @@ struct alignas(size * sizeof(double)) Simd_pack
 class Interleaved_solver
 {
 public:
-  /// Factors `matrices`, of which the lower triangles are read.
+  /// Factors `matrices`. Only their lower triangles are read.
   /// \pre they are not empty, and have the same size and pattern
   /// \throw Input_error if one of them is not positive definite within rounding; the message is `message`
   Interleaved_solver(const std::vector<Eigen::SparseMatrix<double>>& matrices, const std::string& message)
@@ -358,7 +358,7 @@ private:
     }
   }
 
-  /// Takes a face out of those lanes in which its heat is too little.
+  /// Takes a face out of the lanes where it has too little heat.
   void leave_lanes(const Face& face, Flow<typename Row::Array>& result)
   {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -403,7 +403,7 @@ private:
     advance_zones();
   }
 
-  /// Makes `known` what has enough heat now, and `done` what was known.
+  /// Marks vertices that have enough heat now as `known`, and those that were `known` as `done`.
   void advance_zones()
   {
     for (std::size_t i = 0; i < m_heat.size(); ++i) {
@@ -509,8 +509,8 @@ private:
 ///
 /// On Delaunay triangulations a distance is exact to a few tenths of an edge where the surface is smooth, and rounded
 /// off over two or three edges on ridges, where shortest paths from different sides meet. Other triangulations should
-/// be made Delaunay first. Distances of any number of edges are right. All members are const and may be called by
-/// several threads at once, each with its own workspace. Copies share what is factored.
+/// be made Delaunay first. Accuracy does not degrade with distance. All members are const and may be called by
+/// several threads at once, each with its own workspace. Copies share the factors.
 class Heat_method
 {
 public:
@@ -538,8 +538,8 @@ public:
   }
 
   /// Computes the distance of every vertex from the nearest one of `sources`, in the unit of the lengths: 0 at vertices
-  /// that are sources, infinite on components without a source. Close to several sources, or to one inside a face,
-  /// values may be a little below 0. Near linear in the number of vertices.
+  /// that are sources, infinite on components without a source, single vertices among them. Close to several sources,
+  /// or to one inside a face, values may be a little below 0. Near linear in the number of vertices.
   void operator()(const std::vector<Geodesic_source>& sources, std::vector<double>& distances,
                   Workspace& workspace) const
   {
@@ -587,7 +587,7 @@ private:
 };
 
 /// Estimates the distance of every vertex from the nearest one of `sources` by the heat method, for callers that ask
-/// once; infinite on components without a source. O(n^1.5), and usually nearly linear.
+/// once; infinite on components without a source, single vertices among them. O(n^1.5), and usually nearly linear.
 /// \tparam Triangulation Delaunay; see `Cotangent_elements`
 /// \throw Input_error if the equations cannot be factored
 template <class Triangulation>

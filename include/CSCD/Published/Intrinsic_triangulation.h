@@ -121,7 +121,7 @@ public:
     const Point end = unfold(triangulation, corner);
     const auto side_of_line = [&end](const Point& p) { return end.x() * p.y() - end.y() * p.x(); };
     for (std::size_t i = 0; i < m_crossings.size(); ++i) {
-      // The origin lies on the right of the line, the target on the left, but for rounding.
+      // The origin lies on the right of the line, the target on the left, except for rounding.
       const double right = side_of_line(m_sides[i].origin);
       const double left = side_of_line(m_sides[i].target);
       const double position = left > right ? -right / (left - right) : 0.5;
@@ -187,7 +187,7 @@ inline Normal_coordinate crossings_of(Normal_coordinate coordinate)
 }
 
 /// The curves that pass through a triangle, by the corner that they belong to; the corners are the origins of the
-/// first, second and third side. Curves are disjoint but for their ends and never cross a side twice in turn, hence
+/// first, second and third side. Curves are disjoint except for their ends and never cross a side twice in turn, hence
 /// those in a triangle either go round a corner, from one of its sides to the other, or emanate from one
 /// (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing, 2021, section 3).
 struct Triangle_curves
@@ -360,7 +360,7 @@ public:
   /// \name Relation to the input
   /// @{
   const Triangulation& input() const { return *m_input; }
-  /// What was added to the length of every input edge.
+  /// The length that was added to every input edge.
   double added_length() const { return m_added_length; }
   /// Whether the edge runs along an edge of the input.
   bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
@@ -409,7 +409,7 @@ public:
     return is_border(halfedge) || opposite_angles(halfedge) <= pi + delaunay_tolerance;
   }
 
-  /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi but for rounding.
+  /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi up to rounding.
   /// Near linear in practice. \return the number of flips
   std::size_t make_delaunay()
   {
@@ -517,7 +517,7 @@ private:
     m_halfedges[t_previous] = {l, h_previous, leaving_corner(h, h_next, coordinate), coordinate, new_length};
   }
 
-  /// Moves two halfedges at a time, each of which may be the twin of the other.
+  /// Moves two halfedges at a time. They may be twins of each other.
   void move_two(Index from_1, Index to_1, Index from_2, Index to_2)
   {
     const auto moved = [&](Index halfedge) { return halfedge == from_1 ? to_1 : halfedge == from_2 ? to_2 : halfedge; };

@@ -259,7 +259,7 @@ double vertex_radius(const Triangulation& /* surface */, Index /* vertex */)
 {
   return 0;
 }
-/// Moves into the body what is outside, and counts the rest.
+/// Moves nodes and edges into the body, and counts those that stay outside.
 template <class Surface>
 void finish_skeleton(const Surface& surface, const Separator_regions& /* regions */, Skeleton_builder& builder,
                      Skeletonization_report& report)
@@ -276,7 +276,7 @@ void finish_skeleton(const Surface& surface, const Separator_regions& /* regions
 }
 /// Builds the skeleton whose nodes are the regions of the packed separators: at their centroids by area (Alg. 2, lines
 /// 13 and 14), joined where regions touch.
-/// \tparam Surface a model of `SkeletonizationSurface`, or what has the overloads above, found by its namespace
+/// \tparam Surface a model of `SkeletonizationSurface`, or a type with the overloads above, found by its namespace
 template <class Surface>
 class Quotient_skeleton_builder
 {
@@ -444,7 +444,7 @@ public:
     return result;
   }
 
-  /// What is at least `distance` from the separator, with distances from there.
+  /// The vertices that are at least `distance` from the separator, with distances from there.
   Limb_end beyond(double distance) const
   {
     Limb_end result;
@@ -455,7 +455,7 @@ public:
     }
     return result;
   }
-  /// What is nearer to it than `distance`.
+  /// The vertices that are nearer to it than `distance`.
   Limb_end below(double distance) const
   {
     Limb_end result;
@@ -574,7 +574,7 @@ private:
   /// A band may be so much wider than the radius before: its vertices are farther from its middle along the limb, too.
   static constexpr double max_thickening = 1.5;
 
-  /// A side of a separator, beyond which there is no other.
+  /// A side of a separator without another separator beyond it.
   struct Side
   {
     Index region;

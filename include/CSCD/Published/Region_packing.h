@@ -148,8 +148,8 @@ public:
   {
   }
 
-  /// Judges `separator` and sets `weight`, above 0 for a good one and 0 for others; but for `shortness` it is at
-  /// most 1.
+  /// Judges `separator` and sets `weight`, above 0 for a good one and 0 for others; except with `shortness` it is
+  /// at most 1.
   Verdict operator()(const Separator& separator, double& weight)
   {
     weight = 0;
@@ -324,7 +324,7 @@ public:
     std::sort(m_others.begin(), m_others.end());
     return m_others;
   }
-  /// Whether `separator` is no simple curve.
+  /// Whether `separator` is not a simple curve.
   bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
 
 private:

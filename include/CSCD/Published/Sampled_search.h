@@ -108,7 +108,7 @@ private:
   boost::random::mt19937 m_generator;
 };
 
-/// Sources whose distances are solved for together, and what is found from them.
+/// Sources whose distances are solved for together, and the results of their searches.
 struct Source_group
 {
   std::vector<Index> sources; ///< vertices of the finest surface
@@ -204,7 +204,7 @@ public:
 
 private:
   /// Vertices of a level from which on there is no use in a coarser one: solves take little time, and estimated
-  /// distances need edges that are short beside the limbs.
+  /// distances need edges that are short compared with the limbs.
   static constexpr Index coarsest_size = 6000;
 
   const Surface_levels& m_levels;

@@ -115,7 +115,7 @@ public:
 
   /// The direction of `halfedge` in the frame of its origin, in radians.
   double direction_at_origin(Index halfedge) const { return m_direction[halfedge]; }
-  /// The direction in which `halfedge` comes in: that of its twin, in the frame of its target.
+  /// The direction of the twin of `halfedge`, in the frame of its target.
   double direction_at_target(Index halfedge) const
   {
     const Index twin = m_triangulation.twin(halfedge);
@@ -417,7 +417,7 @@ private:
   std::vector<Complex> m_transport; // of every halfedge
 };
 
-/// What is needed to differentiate functions on a point complex, prepared once: gradients by least squares over the
+/// Differentiates functions on a point complex, prepared once: gradients by least squares over the
 /// immediate neighbors, and the Laplacian of the finite elements that the heat method uses.
 class Point_derivatives
 {
