@@ -11,7 +11,6 @@
 #include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_polylines.h>
 #include <CSCD/Measure/split_into_branches.h>
-#include <CSCD/Published/Cut_locus_graph.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_cut_locus.h>
 

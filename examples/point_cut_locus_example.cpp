@@ -8,7 +8,6 @@
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_polylines.h>
-#include <CSCD/Published/Cut_locus_graph.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -4,5 +4,5 @@
 // Distances along surfaces and cut loci, compiled once.
 
 #include <CSCD/Published/Cut_locus_extraction_impl.h>
-#include <CSCD/Published/Heat_method_impl.h>
+#include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Prepared_distances_impl.h>

@@ -14,7 +14,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Published/Separator_shortening.h>
+#include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published_policies.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
@@ -221,15 +221,6 @@ TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
   expect_two_cycles_of_two_handles(settings);
 }
 
-TEST(Published_policies, work_on_the_edges_of_the_mesh)
-{
-  CSCD::Field_search_settings settings;
-  settings.is_intrinsic = false;
-  EXPECT_EQ(count_tips_of_limbs(settings), 3u);
-  settings.cut_locus_rule = CSCD::Cut_locus_rule::tree;
-  expect_two_cycles_of_two_handles(settings);
-}
-
 TEST(Published_policies, find_no_target_where_no_vertex_passes_the_thresholds)
 {
   const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
@@ -247,7 +238,7 @@ TEST(Published_policies, find_no_target_where_no_vertex_passes_the_thresholds)
 TEST(Published_policies, work_as_printed)
 {
   CSCD::Field_search_settings settings = CSCD::Field_search_settings::literal();
-  for (const CSCD::Weight_rule rule : {CSCD::Weight_rule::balance_and_roundness, CSCD::Weight_rule::none}) {
+  for (const CSCD::Weight_rule rule : {CSCD::Weight_rule::balance_and_roundness, CSCD::Weight_rule::shortness}) {
     settings.weight_rule = rule;
     EXPECT_GE(count_tips_of_limbs(settings), 3u);
     expect_two_cycles_of_two_handles(settings);
@@ -268,7 +259,7 @@ TEST(Published_policies, pack_the_shortest_first_where_length_is_the_weight)
     skeletonization.pack_separators();
     return skeletonization.separators()[skeletonization.packed_separators().front()].length;
   };
-  EXPECT_LT(length_of_first(CSCD::Weight_rule::shortness), length_of_first(CSCD::Weight_rule::none));
+  EXPECT_LT(length_of_first(CSCD::Weight_rule::shortness), length_of_first(CSCD::Weight_rule::balance_and_roundness));
 }
 
 TEST(Published_policies, place_nodes_in_sections)

@@ -129,8 +129,20 @@ TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_du
   const std::vector<double> distances = distances_from(to_cgal_points(triples), 3);
   EXPECT_EQ(0, distances.back());
   for (std::size_t i = 0; i < 2 * number; ++i) {
-    EXPECT_EQ(i < number, distances[i] < infinity) << i;
+    EXPECT_EQ(i < number, std::isfinite(distances[i])) << i;
+    EXPECT_EQ(i >= number, distances[i] == infinity) << i;
   }
+}
+
+TEST(estimate_geodesic_distances_on_points, is_infinite_at_outliers)
+{
+  Points points = to_cgal_points(points_on_sphere(1000, 1));
+  points.emplace_back(20, 0, 0);
+  points.emplace_back(0, -20, 7);
+  const std::vector<double> distances = distances_from(points, 5);
+  EXPECT_EQ(std::count_if(distances.begin(), distances.end(), [](double d) { return std::isfinite(d); }), 1000);
+  EXPECT_EQ(distances[1000], infinity);
+  EXPECT_EQ(distances[1001], infinity);
 }
 
 TEST(Point_set_distance_estimator, estimates_from_each_of_many_sets_as_from_one)

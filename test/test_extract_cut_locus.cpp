@@ -7,7 +7,7 @@
 #include "support/convert_shape.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
-#include <CSCD/Published/Cut_locus_graph.h>
+#include <CSCD/Published/Cut_locus_extraction.h>
 #include <CSCD/Published/Cut_tree.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_cut_locus.h>
@@ -304,7 +304,7 @@ TEST(extract_cut_locus, takes_distances_as_they_are)
   }
   Graph graph;
   const Vertex source = nearest_vertex(sphere, {0, 0, 1});
-  CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance).number_of_iterations(0));
+  CSCD::extract_cut_locus(mesh, source, graph, parameters::distance_map(distance));
   ASSERT_EQ(num_vertices(graph), 1u);
   EXPECT_NEAR(graph[0].point.z(), -1, 1e-2);
   EXPECT_FLOAT_EQ(float(graph[0].distance), float(std::acos(std::clamp(graph[0].point.z(), -1., 1.))));

@@ -7,8 +7,8 @@
 #include "support/convert_shape.h"
 #include "support/sampling.h"
 #include "support/shapes.h"
-#include <CSCD/Published/Cut_locus_graph.h>
-#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Cut_locus_extraction.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -183,18 +183,11 @@ TEST(extract_cut_locus_from_points, holds_its_nearest_points_and_their_distances
   const std::vector<Triple> points = CSCD::test::sampled(CSCD::test::y_tube(0.2), 3000, 1);
   const std::vector<Point> range = to_range(points);
   Graph graph;
-  CSCD::extract_cut_locus(range, 7, graph, parameters::number_of_iterations(0));
+  CSCD::extract_cut_locus(range, 7, graph);
   ASSERT_GT(num_vertices(graph), 10u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     EXPECT_LT(CGAL::squared_distance(graph[v].point, range[graph[v].location]), 1e-10);
     EXPECT_GT(graph[v].distance, 0);
-  }
-  Graph smoothed;
-  CSCD::extract_cut_locus(range, 7, smoothed);
-  ASSERT_EQ(num_vertices(smoothed), num_vertices(graph));
-  for (const auto v : boost::make_iterator_range(vertices(smoothed))) {
-    const Triple p = CSCD::test::to_triple(smoothed[v].point);
-    EXPECT_LT(CSCD::test::norm(p - points[smoothed[v].location]), 0.3);
   }
 }
 
@@ -263,8 +256,7 @@ TEST(extract_cut_locus_from_points, takes_distances_as_they_are)
   }
   const auto map = CGAL::make_property_map(distances);
   Graph graph;
-  CSCD::extract_cut_locus(to_range(points), 0, graph,
-                          parameters::distance_map(map).number_of_iterations(0).angle_threshold(pi / 3));
+  CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map).angle_threshold(pi / 3));
   ASSERT_GE(num_vertices(graph), 1u);
   for (const auto v : boost::make_iterator_range(vertices(graph))) {
     EXPECT_LT(CSCD::test::norm(CSCD::test::to_triple(graph[v].point) - Triple{0, 0, -1}), 4 * samples.edge);
@@ -288,7 +280,7 @@ TEST(extract_cut_locus_from_points, takes_point_sets_with_normals)
   using Set_graph = CSCD::Point_cut_locus_graph<Point, CGAL::Point_set_3<Point>::Index>;
   Set_graph graph;
   const auto source = *(points.begin() + 5);
-  CSCD::extract_cut_locus(points, source, graph, parameters::number_of_iterations(0));
+  CSCD::extract_cut_locus(points, source, graph);
   ASSERT_GE(num_vertices(graph), 1u);
   EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, points.point(graph[0].location))), 1e-5);
   EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, CGAL::ORIGIN + (CGAL::ORIGIN - points.point(source)))),

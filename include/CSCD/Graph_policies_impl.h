@@ -7,9 +7,10 @@
 #define CSCD_GRAPH_POLICIES_IMPL_H
 
 #include <CSCD/Graph/Graph_separator_finder.h>
+#include <CSCD/Graph/graph_regions.h>
 #include <CSCD/Graph_policies.h>
-#include <CSCD/Published/Separator_overlaps.h>
-#include <CSCD/Published/build_quotient_skeleton.h>
+#include <CSCD/Published/Quotient_skeleton.h>
+#include <CSCD/Published/Region_packing.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/parallel.h>
 
@@ -135,7 +136,7 @@ CSCD_INLINE Graph_policies::Packing Graph_policies::pack_separators(const Spatia
     }
     weights.push_back(finder.evenness(vertices));
   }
-  const internal::Separator_overlaps overlaps(graph, separators, std::vector<std::uint8_t>(separators.size(), 0));
+  internal::Separator_overlaps overlaps(graph, separators, std::vector<std::uint8_t>(separators.size(), 0));
   return Packing(graph, separators, internal::pack_by_overlap(overlaps, weights));
 }
 

@@ -10,10 +10,9 @@
 #include <CSCD/Options.h>
 #include <CSCD/Points/Point_solid.h>
 #include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Published/Region_sections.h>
 #include <CSCD/Published/Sampled_search.h>
-#include <CSCD/Published/build_quotient_skeleton.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
@@ -45,11 +44,12 @@ public:
   static constexpr std::size_t default_number_of_sources = 3000;
 
   /// \param settings how sources are drawn, targets chosen, loops shortened and separators packed
-  /// \pre for `Point_solid` no overlap by crossings; a multiscale or intrinsic search for `Triangulated_solid` only
+  /// \pre a multiscale search for `Triangulated_solid` only
   explicit Published_policies(const Field_search_settings& settings = Field_search_settings()) : m_settings(settings) {}
 
   /// Draws `settings.maximum_number_of_sources` sources. Where that has no bound, `default_number_of_sources`; fewer,
   /// but as many as the mesh has vertices, where most vertices were inserted into large faces and there are thousands.
+  /// \throw Input_error for `Point_solid` with overlap by crossings
   template <class Surface>
   std::vector<Separator> find_separators(const Surface& surface, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
@@ -93,6 +93,7 @@ std::vector<Separator> Published_policies::find_separators(const Surface& surfac
                                                            const Progress& progress) const
 {
   check_skeletonization_surface<Surface>();
+  internal::check_overlap_rule<std::decay_t<decltype(surface.triangulation())>>(m_settings.overlap_rule);
   internal::Sampled_search<Surface> search(surface, settings, m_settings);
   const bool is_bounded = settings.maximum_number_of_sources != Options().maximum_number_of_sources;
   std::vector<Separator> separators =

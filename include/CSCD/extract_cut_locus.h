@@ -8,8 +8,7 @@
 
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Published/Cut_locus_extraction.h>
-#include <CSCD/Published/Cut_locus_graph.h>
-#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
@@ -65,7 +64,7 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 /// is strongly negative and gradients run against each other; they are joined along the ORG tree, the spanning tree
 /// that follows the ridges of the distance; loops around handles are closed, so that on a closed connected surface of
 /// genus g the cut locus of one source has first Betti number 2 g, and of k sources 2 g + k - 1; branches are made one
-/// vertex wide, and short ones dropped; the result is smoothed on the surface. On a sphere it is a point.
+/// vertex wide, and short ones dropped. It runs along edges of that triangulation; on a sphere it is a point.
 /// Borders count as closed by discs. O(n log n) for n vertices, once the distances are known.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -109,11 +108,6 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.03}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how often the curves are smoothed; 0 leaves them on the edges of `mesh`}
-///     \cgalParamType{int}
-///     \cgalParamDefault{10}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \throw Input_error if `mesh` is no oriented manifold of triangles with finite coordinates, if there is no source or
@@ -124,8 +118,7 @@ void extract_cut_locus(const TriangleMesh& mesh,
                        const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>& sources,
                        Graph& cut_locus, const NamedParameters& np = parameters::default_values())
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t,
-                                   CGAL::internal_np::number_of_iterations_t, internal_np::distance_map_t,
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::distance_map_t,
                                    internal_np::laplacian_threshold_t, internal_np::angle_threshold_t,
                                    internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
   check_triangle_mesh<TriangleMesh>();

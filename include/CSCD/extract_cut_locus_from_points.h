@@ -9,8 +9,7 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Published/Cut_locus_extraction.h>
-#include <CSCD/Published/Cut_locus_graph.h>
-#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -32,7 +31,7 @@ namespace CSCD {
 /// triangles on which their neighborhoods agree; distances are those of the heat method on the tufted cover of these;
 /// points are sought at which the Laplacian of the distance is strongly negative and the gradients around run against
 /// each other, each the mean of its immediate neighborhood. They are joined along the ORG tree, branches are made one
-/// point wide, and short ones dropped; the result is smoothed near the surface. On a sphere it is a point. Unlike on a
+/// point wide, and short ones dropped. It runs from point to point; on a sphere it is a point. Unlike on a
 /// mesh, loops around handles and between sources stay open at one place each, since triangles that need not make up a
 /// surface do not say what a loop encloses. O(n log n), once the distances are known.
 ///
@@ -83,11 +82,6 @@ namespace CSCD {
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.03}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_iterations}
-///     \cgalParamDescription{how often the curves are smoothed; 0 leaves them at the points of the cloud}
-///     \cgalParamType{int}
-///     \cgalParamDefault{10}
-///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \throw Input_error if `points` do not sample a surface, if there is no source, if one is no point of the set or
@@ -98,9 +92,9 @@ void extract_cut_locus(const PointRange& points, const std::vector<Point_descrip
                        Graph& cut_locus, const NamedParameters& np = parameters::default_values())
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
-                                   CGAL::internal_np::number_of_iterations_t, internal_np::distance_map_t,
-                                   internal_np::laplacian_threshold_t, internal_np::angle_threshold_t,
-                                   internal_np::cut_locus_policy_t, internal_np::minimum_branch_length_t>();
+                                   internal_np::distance_map_t, internal_np::laplacian_threshold_t,
+                                   internal_np::angle_threshold_t, internal_np::cut_locus_policy_t,
+                                   internal_np::minimum_branch_length_t>();
   const Point_cloud cloud = internal::collect_points_of(points, np);
   const internal::Point_numbering<PointRange> numbering(points);
   if (sources.empty()) {

@@ -14,8 +14,7 @@
 #include <CSCD/Published/Cotangent_elements.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Published/Point_derivatives.h>
-#include <CSCD/Published/Tufted_cover.h>
+#include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Vector_3.h>
 
 #include <utility>

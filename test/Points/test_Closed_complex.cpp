@@ -5,8 +5,8 @@
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Points/Closed_complex.h>
 #include <CSCD/Points/Point_complex.h>
+#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>

@@ -6,7 +6,6 @@
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Handle_repair.h>
-#include <CSCD/Points/Local_handle_search.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>

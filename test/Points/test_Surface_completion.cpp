@@ -5,8 +5,8 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Points/Reconstructed_surface.h>
 #include <CSCD/Points/Surface_completion.h>
+#include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -5,7 +5,7 @@
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
-#include <CSCD/Points/orient_coherently.h>
+#include <CSCD/Points/reconstruct_surface_impl.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 

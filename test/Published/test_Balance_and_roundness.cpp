@@ -6,7 +6,7 @@
 #include "Separator/make_separator.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Published/Balance_and_roundness.h>
+#include <CSCD/Published/Region_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_levels.h>

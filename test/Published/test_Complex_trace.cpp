@@ -10,7 +10,7 @@
 #include "support/shapes.h"
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Curve_trace.h>
-#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

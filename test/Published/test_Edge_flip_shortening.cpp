@@ -9,8 +9,8 @@
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
+#include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -197,71 +197,6 @@ TEST(Edge_flip_shortening, says_that_a_loop_on_a_sphere_collapses)
   }
 }
 
-TEST(Edge_flip_shortening, straightens_a_single_kink_wherever_the_loop_begins)
-{
-  constexpr Index around = 16;
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(8, 1, around, CSCD::test::Tube_end::flat));
-  Edge_flip_shortening shorten(surface);
-  Surface_path path;
-  Vertex_loop loop = ring_with_detours(5, around, around);
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    EXPECT_EQ(shorten(halfedges(surface, loop), true, path), Shortening_outcome::straight);
-    EXPECT_NEAR(path.length, polygon_length(1, around), 1e-9);
-    expect_geodesic(surface, path, nothing_is_pinned);
-    std::rotate(loop.begin(), loop.begin() + 1, loop.end());
-  }
-}
-
-TEST(Edge_flip_shortening, finds_meridians_of_a_torus)
-{
-  constexpr Index around = 32;
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, around));
-  Edge_flip_shortening shorten(surface);
-  Surface_path path;
-  for (const bool is_reversed : {false, true}) {
-    std::vector<Index> loop = halfedges(surface, ring_with_detours(10, around, 8));
-    if (is_reversed) {
-      std::reverse(loop.begin(), loop.end());
-      std::transform(loop.begin(), loop.end(), loop.begin(), [&](Index h) { return surface.twin(h); });
-    }
-    EXPECT_EQ(shorten(loop, true, path), Shortening_outcome::straight);
-    EXPECT_NEAR(path.length, polygon_length(1, around), 1e-3 * 2 * pi);
-    expect_geodesic(surface, path, nothing_is_pinned);
-  }
-}
-
-TEST(Edge_flip_shortening, makes_straight_lines_of_open_curves)
-{
-  // Around half a tube and along it: straight where the tube is unrolled.
-  constexpr Index around = 16;
-  const Triangulated_surface surface =
-      CSCD::test::to_surface(CSCD::test::tube(8, 1, around, CSCD::test::Tube_end::flat));
-  Edge_flip_shortening shorten(surface);
-  Surface_path path;
-  for (const Index number_of_steps : {Index(3), Index(7), Index(14)}) {
-    Vertex_loop curve;
-    for (Index k = 0; k <= number_of_steps; ++k) {
-      curve.push_back(3 * around + k);
-    }
-    for (Index ring = 4; ring <= 12; ++ring) {
-      curve.push_back(ring * around + number_of_steps);
-    }
-    const std::vector<Index> before = halfedges(surface, curve, false);
-    EXPECT_EQ(shorten(before, false, path), Shortening_outcome::straight);
-    const double across = polygon_length(1, around) / double(around) * double(number_of_steps);
-    const double along = surface.point(curve.back()).x() - surface.point(curve.front()).x();
-    EXPECT_NEAR(path.length, std::hypot(across, along), 1e-9);
-    expect_geodesic(surface, path, nothing_is_pinned);
-    EXPECT_EQ(surface.origin(path.points.front().halfedge), curve.front());
-    EXPECT_EQ(surface.origin(path.points.back().halfedge), curve.back());
-    for (const Edge_crossing& point : path.points) {
-      const Vector_3 place = CSCD::internal::crossing_point(surface, point);
-      EXPECT_NEAR(std::hypot(place.y(), place.z()), 1., 0.02);
-    }
-  }
-}
-
 /// The loops of the nearest meetings of fronts from every `step`-th vertex.
 std::vector<Vertex_loop> loops_of_meetings(const Triangulated_surface& surface, Index step)
 {
@@ -406,7 +341,7 @@ TEST(Edge_flip_shortening, shortens_curves_along_the_edges_of_an_intrinsic_trian
       if (is_delaunay) {
         ASSERT_GT(triangulation.make_delaunay(), 0u);
       }
-      CSCD::internal::Edge_flip_shortening<Intrinsic_triangulation> shorten(triangulation);
+      Edge_flip_shortening shorten(triangulation);
       for (Index seed = 0; seed < surface.number_of_faces(); seed += surface.number_of_faces() / 100) {
         const std::vector<Index> border = disc_border(triangulation, seed, surface.number_of_faces() / 3);
         if (border.empty()) {
@@ -531,34 +466,6 @@ TEST(Edge_flip_shortening, gives_the_same_on_several_threads_and_with_used_objec
     Surface_path path;
     shorten(curves[i], true, path);
     ASSERT_TRUE(are_equal(path, paths[i])) << "curve " << i;
-  }
-}
-
-TEST(Edge_flip_shortening, does_not_depend_on_the_numbering)
-{
-  const Shape shape = CSCD::test::y_tube(0.15);
-  const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(shape, 7);
-  const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const Triangulated_surface other_surface = CSCD::test::to_surface(other.shape);
-  Edge_flip_shortening shorten(surface);
-  Edge_flip_shortening shorten_other(other_surface);
-  Surface_path path;
-  Surface_path other_path;
-  for (const Vertex_loop& loop : loops_of_meetings(surface, 29)) {
-    Vertex_loop other_loop;
-    for (const Index vertex : loop) {
-      other_loop.push_back(Index(other.new_number[vertex]));
-    }
-    EXPECT_EQ(shorten(halfedges(surface, loop), true, path),
-              shorten_other(halfedges(other_surface, other_loop), true, other_path));
-    EXPECT_NEAR(path.length, other_path.length, 1e-9);
-    ASSERT_EQ(path.points.size(), other_path.points.size());
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-      EXPECT_LT((CSCD::internal::crossing_point(surface, path.points[i]) -
-                 CSCD::internal::crossing_point(other_surface, other_path.points[i]))
-                    .norm(),
-                1e-7);
-    }
   }
 }
 

@@ -7,7 +7,6 @@
 #include "Surface/to_indexed_triangles.h"
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
-#include <CSCD/Published/Edge_trace.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -8,8 +8,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Point_neighborhoods.h>
-#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

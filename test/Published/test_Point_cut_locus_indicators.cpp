@@ -9,7 +9,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Cut_locus_indicators.h>
-#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

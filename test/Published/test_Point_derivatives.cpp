@@ -7,7 +7,7 @@
 #include "Published/to_surface_with_borders.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Published/Point_derivatives.h>
+#include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

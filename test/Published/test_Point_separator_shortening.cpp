@@ -9,11 +9,10 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Point_neighborhoods.h>
 #include <CSCD/Published/Curve_trace.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Published/Separator_shortening.h>
-#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/Field_separator_finder.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

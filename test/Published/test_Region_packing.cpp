@@ -7,7 +7,6 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Published/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>

@@ -8,7 +8,7 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Published/Separator_shortening.h>
+#include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -32,7 +32,7 @@ TEST(Separator_flip_shortening, cuts_a_tube_across)
   constexpr Index around = 20;
   const Triangulated_surface surface =
       CSCD::test::to_surface(CSCD::test::tube(10, 1, around, CSCD::test::Tube_end::flat));
-  CSCD::internal::Separator_flip_shortening shorten(surface);
+  CSCD::internal::Separator_flip_shortening shorten(surface, surface);
   CSCD::Separator separator;
   CSCD::Vertex_loop loop;
   // From ring 6 to ring 7 along a diagonal, and back along an edge of the tube.
@@ -58,7 +58,7 @@ TEST(Separator_flip_shortening, cuts_a_tube_across)
 TEST(Separator_flip_shortening, leaves_the_separator_alone_where_there_is_none)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(3));
-  CSCD::internal::Separator_flip_shortening shorten(surface);
+  CSCD::internal::Separator_flip_shortening shorten(surface, surface);
   CSCD::Separator separator;
   separator.length = 7;
   std::vector<Index> ring;

@@ -7,7 +7,7 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Packing/Cut_graph.h>
-#include <CSCD/Published/Separator_overlaps.h>
+#include <CSCD/Published/Region_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -33,8 +33,7 @@ class Separator_overlaps_test : public testing::Test
 protected:
   Indices others(const std::vector<Separator>& separators, Index separator) const
   {
-    const Separator_overlaps overlaps(m_tube, separators);
-    return {overlaps.others(separator).begin(), overlaps.others(separator).end()};
+    return Separator_overlaps(m_tube, separators).others(separator);
   }
 
   Triangulated_surface m_tube = CSCD::test::to_surface(CSCD::test::tube(10, 1, 24, CSCD::test::Tube_end::flat));
@@ -131,7 +130,7 @@ TEST_F(Separator_overlaps_test, tell_a_curve_that_crosses_itself)
   twice.crossings.insert(twice.crossings.end(), start, tilted.crossings.end());
   twice.crossings.insert(twice.crossings.end(), tilted.crossings.begin(), start);
   twice.crossings.insert(twice.crossings.end(), shared, straight.end());
-  const Separator_overlaps overlaps(m_tube, {tube_section(m_tube, 2), twice});
+  Separator_overlaps overlaps(m_tube, {tube_section(m_tube, 2), twice});
   EXPECT_FALSE(overlaps.crosses_itself(0));
   EXPECT_TRUE(overlaps.crosses_itself(1));
 }
@@ -142,17 +141,18 @@ TEST_F(Separator_overlaps_test, as_crossings_are_what_an_arrangement_refuses)
   for (int i = 0; i < 60; ++i) {
     separators.push_back(tube_section(m_tube, 1 + 8. * (i * 37 % 60) / 60, {1, 0.4 * (i % 5 - 2), 0.3 * (i % 3 - 1)}));
   }
-  const Separator_overlaps near(m_tube, separators);
-  const Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
+  Separator_overlaps near(m_tube, separators);
+  Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
   std::size_t number_of_near_pairs = 0;
   std::size_t number_of_meeting_pairs = 0;
   for (Index i = 0; i < separators.size(); ++i) {
     number_of_near_pairs += near.others(i).size();
+    const Indices found = meeting.others(i);
     for (Index j = 0; j < separators.size(); ++j) {
       if (j == i) {
         continue;
       }
-      const bool is_found = std::binary_search(meeting.others(i).begin(), meeting.others(i).end(), j);
+      const bool is_found = std::binary_search(found.begin(), found.end(), j);
       number_of_meeting_pairs += is_found ? 1 : 0;
       CSCD::internal::Separator_arrangement arrangement(m_tube);
       ASSERT_TRUE(arrangement.insert(i, separators[i].crossings));
@@ -167,8 +167,8 @@ TEST_F(Separator_overlaps_test, as_crossings_are_none_of_curves_side_by_side)
 {
   const std::vector<Separator> separators{tube_section(m_tube, 5.02), tube_section(m_tube, 5.04),
                                           tube_section(m_tube, 5.02)};
-  const Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
-  EXPECT_EQ(Indices(meeting.others(0).begin(), meeting.others(0).end()), Indices{2}) << "what coincides overlaps";
+  Separator_overlaps meeting = Separator_overlaps::meeting(m_tube, separators);
+  EXPECT_EQ(meeting.others(0), Indices{2}) << "what coincides overlaps";
   EXPECT_TRUE(meeting.others(1).empty());
   EXPECT_EQ(others(separators, 1), (Indices{0, 2}));
 }
@@ -191,7 +191,8 @@ class Pack_by_overlap_test : public testing::Test
 protected:
   Indices pack(const std::vector<Separator>& separators, const std::vector<double>& weights) const
   {
-    return CSCD::internal::pack_by_overlap(Separator_overlaps(m_tube, separators), weights);
+    Separator_overlaps overlaps(m_tube, separators);
+    return CSCD::internal::pack_by_overlap(overlaps, weights);
   }
 
   /// Long, and in the way of the first two.
@@ -234,7 +235,7 @@ TEST_F(Pack_by_overlap_test, packs_a_set_without_overlap_to_which_nothing_can_be
     separators.push_back(tube_section(m_tube, 1 + 8. * (i * 37 % 60) / 60, {1, 0.4 * (i % 5 - 2), 0.3 * (i % 3 - 1)}));
     weights.push_back(0.1 + 0.9 * (i * 13 % 17) / 17);
   }
-  const Separator_overlaps overlaps(m_tube, separators);
+  Separator_overlaps overlaps(m_tube, separators);
   const Indices packed = CSCD::internal::pack_by_overlap(overlaps, weights);
   const auto count_packed_others = [&](Index i) {
     const auto others = overlaps.others(i);

@@ -10,7 +10,7 @@
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
 #include <CSCD/Published/Curve_trace.h>
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Published/Separator_shortening.h>
+#include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -87,7 +87,7 @@ std::size_t compare_with_flips(const Triangulated_surface& surface, Index stride
   CSCD::internal::Geodesic_polar_coordinates front(corners, surface.number_of_vertices());
   CSCD::internal::Separator_variational_shortening<Closest_point_projection, Polygon_trace> shortening(
       surface, Closest_point_projection(surface, queries));
-  CSCD::internal::Separator_flip_shortening flip_shortening(surface);
+  CSCD::internal::Separator_flip_shortening flip_shortening(surface, surface);
   std::size_t number = 0;
   for (Index source = 0; source < surface.number_of_vertices(); source += stride) {
     CSCD::internal::Nearest_meeting meeting(surface, front, source);

@@ -12,7 +12,7 @@
 #include <CSCD/Points/build_point_complex.h>
 #include <CSCD/Published/Cotangent_elements.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Published/Tufted_cover.h>
+#include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Vector_3.h>
 
 #include <Eigen/Dense>

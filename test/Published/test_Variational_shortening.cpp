@@ -7,7 +7,6 @@
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Edge_flip_shortening.h>
-#include <CSCD/Published/Surface_projection.h>
 #include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Solid_queries.h>

@@ -12,8 +12,8 @@
 #include <CSCD/Options.h>
 #include <CSCD/Points/Point_complex.h>
 #include <CSCD/Published/Field_search_settings.h>
+#include <CSCD/Published/Quotient_skeleton.h>
 #include <CSCD/Published/Region_packing.h>
-#include <CSCD/Published/build_quotient_skeleton.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>

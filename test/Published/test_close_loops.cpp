@@ -7,10 +7,9 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Published/Cut_locus_indicators.h>
-#include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Published/Cut_tree.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Tangent_frames.h>
-#include <CSCD/Published/close_loops.h>
 #include <CSCD/Surface/Triangles.h>
 
 #include <gtest/gtest.h>

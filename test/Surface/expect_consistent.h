@@ -6,8 +6,6 @@
 #ifndef CSCD_TEST_SURFACE_EXPECT_CONSISTENT_H
 #define CSCD_TEST_SURFACE_EXPECT_CONSISTENT_H
 
-#include <CSCD/Published/Edge_trace.h>
-#include <CSCD/Published/Flat_triangle.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

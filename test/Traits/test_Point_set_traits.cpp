@@ -239,6 +239,14 @@ TEST(Point_cloud_skeleton, leads_farther_to_the_ends_of_limbs_by_sections)
   EXPECT_LT(extent(CSCD::Placement_rule::sections), 10);
 }
 
+TEST(Point_cloud_skeleton, refuses_overlap_by_crossings)
+{
+  CSCD::Field_search_settings settings;
+  settings.overlap_rule = CSCD::Overlap_rule::crossing;
+  const std::vector<Triple> points = sampled(CSCD::test::capsule(8, 1, 24), 500, 1);
+  EXPECT_THROW(skeletonize(points, 1, 1, settings), CSCD::Input_error);
+}
+
 std::vector<Triple> some_points()
 {
   return sampled(CSCD::test::double_torus(0.2), number_of_points, 1);

@@ -10,7 +10,7 @@ import re
 import sys
 
 # The order in which data flows; doc/architecture.md has a paragraph for each.
-FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "Points", "Volume", "Graph", "Published",
+FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "Points", "Volume", "Published", "Graph",
            "Traits", "", "Measure", "Tree", "Application", "IO"]
 # Headers of the top level that every folder may include. They include nothing but each other and `internal`.
 LEAVES = {"Named_parameters.h", "Options.h", "Skeleton.h", "Skeleton_graph.h", "Skeletonization_report.h",

@@ -23,7 +23,7 @@ namespace CSCD {
 /// An undirected graph whose vertices have positions: neither a surface nor anything else is made of it.
 ///
 /// Vertices at one place are one vertex; edges from a vertex to itself are left out, and all but the shortest of
-/// parallel edges. Vertices are numbered in an order that depends, but for symmetries, on the positions alone. All
+/// parallel edges. Vertices are numbered in an order that depends, except for symmetries, on the positions alone. All
 /// functions are const and may be called by several threads at once.
 class Spatial_graph
 {
@@ -38,14 +38,14 @@ public:
   /// The halfedges from a vertex, one after the other.
   using Halfedge_range = CGAL::Iterator_range<boost::counting_iterator<Index>>;
 
-  /// Makes a graph of what was read from an input; O(n log n).
+  /// Makes a graph of points and edges of an input; O(n log n).
   /// \param points of the vertices, finite
   /// \param edges between them, of lengths that are finite and not negative
   /// \param radii of what the vertices stand for, one for each point, or none
   /// \throw Input_error if there are no points, or too many
   Spatial_graph(std::vector<Vector_3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
 
-  /// \name As of a SurfaceTriangulation, but for faces
+  /// \name As of a SurfaceTriangulation, except for faces
   /// @{
 
   /// The vertices have numbers from 0.

@@ -132,6 +132,11 @@ private:
       sets.join(face[0], face[2]);
     }
     m_fragment = sets.numbers(m_number_of_fragments);
+    m_vertices_of_fragment = Compressed_rows<Index>(m_number_of_fragments, [this](const auto& add) {
+      for (Index vertex = 0; vertex < m_fragment.size(); ++vertex) {
+        add(m_fragment[vertex], vertex);
+      }
+    });
     m_groups = Disjoint_sets(m_number_of_fragments);
     m_members.resize(m_number_of_fragments);
     for (Index fragment = 0; fragment < m_number_of_fragments; ++fragment) {
@@ -232,11 +237,9 @@ private:
   void turn(Index fragment)
   {
     m_is_turned[fragment] ^= 1;
-    for (Index vertex = 0; vertex < m_fragment.size(); ++vertex) {
-      if (m_fragment[vertex] == fragment) {
-        std::swap(m_next[vertex], m_previous[vertex]);
-        m_normal[vertex] = -m_normal[vertex];
-      }
+    for (const Index vertex : m_vertices_of_fragment[fragment]) {
+      std::swap(m_next[vertex], m_previous[vertex]);
+      m_normal[vertex] = -m_normal[vertex];
     }
   }
 
@@ -473,6 +476,7 @@ private:
   std::vector<char> m_is_turned;             // of every fragment
   std::vector<char> m_is_visited;
   std::vector<char> m_is_removed; // of every face
+  Compressed_rows<Index> m_vertices_of_fragment;
   Compressed_rows<Index> m_faces_of_vertex;
   std::vector<std::array<Index, 3>> m_bands;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nearest neighbors among points.
+// Nearest neighbors among points, points within a fixed distance, and the thinning of points.
 
 #ifndef CSCD_POINTS_NEIGHBOR_TABLE_H
 #define CSCD_POINTS_NEIGHBOR_TABLE_H
@@ -18,8 +18,10 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CSCD::internal {
@@ -178,6 +180,157 @@ private:
   std::vector<Index> m_neighbors;
   std::vector<double> m_distances;
 };
+
+/// Points in the cells of a grid, for queries of all within a radius that is the same for all queries. Unlike a search
+/// tree it can grow, and takes a tenth of the time where few points are within the radius.
+class Point_grid
+{
+public:
+  /// \param radius positive, at least 2^-60 of the coordinates
+  explicit Point_grid(double radius) : m_radius(radius) {}
+  Point_grid(double radius, const std::vector<Vector_3>& points) : Point_grid(radius)
+  {
+    for (const Vector_3& point : points) {
+      insert(point);
+    }
+  }
+
+  /// Adds a point, and numbers it by the number of those before; constant amortized time.
+  void insert(const Vector_3& point)
+  {
+    if (m_entries.size() == m_first.size()) {
+      grow();
+    }
+    m_entries.push_back({point, cell_of(point, 0), no_index});
+    link(Index(m_entries.size() - 1));
+  }
+
+  Index size() const { return Index(m_entries.size()); }
+  const Vector_3& point(Index index) const { return m_entries[index].point; }
+
+  /// Calls `use(index, squared_distance)` for all points within the radius; linear in the number of points in eight
+  /// cells that are twice as wide as it.
+  template <class Use>
+  void for_each_near(const Vector_3& query, const Use& use) const
+  {
+    const Cell least = cell_of(query, -m_radius); // the ball meets at most two cells in each direction
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      const Cell cell{least[0] + (corner & 1U), least[1] + (corner >> 1U & 1U), least[2] + (corner >> 2U)};
+      for (Index index = m_first[bucket(cell)]; index != no_index; index = m_entries[index].next) {
+        const Entry& entry = m_entries[index];
+        const double squared_distance = (entry.point - query).squaredNorm();
+        if (squared_distance <= m_radius * m_radius && entry.cell == cell) {
+          use(index, squared_distance);
+        }
+      }
+    }
+  }
+
+private:
+  using Cell = std::array<std::int64_t, 3>;
+
+  struct Entry
+  {
+    Vector_3 point;
+    Cell cell;
+    Index next; // in the same bucket
+  };
+
+  Cell cell_of(const Vector_3& point, double shift) const
+  {
+    Cell result{};
+    for (std::size_t axis = 0; axis < result.size(); ++axis) {
+      result[axis] = std::int64_t(std::floor((point[axis] + shift) / (2 * m_radius)));
+    }
+    return result;
+  }
+
+  std::size_t bucket(const Cell& cell) const
+  {
+    // The primes of Teschner et al., Optimized spatial hashing for collision detection of deformable objects (2003).
+    const std::uint64_t key =
+        std::uint64_t(cell[0]) * 73856093U ^ std::uint64_t(cell[1]) * 19349663U ^ std::uint64_t(cell[2]) * 83492791U;
+    return std::size_t(key) & (m_first.size() - 1);
+  }
+
+  void link(Index index)
+  {
+    Index& first = m_first[bucket(m_entries[index].cell)];
+    m_entries[index].next = first;
+    first = index;
+  }
+
+  void grow()
+  {
+    m_first.assign(2 * m_first.size(), no_index);
+    for (Index index = 0; index < m_entries.size(); ++index) {
+      link(index);
+    }
+  }
+
+  double m_radius;
+  std::vector<Entry> m_entries;
+  std::vector<Index> m_first = std::vector<Index>(64, no_index); // of every bucket; their number is a power of two
+};
+
+/// Those of `points`, in their order, that are farther than `radius` from all that were chosen before.
+/// \param step only every so many of the points are looked at
+inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radius, std::size_t step = 1)
+{
+  std::vector<Index> result;
+  Point_grid grid(radius);
+  for (std::size_t point = 0; point < points.size(); point += step) {
+    bool is_free = true;
+    grid.for_each_near(points[point], [&](Index, double) { is_free = false; });
+    if (is_free) {
+      grid.insert(points[point]);
+      result.push_back(Index(point));
+    }
+  }
+  return result;
+}
+
+/// The number of points that are no nearer to each other than a radius, times its square, relative to the area: that of
+/// a random sequential choice.
+inline constexpr double packing_density = 0.69;
+
+/// The root of the mean squared distance of `points` from their centroid.
+inline double root_mean_square_distance(const std::vector<Vector_3>& points)
+{
+  const auto number = double(points.size());
+  Vector_3 centroid = Vector_3::Zero();
+  for (const Vector_3& point : points) {
+    centroid += point / number;
+  }
+  double mean_square = 0;
+  for (const Vector_3& point : points) {
+    mean_square += (point - centroid).squaredNorm() / number;
+  }
+  return std::sqrt(mean_square);
+}
+
+/// The area that points cover, estimated from some 2000 balls around them: noise that is less than their radius, and a
+/// few points that are far away, hardly count. Does not depend on the pose. Linear.
+inline double estimate_area(const std::vector<Vector_3>& points)
+{
+  constexpr double number_of_balls = 2000;
+  constexpr std::size_t sample = 50000;    // points from which it is estimated, about
+  constexpr int max_number_of_trials = 40; // of radii; stops the search where no radius leaves as many balls
+  constexpr double first_radius = 0.05;    // relative to the mean distance of the points from their centroid
+  const double target = std::min(number_of_balls, double(points.size()) / 4);
+  const std::size_t step = std::max<std::size_t>(1, points.size() / sample);
+  double radius = first_radius * root_mean_square_distance(points);
+  double area = 0;
+  for (int i = 0; i < max_number_of_trials; ++i) {
+    const auto number = double(thin(points, radius, step).size());
+    area = number * radius * radius / packing_density;
+    if (number > target / 1.5 && number < target * 1.5) {
+      break;
+    }
+    radius *= std::sqrt(number / target);
+  }
+  return area;
+}
 
 } // namespace CSCD::internal
 

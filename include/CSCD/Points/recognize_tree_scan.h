@@ -6,7 +6,7 @@
 #ifndef CSCD_POINTS_RECOGNIZE_TREE_SCAN_H
 #define CSCD_POINTS_RECOGNIZE_TREE_SCAN_H
 
-#include <CSCD/Points/Point_grid.h>
+#include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/principal_axes.h>
 

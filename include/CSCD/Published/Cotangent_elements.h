@@ -6,7 +6,7 @@
 #ifndef CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
 #define CSCD_PUBLISHED_COTANGENT_ELEMENTS_H
 
-#include <CSCD/Published/Flat_triangle.h>
+#include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -22,7 +22,7 @@
 namespace CSCD::internal {
 
 /// A triangle in the plane, counterclockwise: corner 0 at the origin, corner 1 at (`base`, 0), corner 2 at (`apex_x`,
-/// `apex_y`). This is the frame in which vectors in a face are given, so that a face needs no points in space.
+/// `apex_y`). Vectors in a face are given in this frame, so that a face needs no points in space.
 struct Face_layout
 {
   double base = 0;   ///< positive

@@ -7,7 +7,7 @@
 #define CSCD_PUBLISHED_CURVE_TRACE_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Published/Surface_projection.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -30,7 +30,7 @@ class Polygon_trace
 public:
   /// Sides of the polygon should be about half as long as edges, so that a side crosses few of them.
   static constexpr std::size_t samples_per_edge = 2;
-  /// Whether the curve is taken for the polygon of its crossings.
+  /// Whether the curve is the polygon of its crossings.
   static constexpr bool is_polygon_of_crossings = true;
 
   explicit Polygon_trace(const Triangulated_surface& surface) : m_surface(surface) {}
@@ -122,7 +122,7 @@ class Complex_trace
 public:
   /// Sides of the polygon may be as long as edges.
   static constexpr std::size_t samples_per_edge = 1;
-  /// Whether the curve is taken for the polygon of its crossings.
+  /// Whether the curve is the polygon of its crossings.
   static constexpr bool is_polygon_of_crossings = false;
 
   /// \param complex is referred to and must outlive this object
@@ -177,7 +177,7 @@ private:
   /// The feet of the ends of a crossed edge are not farther from each other than twice its length, by the triangle
   /// inequality; along the curve, a little more.
   static constexpr double longest_way = 3;
-  /// So much of a curve may lead over holes, relative to its length: those are narrow beside the limb.
+  /// So much of a curve may lead over holes, relative to its length: those are narrow compared with the limb.
   static constexpr double max_gap_share = 0.25;
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 1e-6;

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cut loci in flat arrays, of surfaces and of point clouds.
+// The graphs that hold a cut locus, and cut loci in flat arrays, of surfaces and of point clouds.
 
 #ifndef CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_H
 #define CSCD_PUBLISHED_CUT_LOCUS_EXTRACTION_H
 
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Published/Cut_locus_settings.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -15,11 +15,50 @@
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 
+#include <boost/graph/adjacency_list.hpp>
+
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CSCD {
+
+/// A point of a cut locus.
+/// \tparam Point the point type of the input
+/// \tparam Location what identifies the place of the point in the input, see `Cut_locus_graph` and
+///         `Point_cut_locus_graph`
+template <class Point, class Location>
+struct Cut_locus_vertex
+{
+  /// Position, on the surface, or near it if that is given by points.
+  Point point{};
+  /// The same, in terms of the input.
+  Location location{};
+  /// Distance from the source along the surface, in the unit of the input.
+  double distance = 0;
+};
+
+/// A cut locus on a triangle mesh: a graph on the surface. Its edges are straight segments between points that are near
+/// each other. A location is a face and barycentric coordinates in it, a `Face_location` as CGAL's Polygon Mesh
+/// Processing has it: in the order of the source of the face's halfedge, its target, and the target of the next one.
+/// \tparam FaceDescriptor the `face_descriptor` of the mesh
+template <class Point, class FaceDescriptor>
+using Cut_locus_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS,
+                          Cut_locus_vertex<Point, std::pair<FaceDescriptor, std::array<double, 3>>>>;
+
+/// A cut locus on a point set: a graph near the surface. Its edges are straight segments between points that are near
+/// each other. A location is the nearest point of the set.
+/// \tparam PointDescriptor what identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
+///         iteration
+template <class Point, class PointDescriptor = std::size_t>
+using Point_cut_locus_graph =
+    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Cut_locus_vertex<Point, PointDescriptor>>;
+
+} // namespace CSCD
 
 namespace CSCD::internal {
 
@@ -51,7 +90,7 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
 /// location of a vertex is the nearest point of the cloud.
 /// \param sources numbers of points of the input, of which `cloud` holds the different ones
 /// \param distances of all points of the cloud; none if they are to be estimated
-/// \throw Input_error if the points are no surface, or a source is not on it
+/// \throw Input_error if the points do not sample a surface, or a source is not on it
 CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_cloud& cloud,
                                                                    const std::vector<std::size_t>& sources,
                                                                    std::vector<double>&& distances,

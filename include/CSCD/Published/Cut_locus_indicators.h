@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Laplacian and gradient angle of a distance field, by which cut points are recognized.
+// Laplacian and gradient angle of a distance field: they show which vertices are cut points.
 
 #ifndef CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
 #define CSCD_PUBLISHED_CUT_LOCUS_INDICATORS_H
 
-#include <CSCD/Published/Cut_locus_settings.h>
-#include <CSCD/Published/Point_derivatives.h>
+#include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Vector_3.h>
 
@@ -30,7 +29,7 @@ struct Gradient_sample
   std::complex<double> gradient;  ///< of length 1
 };
 
-/// What is around one vertex, counterclockwise.
+/// The samples around one vertex, counterclockwise.
 using Gradient_samples = boost::container::small_vector<Gradient_sample, 16>;
 
 inline double dot(const std::complex<double>& a, const std::complex<double>& b)
@@ -62,7 +61,7 @@ inline double max_convergence(const Gradient_samples& samples)
   return std::acos(std::clamp(min_cosine, -1., 1.));
 }
 
-/// What does not depend on how derivatives are computed: which vertices are points of the cut locus.
+/// Decides which vertices are points of the cut locus, however derivatives are computed.
 /// \tparam Derived has the members `laplacian(vertex)`, `collect_samples(vertex, samples)` and
 ///         `collect_samples(vertex, gradients, samples)`
 template <class Derived>

@@ -1,24 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a distance field to the closed curve around the limb of its source.
+// From a distance field to the closed curve around the limb of its source (algorithms 3 and 4).
 
 #ifndef CSCD_PUBLISHED_CUT_LOOP_FINDER_H
 #define CSCD_PUBLISHED_CUT_LOOP_FINDER_H
 
-#include <CSCD/Published/Descent.h>
+#include <CSCD/Published/Cut_locus_indicators.h>
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Published/incoming_directions.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
 
 #include <CGAL/assertions.h>
 
+#include <boost/container/small_vector.hpp>
+#include <boost/math/constants/constants.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <complex>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -26,13 +32,293 @@
 
 namespace CSCD::internal {
 
+/// Traces paths along edges to the source, each step to the nearest neighbor (supplement, Alg. 4). Unlike there, a step
+/// must lead down. Where none does, the path continues along a shortest path to a vertex that is nearer than all
+/// before: so it has no cycle, and ends at the source whatever the field is like. One object serves one thread, and
+/// keeps working memory of the size of the surface. Paths are halfedges, each from where the one before leads to.
+/// \tparam Frames know the neighbors of a vertex: `Tangent_frames` of a surface without borders, or `Point_frames`
+template <class Frames>
+class Descent
+{
+public:
+  /// \param frames is referred to and must outlive this object
+  explicit Descent(const Frames& frames)
+      : m_frames(frames), m_front(frames.triangulation().number_of_vertices()),
+        m_step_to(frames.triangulation().number_of_vertices())
+  {
+  }
+
+  /// Lets the paths from now on cost about as much as `number_of_steps` steps in all.
+  void set_budget(std::size_t number_of_steps) { m_budget = number_of_steps; }
+  /// Whether the budget is spent; paths then end at once.
+  bool is_exhausted() const { return m_budget == 0; }
+
+  /// Appends to `path` the steps from `vertex` to `source`; no vertex is passed twice. O(k) for k steps and their
+  /// edges; O(m log m) for the m vertices around a minimum that is not a source.
+  /// \return false, with steps to somewhere, if `source` is not connected with `vertex` or the budget is spent
+  template <class Measures>
+  bool operator()(const Measures& measures, Index vertex, Index source, std::vector<Index>& path)
+  {
+    const std::size_t begin = path.size();
+    while (vertex != source) {
+      spend(1);
+      if (is_exhausted()) {
+        return false;
+      }
+      Index best = no_index;
+      double min_distance = measures.distance(vertex);
+      m_frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+        if (neighbor == source || measures.distance(neighbor) < min_distance) {
+          min_distance = neighbor == source ? -std::numeric_limits<double>::infinity() : measures.distance(neighbor);
+          best = halfedge;
+        }
+      });
+      if (best != no_index) {
+        path.push_back(best);
+        vertex = m_frames.triangulation().target(best);
+      } else {
+        ++m_number_of_minima;
+        vertex = leave_minimum(measures, vertex, source, begin, path);
+        if (vertex == no_index) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /// How often a path reached a vertex without a nearer neighbor, over all calls.
+  std::size_t number_of_minima() const { return m_number_of_minima; }
+
+private:
+  /// What a vertex costs that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
+  static constexpr std::size_t steps_per_spread_vertex = 16;
+
+  void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }
+
+  /// Spreads from the minimum `vertex` along edges until the source or a nearer vertex comes, and goes there.
+  /// \return that vertex, or `no_index` if there is none
+  template <class Measures>
+  Index leave_minimum(const Measures& measures, Index vertex, Index source, std::size_t begin, std::vector<Index>& path)
+  {
+    const double record = measures.distance(vertex);
+    m_front.clear();
+    m_front.reach(vertex, 0);
+    Index found = no_index;
+    m_front.spread([&](Index at, float way) {
+      spend(steps_per_spread_vertex);
+      if (!is_exhausted() && (at == source || measures.distance(at) < record)) {
+        found = at;
+      }
+      if (found != no_index || is_exhausted()) {
+        m_front.clear(); // ends the search
+        return;
+      }
+      m_frames.for_each_neighbor(at, [&](Index neighbor, Index halfedge) {
+        if (m_front.reach(neighbor, way + float(m_frames.length(halfedge)))) {
+          m_step_to[neighbor] = halfedge;
+        }
+      });
+    });
+    if (found != no_index) {
+      append_detour(vertex, found, begin, path);
+    }
+    return found;
+  }
+
+  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, what lies between is left
+  /// out.
+  void append_detour(Index from, Index to, std::size_t begin, std::vector<Index>& path)
+  {
+    const auto& triangulation = m_frames.triangulation();
+    m_detour.clear();
+    for (Index at = to; at != from; at = triangulation.origin(m_step_to[at])) {
+      m_detour.push_back(m_step_to[at]);
+    }
+    std::reverse(m_detour.begin(), m_detour.end());
+    for (const Index step : m_detour) {
+      const Index end = triangulation.target(step);
+      spend(path.size() - begin);
+      const auto meets = [&](Index earlier) { return triangulation.origin(earlier) == end; };
+      const auto first = path.begin() + std::ptrdiff_t(begin);
+      const auto meeting = std::find_if(first, path.end(), meets);
+      if (meeting != path.end()) {
+        path.erase(meeting, path.end());
+      } else {
+        path.push_back(step);
+      }
+    }
+  }
+
+  const Frames& m_frames;
+  Dijkstra_search m_front;
+  std::vector<Index> m_step_to; ///< the halfedge by which the front came to a vertex
+  std::vector<Index> m_detour;
+  std::size_t m_number_of_minima = 0;
+  std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
+};
+
+/// Splits the faces around a cut point into the two sides that fronts come from: the split of their cycle into two arcs
+/// with the greatest angle between the sums of unit gradients that converge.
+template <class Measures>
+class Front_sides
+{
+public:
+  using Complex = std::complex<double>;
+
+  Front_sides(const Measures& measures, Index vertex)
+  {
+    Gradient_samples samples;
+    measures.collect_samples(vertex, samples);
+    // The cycle twice, so that arcs need not wrap around.
+    boost::container::small_vector<Sum, 33> sums(1);
+    for (std::size_t i = 0; i < 2 * samples.size(); ++i) {
+      const auto& sample = samples[i % samples.size()];
+      sums.push_back({sums.back().gradient + sample.gradient, sums.back().direction + sample.direction});
+    }
+    const std::size_t size = samples.size();
+    const std::size_t stride = (size + max_samples - 1) / max_samples;
+    for (std::size_t begin = 0; begin < size; begin += stride) {
+      for (std::size_t end = begin + stride; end < begin + size && end < size; end += stride) {
+        consider(difference(sums[end], sums[begin]), difference(sums[begin + size], sums[end]));
+      }
+    }
+  }
+
+  /// Whether there are two sides.
+  explicit operator bool() const { return m_cosine <= 1; }
+  /// The direction of the gradient on one side, of length 1.
+  const Complex& gradient(std::size_t side) const { return m_gradient[side]; }
+
+private:
+  /// Faces around a vertex that are sorted into sides one by one; of more, several go together.
+  static constexpr std::size_t max_samples = 32;
+
+  struct Sum
+  {
+    Complex gradient = 0;
+    Complex direction = 0;
+  };
+
+  static Sum difference(const Sum& a, const Sum& b) { return {a.gradient - b.gradient, a.direction - b.direction}; }
+
+  void consider(const Sum& a, const Sum& b)
+  {
+    const double norms[] = {std::abs(a.gradient), std::abs(b.gradient)};
+    if (!(norms[0] > 0 && norms[1] > 0)) {
+      return;
+    }
+    const Complex gradients[] = {a.gradient / norms[0], b.gradient / norms[1]};
+    const double cosine = dot(gradients[0], gradients[1]);
+    if (cosine < m_cosine && dot(gradients[0] - gradients[1], a.direction - b.direction) < 0) {
+      m_cosine = cosine;
+      m_gradient = {gradients[0], gradients[1]};
+    }
+  }
+
+  double m_cosine = std::numeric_limits<double>::max();
+  std::array<Complex, 2> m_gradient{};
+};
+
+/// An edge of a vertex: its end and its direction.
+struct Incident_edge
+{
+  Index halfedge;  ///< from the vertex
+  double distance; ///< that of its end, from the source
+  double angle;    ///< in the frame of the vertex
+};
+
+using Incident_edges = boost::container::small_vector<Incident_edge, 16>;
+
+/// Collects the edges of `vertex`, counterclockwise.
+template <class Measures>
+void collect_incident_edges(const Measures& measures, Index vertex, Incident_edges& incident_edges)
+{
+  const auto& frames = measures.frames();
+  frames.for_each_neighbor(vertex, [&](Index neighbor, Index halfedge) {
+    incident_edges.push_back({halfedge, measures.distance(neighbor), frames.direction_at_origin(halfedge)});
+  });
+}
+
+/// The two nearest ends of `incident_edges` that are nearer than their neighbors in the ring and at least a right angle
+/// apart; null where there are none.
+inline std::array<const Incident_edge*, 2> ring_minima(const Incident_edges& incident_edges)
+{
+  const std::size_t size = incident_edges.size();
+  // Of equal ones that follow each other the first counts.
+  const auto is_nearer = [&](std::size_t a, std::size_t b) {
+    return incident_edges[a].distance < incident_edges[b].distance ||
+           (incident_edges[a].distance == incident_edges[b].distance && a < b);
+  };
+  const auto is_minimum = [&](std::size_t i) {
+    return is_nearer(i, (i + size - 1) % size) && is_nearer(i, (i + 1) % size);
+  };
+  std::array<const Incident_edge*, 2> result{};
+  for (std::size_t i = 0; i < size; ++i) {
+    if (is_minimum(i) && (result[0] == nullptr || incident_edges[i].distance < result[0]->distance)) {
+      result[0] = &incident_edges[i];
+    }
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    const double turn = std::abs(incident_edges[i].angle - result[0]->angle);
+    const bool is_apart =
+        std::min(turn, boost::math::double_constants::two_pi - turn) >= boost::math::double_constants::half_pi;
+    if (is_apart && is_minimum(i) && (result[1] == nullptr || incident_edges[i].distance < result[1]->distance)) {
+      result[1] = &incident_edges[i];
+    }
+  }
+  return result;
+}
+
+/// The edge of `incident_edges` that is closest in direction to the geodesic of the front whose distance has the
+/// gradient `gradient`.
+inline const Incident_edge* closest_to_descent(const Incident_edges& incident_edges,
+                                               const std::complex<double>& gradient)
+{
+  const auto cosine = [&](const Incident_edge& incident_edge) {
+    return -gradient.real() * std::cos(incident_edge.angle) - gradient.imag() * std::sin(incident_edge.angle);
+  };
+  const auto closest =
+      std::max_element(incident_edges.begin(), incident_edges.end(),
+                       [&](const Incident_edge& a, const Incident_edge& b) { return cosine(a) < cosine(b); });
+  return &*closest;
+}
+
+/// The edges along which to leave the cut point `vertex` towards the source, on one side and on the other (section
+/// 3.1.4, which is missing): the edges to the two minima of the distance in the ring around it. They need not be nearer
+/// to the source than `vertex`, since the cut locus may run between. Where there is one minimum only, the edges that
+/// are closest in direction to the geodesics. Nothing if the fronts have no two sides, or one edge serves
+/// both. O(d^2) for degree d up to a constant.
+template <class Measures>
+std::optional<std::array<Index, 2>> incoming_directions(const Measures& measures, Index vertex)
+{
+  Incident_edges incident_edges;
+  collect_incident_edges(measures, vertex, incident_edges);
+  if (incident_edges.empty()) {
+    return std::nullopt;
+  }
+  std::array<const Incident_edge*, 2> chosen = ring_minima(incident_edges);
+  if (chosen[1] == nullptr) {
+    const Front_sides<Measures> sides(measures, vertex);
+    if (!sides) {
+      return std::nullopt;
+    }
+    chosen = {closest_to_descent(incident_edges, sides.gradient(0)),
+              closest_to_descent(incident_edges, sides.gradient(1))};
+    if (chosen[0] == chosen[1]) {
+      return std::nullopt;
+    }
+  }
+  return std::array<Index, 2>{chosen[0]->halfedge, chosen[1]->halfedge};
+}
+
 /// A simple closed curve along edges, and how it was found.
 struct Cut_loop
 {
   /// `found`, or why there is none: `no_cut_point`, else what the last candidate was rejected for.
   Cut_loop_outcome outcome = Cut_loop_outcome::no_cut_point;
   /// From the target to the base and back, if there is a curve.
-  Edge_steps steps;
+  std::vector<Index> halfedges;
   Index target = no_index;
   /// Where the two paths to the source join: the source or a vertex near it.
   Index base = no_index;
@@ -72,7 +358,7 @@ public:
   {
     m_source_point = source_point;
     loop.outcome = Cut_loop_outcome::no_cut_point;
-    loop.steps.clear();
+    loop.halfedges.clear();
     m_descent.set_budget(max_steps_per_vertex * m_points.size());
     double begin = 0;
     double end = first_shell * m_frames.mean_edge_length();
@@ -89,18 +375,6 @@ public:
         }
       }
     }
-  }
-
-  /// The halfedges of a loop in order, from the target on.
-  /// \pre no edge of the loop is on a border
-  std::vector<Index> halfedges(const Cut_loop& loop) const
-  {
-    std::vector<Index> result;
-    for (const Edge_step& step : loop.steps) {
-      CGAL_precondition(!step.is_reversed);
-      result.push_back(step.halfedge);
-    }
-    return result;
   }
 
 private:
@@ -152,13 +426,13 @@ private:
     if (loop.distance < min_distance_to_chord * (m_points[target] - m_source_point).norm()) {
       return Cut_loop_outcome::distance_below_chord;
     }
-    const std::optional<std::array<Edge_step, 2>> directions = incoming_directions(measures, target);
+    const std::optional<std::array<Index, 2>> directions = incoming_directions(measures, target);
     if (!directions) {
       return Cut_loop_outcome::one_direction;
     }
     for (std::size_t side = 0; side < 2; ++side) {
       m_path[side].assign(1, (*directions)[side]);
-      if (!m_descent(measures, end_of(m_triangulation, m_path[side].front()), source, m_path[side])) {
+      if (!m_descent(measures, m_triangulation.target(m_path[side].front()), source, m_path[side])) {
         return Cut_loop_outcome::not_connected;
       }
     }
@@ -183,44 +457,44 @@ private:
   bool cut_where_paths_join(Index target, Cut_loop& loop)
   {
     m_on_first.clear();
-    for (const Edge_step& step : m_path[0]) {
-      m_on_first.mark(end_of(m_triangulation, step));
+    for (const Index h : m_path[0]) {
+      m_on_first.mark(m_triangulation.target(h));
     }
-    const auto is_joined = [&](const Edge_step& step) { return m_on_first.is_marked(end_of(m_triangulation, step)); };
+    const auto is_joined = [&](Index h) { return m_on_first.is_marked(m_triangulation.target(h)); };
     // Both end at the source.
     const auto second_end = std::find_if(m_path[1].begin(), m_path[1].end(), is_joined);
-    loop.base = end_of(m_triangulation, *second_end);
+    loop.base = m_triangulation.target(*second_end);
     m_path[1].erase(second_end + 1, m_path[1].end());
-    const auto ends_at_base = [&](const Edge_step& step) { return end_of(m_triangulation, step) == loop.base; };
+    const auto ends_at_base = [&](Index h) { return m_triangulation.target(h) == loop.base; };
     const auto first_end = std::find_if(m_path[0].begin(), m_path[0].end(), ends_at_base);
     m_path[0].erase(first_end + 1, m_path[0].end());
-    const auto is_at_target = [&](const Edge_step& step) { return end_of(m_triangulation, step) == target; };
+    const auto is_at_target = [&](Index h) { return m_triangulation.target(h) == target; };
     return m_path[0].size() > 1 && m_path[1].size() > 1 &&
            std::none_of(m_path[0].begin(), m_path[0].end(), is_at_target) &&
            std::none_of(m_path[1].begin(), m_path[1].end(), is_at_target);
   }
 
   /// The point of `path`, which begins at the target, at half the distance of the target.
-  Vector_3 half_way(const Measures& measures, const Edge_steps& path) const
+  Vector_3 half_way(const Measures& measures, const std::vector<Index>& path) const
   {
-    const double goal = measures.distance(begin_of(m_triangulation, path.front())) / 2;
-    for (const Edge_step& step : path) {
-      const Index from = begin_of(m_triangulation, step);
-      const Index to = end_of(m_triangulation, step);
+    const double goal = measures.distance(m_triangulation.origin(path.front())) / 2;
+    for (const Index h : path) {
+      const Index from = m_triangulation.origin(h);
+      const Index to = m_triangulation.target(h);
       if (measures.distance(to) <= goal) {
         const double drop = measures.distance(from) - measures.distance(to);
         const double part = drop > 0 ? std::clamp((measures.distance(from) - goal) / drop, 0., 1.) : 1;
         return (1 - part) * m_points[from] + part * m_points[to];
       }
     }
-    return m_points[end_of(m_triangulation, path.back())];
+    return m_points[m_triangulation.target(path.back())];
   }
 
   void join_paths(Cut_loop& loop) const
   {
-    loop.steps = m_path[0];
-    for (auto step = m_path[1].rbegin(); step != m_path[1].rend(); ++step) {
-      loop.steps.push_back(reversed(m_triangulation, *step));
+    loop.halfedges = m_path[0];
+    for (auto h = m_path[1].rbegin(); h != m_path[1].rend(); ++h) {
+      loop.halfedges.push_back(m_triangulation.twin(*h));
     }
   }
 
@@ -229,7 +503,7 @@ private:
   const std::vector<Vector_3>& m_points;
   Descent<Frames> m_descent;
   std::vector<std::pair<double, Index>> m_candidates; ///< a heap, the nearest first
-  std::array<Edge_steps, 2> m_path;                   ///< from the target down
+  std::array<std::vector<Index>, 2> m_path;           ///< from the target down
   Epoch_marks m_on_first;                             ///< the vertices of the first path
   Vector_3 m_source_point = Vector_3::Zero();
 };

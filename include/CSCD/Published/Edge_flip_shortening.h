@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Shortens curves along edges to geodesics by flipping the edges beside them.
+// Shortens curves along edges to geodesics by flipping the edges next to them (appendix E).
 
 #ifndef CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
 #define CSCD_PUBLISHED_EDGE_FLIP_SHORTENING_H
 
-#include <CSCD/Published/Edge_trace.h>
-#include <CSCD/Published/Flat_triangle.h>
-#include <CSCD/Published/Intrinsic_patch.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -27,20 +24,70 @@
 
 namespace CSCD::internal {
 
+/// An intrinsic triangulation that takes its flips back: so curves on one surface are shortened one after the other,
+/// and each costs nothing of the size of the surface. One object serves one thread.
+template <class Surface>
+class Revertible_triangulation : public Intrinsic_triangulation<Surface>
+{
+  using Base = Intrinsic_triangulation<Surface>;
+
+public:
+  using Base::Base;
+  explicit Revertible_triangulation(const Base& triangulation) : Base(triangulation) {}
+
+  /// Whether both halfedges are those of one edge.
+  bool are_twins(Index a, Index b) const { return this->twin(a) == b; }
+  /// The next halfedge of the same origin, counterclockwise.
+  Index next_around_origin(Index halfedge) const { return this->twin(this->previous(halfedge)); }
+
+  /// Flips the edge if its two faces form a strictly convex quadrilateral. \return whether it did
+  bool flip_if_convex(Index halfedge)
+  {
+    if (!this->is_flippable(halfedge)) {
+      return false;
+    }
+    const Index twin = this->twin(halfedge);
+    const Index moved[] = {this->previous(halfedge), this->previous(twin)};
+    for (const Index h : {halfedge, twin, moved[0], moved[1], this->twin(moved[0]), this->twin(moved[1])}) {
+      m_log.emplace_back(h, this->m_halfedges[h]);
+    }
+    this->flip(halfedge);
+    return true;
+  }
+
+  /// Takes all flips back. Linear in their number.
+  void revert()
+  {
+    for (; !m_log.empty(); m_log.pop_back()) {
+      this->m_halfedges[m_log.back().first] = m_log.back().second;
+    }
+  }
+
+private:
+  std::vector<std::pair<Index, typename Base::Halfedge>>
+      m_log; // halfedges before they were overwritten, the last at the end
+};
+
 /// A path of segments, each along a halfedge, open or closed, as a linked list. Where several segments run along one
 /// edge, they lie side by side in an order that is kept: so the path has a left and a right also where it touches
 /// itself. Segments keep their numbers while edges of the triangulation are flipped.
-/// \tparam Patch the triangulation; its `twin(h)` may add faces
-template <class Patch>
+/// \tparam Triangulation that of the halfedges
+template <class Triangulation>
 class Edge_path
 {
 public:
-  explicit Edge_path(Patch& patch) : m_patch(patch) {}
+  explicit Edge_path(const Triangulation& triangulation)
+      : m_outermost(triangulation.number_of_halfedges(), no_index), m_triangulation(triangulation)
+  {
+  }
 
   void clear()
   {
     m_segments.clear();
-    m_outermost.clear();
+    for (const Index halfedge : m_touched) {
+      m_outermost[halfedge] = no_index;
+    }
+    m_touched.clear();
   }
 
   /// \name Segments
@@ -50,7 +97,7 @@ public:
   Index next(Index segment) const { return m_segments[segment].next; }
   Index previous(Index segment) const { return m_segments[segment].previous; }
   bool is_removed(Index segment) const { return m_segments[segment].halfedge == no_index; }
-  /// How often what follows the segment has changed.
+  /// How often the next segment has changed.
   Index version(Index segment) const { return m_segments[segment].version; }
 
   /// Makes `second`, or nothing, follow `first`, or nothing.
@@ -69,7 +116,7 @@ public:
   /// \name Strands
   /// @{
   /// The segment on the edge of `halfedge` that lies nearest to the face of `halfedge`, or `no_index`.
-  Index outermost(Index halfedge) const { return halfedge < m_outermost.size() ? m_outermost[halfedge] : no_index; }
+  Index outermost(Index halfedge) const { return m_outermost[halfedge]; }
   bool is_on_edge(Index halfedge) const { return outermost(halfedge) != no_index; }
   /// Whether `a` and `b` lie side by side on one edge.
   bool are_side_by_side(Index a, Index b) const { return m_segments[a].left == b || m_segments[a].right == b; }
@@ -83,7 +130,7 @@ public:
     m_segments.push_back({halfedge, no_index, no_index, no_index, no_index, 0});
     (halfedge == side ? m_segments[segment].right : m_segments[segment].left) = inner;
     if (inner == no_index) {
-      set_outermost(m_patch.twin(side), segment);
+      set_outermost(m_triangulation.twin(side), segment);
     } else {
       neighbor(inner, side) = segment;
     }
@@ -95,7 +142,7 @@ public:
   void remove(Index segment)
   {
     const Index h = m_segments[segment].halfedge;
-    const Index t = m_patch.twin(h);
+    const Index t = m_triangulation.twin(h);
     const Index left = m_segments[segment].left;
     const Index right = m_segments[segment].right;
     if (left == no_index) {
@@ -114,12 +161,12 @@ public:
   /// Follows a flip of the edge of `h` and `t`, on which no segment lies, see `Intrinsic_triangulation::flip()`.
   void follow_flip(Index h, Index t)
   {
-    const Index from_left = outermost(Patch::previous(h));
-    const Index from_right = outermost(Patch::previous(t));
-    renumber(from_left, Patch::previous(h), t);
-    renumber(from_right, Patch::previous(t), h);
-    set_outermost(Patch::previous(h), no_index);
-    set_outermost(Patch::previous(t), no_index);
+    const Index from_left = outermost(Triangulation::previous(h));
+    const Index from_right = outermost(Triangulation::previous(t));
+    renumber(from_left, Triangulation::previous(h), t);
+    renumber(from_right, Triangulation::previous(t), h);
+    set_outermost(Triangulation::previous(h), no_index);
+    set_outermost(Triangulation::previous(t), no_index);
     set_outermost(t, from_left);
     set_outermost(h, from_right);
   }
@@ -144,11 +191,8 @@ private:
 
   void set_outermost(Index halfedge, Index segment)
   {
-    if (halfedge >= m_outermost.size()) {
-      if (segment == no_index) {
-        return;
-      }
-      m_outermost.resize(m_patch.number_of_halfedges(), no_index);
+    if (m_outermost[halfedge] == no_index) {
+      m_touched.push_back(halfedge);
     }
     m_outermost[halfedge] = segment;
   }
@@ -165,8 +209,9 @@ private:
   }
 
   std::vector<Segment> m_segments;
-  std::vector<Index> m_outermost;
-  Patch& m_patch;
+  std::vector<Index> m_outermost; // of every halfedge
+  std::vector<Index> m_touched;   // halfedges that may have one
+  const Triangulation& m_triangulation;
 };
 
 /// Shortens curves along edges, closed or open, by flipping edges of the triangulation beside them: where the curve
@@ -174,29 +219,32 @@ private:
 /// (Sharp, Crane: You can find geodesic paths in triangle meshes by just flipping edges, 2020; appendix E of the
 /// paper).
 ///
-/// All work is done in an `Intrinsic_patch` of the faces beside the curve: a curve costs nothing of the size of the
-/// surface. One object serves one thread; any number of them may share a surface. Reuse one object.
-/// \tparam Triangulation see `Intrinsic_patch`: a surface, or an intrinsic triangulation of one, on the edges of which
-///         curves are then given; the results are over the surface in either case
-template <class Triangulation>
+/// One object serves one thread, and holds an intrinsic triangulation of the surface of its own. Reuse it.
+/// \tparam Surface a model of `SurfaceTriangulation`: what the resulting paths run over
+template <class Surface>
 class Edge_flip_shortening
 {
 public:
-  /// A bend is taken for straight if the angle on either side is at least pi less this, in radians.
+  /// A bend counts as straight if the angle on either side is at least pi less this, in radians.
   static constexpr double angle_tolerance = 1e-5;
   /// A closed curve has collapsed when it is shorter than this part of its first length.
   static constexpr double collapsed_part = 0.15;
 
-  /// Linear, for degenerate faces are looked for.
-  explicit Edge_flip_shortening(const Triangulation& surface) : Edge_flip_shortening(surface, surface.number_of_faces())
-  {
-  }
+  /// Curves are given along the edges of `surface`. Linear.
+  explicit Edge_flip_shortening(const Surface& surface) : Edge_flip_shortening(surface, surface.number_of_faces()) {}
 
   /// The same on the first `number_of_faces` faces of a surface only, around the others, which no curve ever crosses:
   /// where they are in the way, it goes along their edges. So borders are kept that were bridged, see
   /// `first_hole_filling_face()`.
-  Edge_flip_shortening(const Triangulation& surface, Index number_of_faces)
-      : m_patch(surface, added_length(surface, number_of_faces)), m_path(m_patch), m_number_of_faces(number_of_faces)
+  Edge_flip_shortening(const Surface& surface, Index number_of_faces)
+      : m_triangulation(surface, surface.number_of_faces(), mollifying_length(surface, number_of_faces)),
+        m_path(m_triangulation), m_number_of_faces(number_of_faces)
+  {
+  }
+
+  /// Curves are given along the edges of `triangulation`, which has no borders. Linear.
+  explicit Edge_flip_shortening(const Intrinsic_triangulation<Surface>& triangulation)
+      : m_triangulation(triangulation), m_path(m_triangulation), m_number_of_faces(triangulation.number_of_faces())
   {
   }
 
@@ -232,18 +280,7 @@ public:
   }
 
 private:
-  using Patch = Intrinsic_patch<Triangulation>;
-
-  template <class Surface>
-  static double added_length(const Surface& surface, Index number_of_faces)
-  {
-    return mollifying_length(surface, number_of_faces);
-  }
-  template <class Surface>
-  static double added_length(const Intrinsic_triangulation<Surface>& surface, Index)
-  {
-    return surface.added_length();
-  }
+  using Triangulation = Revertible_triangulation<Surface>;
 
   static constexpr double pi = boost::math::constants::pi<double>();
 
@@ -285,7 +322,7 @@ private:
 
   void start(const std::vector<Index>& halfedges, bool is_closed)
   {
-    m_patch.clear();
+    m_triangulation.revert();
     m_path.clear();
     m_bends.clear();
     m_blocked.clear();
@@ -296,16 +333,15 @@ private:
     m_first = 0;
     m_is_collapsed = halfedges.empty();
     Index last = no_index;
-    for (const Index given : halfedges) {
-      const Index h = m_patch.halfedge_along(given);
-      CGAL_precondition(last == no_index || vertex_behind(last) == m_patch.origin(h));
+    for (const Index h : halfedges) {
+      CGAL_precondition(last == no_index || vertex_behind(last) == m_triangulation.origin(h));
       const Index segment = m_path.add(h, h);
       m_path.link(last, segment);
-      m_length += m_patch.length(h);
+      m_length += m_triangulation.length(h);
       last = segment;
     }
     if (is_closed && last != no_index) {
-      CGAL_precondition(vertex_behind(last) == m_patch.origin(m_path.halfedge(m_first)));
+      CGAL_precondition(vertex_behind(last) == m_triangulation.origin(m_path.halfedge(m_first)));
       m_path.link(last, m_first);
     }
     m_first_length = m_length;
@@ -326,17 +362,17 @@ private:
 
   /// \name Bends
   /// @{
-  Index vertex_behind(Index segment) const { return m_patch.target(m_path.halfedge(segment)); }
+  Index vertex_behind(Index segment) const { return m_triangulation.target(m_path.halfedge(segment)); }
 
   bool is_backtrack(Index segment) const
   {
-    return m_patch.are_twins(m_path.halfedge(segment), m_path.halfedge(m_path.next(segment)));
+    return m_triangulation.are_twins(m_path.halfedge(segment), m_path.halfedge(m_path.next(segment)));
   }
 
   /// The halfedges from the vertex behind `segment` between which the angle on one side lies, counterclockwise.
   std::pair<Index, Index> sides(Index segment, bool is_left)
   {
-    const Index back = m_patch.twin(m_path.halfedge(segment));
+    const Index back = m_triangulation.twin(m_path.halfedge(segment));
     const Index forth = m_path.halfedge(m_path.next(segment));
     return is_left ? std::make_pair(forth, back) : std::make_pair(back, forth);
   }
@@ -344,10 +380,10 @@ private:
   /// Whether the face of `halfedge` is closed to curves. No edge of it is ever flipped.
   bool is_closed_face(Index halfedge) const
   {
-    return Triangulation::face(m_patch.input_halfedge(halfedge)) >= m_number_of_faces;
+    return Surface::face(m_triangulation.input_halfedge(halfedge)) >= m_number_of_faces;
   }
 
-  /// The angle behind `segment` on one side, or a part of it that is no bend any more; endless over closed faces.
+  /// The angle behind `segment` on one side, or a part of it that is not a bend any more; endless over closed faces.
   double angle_behind(Index segment, bool is_left)
   {
     const auto [first, last] = sides(segment, is_left);
@@ -357,8 +393,8 @@ private:
       if (is_closed_face(h)) {
         return std::numeric_limits<double>::max();
       }
-      sum += m_patch.angle(h);
-      h = m_patch.next_around_origin(h);
+      sum += m_triangulation.angle(h);
+      h = m_triangulation.next_around_origin(h);
     } while (h != last && !is_straight(sum));
     return sum;
   }
@@ -436,10 +472,11 @@ private:
     collect_arc(bend);
     double length = 0;
     for (const Arc_edge& edge : m_arc) {
-      length += m_patch.length(edge.halfedge);
+      length += m_triangulation.length(edge.halfedge);
     }
     const Index next = m_path.next(bend.segment);
-    if (length < m_patch.length(m_path.halfedge(bend.segment)) + m_patch.length(m_path.halfedge(next))) {
+    if (length <
+        m_triangulation.length(m_path.halfedge(bend.segment)) + m_triangulation.length(m_path.halfedge(next))) {
       replace_segments_at(bend.segment, is_pinned);
     }
   }
@@ -450,10 +487,10 @@ private:
     const auto [first, last] = sides(bend.segment, bend.is_left);
     const Index next = m_path.next(bend.segment);
     if (m_path.outermost(first) != (bend.is_left ? next : bend.segment) ||
-        m_path.outermost(m_patch.twin(last)) != (bend.is_left ? bend.segment : next)) {
+        m_path.outermost(m_triangulation.twin(last)) != (bend.is_left ? bend.segment : next)) {
       return false;
     }
-    for (Index h = m_patch.next_around_origin(first); h != last; h = m_patch.next_around_origin(h)) {
+    for (Index h = m_triangulation.next_around_origin(first); h != last; h = m_triangulation.next_around_origin(h)) {
       if (m_path.is_on_edge(h)) {
         return false;
       }
@@ -465,18 +502,18 @@ private:
   void flip_incident_edges(const Bend& bend)
   {
     auto [first, last] = sides(bend.segment, bend.is_left);
-    Index h = m_patch.next_around_origin(first);
+    Index h = m_triangulation.next_around_origin(first);
     while (h != last) {
-      const Index t = m_patch.twin(h);
-      if (!m_patch.flip_if_convex(h)) {
-        h = m_patch.next_around_origin(h);
+      const Index t = m_triangulation.twin(h);
+      if (!m_triangulation.flip_if_convex(h)) {
+        h = m_triangulation.next_around_origin(h);
         continue;
       }
       m_path.follow_flip(h, t);
       std::tie(first, last) = sides(bend.segment, bend.is_left);
       // The edge before may now be flippable.
-      const Index before = Patch::next(t);
-      h = before == first ? m_patch.next_around_origin(first) : before;
+      const Index before = Triangulation::next(t);
+      h = before == first ? m_triangulation.next_around_origin(first) : before;
     }
   }
 
@@ -485,9 +522,9 @@ private:
   {
     const auto [first, last] = sides(bend.segment, bend.is_left);
     m_arc.clear();
-    for (Index h = first; h != last; h = m_patch.next_around_origin(h)) {
-      const Index side = Patch::next(h);
-      m_arc.push_back({bend.is_left ? m_patch.twin(side) : side, side});
+    for (Index h = first; h != last; h = m_triangulation.next_around_origin(h)) {
+      const Index side = Triangulation::next(h);
+      m_arc.push_back({bend.is_left ? m_triangulation.twin(side) : side, side});
     }
     if (bend.is_left) {
       std::reverse(m_arc.begin(), m_arc.end());
@@ -500,10 +537,10 @@ private:
   void take_off_vertex(const Bend& bend, const IsPinned& is_pinned)
   {
     const Index along = m_path.halfedge(bend.segment);
-    const Index h = bend.is_left ? along : m_patch.twin(along);
-    const Index after = Patch::next(h);
-    const Index before = Patch::previous(h);
-    if (m_patch.are_twins(before, after)) {
+    const Index h = bend.is_left ? along : m_triangulation.twin(along);
+    const Index after = Triangulation::next(h);
+    const Index before = Triangulation::previous(h);
+    if (m_triangulation.are_twins(before, after)) {
       // The path goes round a single vertex, towards which it becomes ever shorter.
       m_is_collapsed = true;
       return;
@@ -514,7 +551,7 @@ private:
     ++m_number_of_single_steps;
     m_length_of_single = m_length;
     if (bend.is_left) {
-      m_arc = {{m_patch.twin(before), before}, {m_patch.twin(after), after}};
+      m_arc = {{m_triangulation.twin(before), before}, {m_triangulation.twin(after), after}};
     } else {
       m_arc = {{after, after}, {before, before}};
     }
@@ -538,7 +575,7 @@ private:
     m_added.clear();
     for (const Arc_edge& edge : m_arc) {
       m_added.push_back(m_path.add(edge.halfedge, edge.side));
-      m_length += m_patch.length(edge.halfedge);
+      m_length += m_triangulation.length(edge.halfedge);
     }
     connect(is_all ? no_index : before, is_all ? no_index : after);
     if (is_all && !m_added.empty()) {
@@ -561,7 +598,7 @@ private:
 
   void remove(Index segment)
   {
-    m_length -= m_patch.length(m_path.halfedge(segment));
+    m_length -= m_triangulation.length(m_path.halfedge(segment));
     m_path.remove(segment);
   }
 
@@ -591,13 +628,13 @@ private:
     Index last = no_index;
     for_each_segment([&](Index segment) {
       last = m_path.halfedge(segment);
-      path.length += m_patch.length(last);
-      path.points.push_back({m_patch.input_halfedge(last), 0.});
-      m_patch.trace(last, m_trace);
+      path.length += m_triangulation.length(last);
+      path.points.push_back({m_triangulation.input_halfedge(last), 0.});
+      m_triangulation.trace(last, m_trace);
       path.points.insert(path.points.end(), m_trace.crossings().begin(), m_trace.crossings().end());
     });
     if (!m_is_closed && last != no_index) {
-      path.points.push_back({m_patch.input_halfedge(m_patch.twin(last)), 0.});
+      path.points.push_back({m_triangulation.input_halfedge(m_triangulation.twin(last)), 0.});
     }
   }
 
@@ -626,8 +663,8 @@ private:
     Index side;
   };
 
-  Patch m_patch;
-  Edge_path<Patch> m_path;
+  Triangulation m_triangulation;
+  Edge_path<Triangulation> m_path;
   std::vector<Bend> m_bends;   // a heap
   std::vector<Bend> m_blocked; // which other parts of the path are in the way of
   std::vector<Arc_edge> m_arc;

@@ -1,27 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the separator of a source from its distance field over the whole surface.
+// Finds the separator of a source from its distance field over the whole surface (algorithm 3).
 
 #ifndef CSCD_PUBLISHED_FIELD_SEPARATOR_FINDER_H
 #define CSCD_PUBLISHED_FIELD_SEPARATOR_FINDER_H
 
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Point_neighborhoods.h>
 #include <CSCD/Published/Curve_trace.h>
 #include <CSCD/Published/Cut_locus_indicators.h>
-#include <CSCD/Published/Cut_locus_settings.h>
 #include <CSCD/Published/Cut_loop_finder.h>
 #include <CSCD/Published/Cut_tree.h>
+#include <CSCD/Published/Edge_flip_shortening.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
-#include <CSCD/Published/Point_derivatives.h>
-#include <CSCD/Published/Separator_shortening.h>
-#include <CSCD/Published/Surface_projection.h>
 #include <CSCD/Published/Tangent_frames.h>
-#include <CSCD/Published/Tufted_cover.h>
-#include <CSCD/Published/close_loops.h>
+#include <CSCD/Published/Variational_shortening.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -30,6 +25,9 @@
 
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -38,11 +36,141 @@
 
 namespace CSCD::internal {
 
+/// Shortens the closed curve along `halfedges` within the smallest ball around the vertex `source` that holds it, and
+/// sets the crossings, points and measures of `separator`. Where the result is `collapsed`, `separator` stays as it
+/// was. One object serves one thread.
+using Separator_shortening =
+    std::function<Shortening_outcome(const std::vector<Index>& halfedges, Index source, Separator& separator)>;
+
+/// The locality constraint of appendix E.2: vertices outside of the smallest ball around the source that holds the
+/// curve are pinned. E.2 names no shape; the ball is that of F.2.
+class Locality_ball
+{
+public:
+  /// The ball around `center` that holds the origins of `halfedges`, those of `triangulation`. Linear.
+  /// \param points the positions of its vertices
+  template <class Triangulation>
+  Locality_ball(const Triangulation& triangulation, const std::vector<Vector_3>& points, const Vector_3& center,
+                const std::vector<Index>& halfedges)
+      : m_points(points), m_center(center)
+  {
+    for (const Index h : halfedges) {
+      m_squared_radius = std::max(m_squared_radius, (m_points[triangulation.origin(h)] - center).squaredNorm());
+    }
+    m_squared_radius *= margin * margin;
+  }
+
+  /// Whether `vertex` lies outside.
+  bool operator()(Index vertex) const { return (m_points[vertex] - m_center).squaredNorm() > m_squared_radius; }
+
+private:
+  /// How much larger the ball is, so that the outermost vertices of a curve are not on its sphere.
+  static constexpr double margin = 1.05;
+
+  const std::vector<Vector_3>& m_points;
+  Vector_3 m_center;
+  double m_squared_radius = 0;
+};
+
+/// A model of `Separator_shortening` by edge flips with the locality constraint (algorithm 3, appendix E).
+/// \tparam Surface a model of `SurfaceTriangulation`
+/// \tparam Triangulation on the edges of which curves are given: `Surface` or its `Intrinsic_triangulation`
+template <class Surface, class Triangulation = Intrinsic_triangulation<Surface>>
+class Separator_flip_shortening
+{
+public:
+  /// Linear; both are referred to and must outlive this object.
+  Separator_flip_shortening(const Surface& surface, const Triangulation& triangulation)
+      : m_triangulation(triangulation), m_surface(surface), m_shortening(triangulation)
+  {
+  }
+
+  /// See `Separator_shortening`. The curve is moved off the vertices that it passes, so that it only crosses edges.
+  /// \return `collapsed` also where fewer than three edges are crossed
+  Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
+  {
+    const std::vector<Vector_3>& points = m_surface.points();
+    const Locality_ball ball(m_triangulation, points, points[source], halfedges);
+    const Shortening_outcome outcome = m_shortening(halfedges, true, ball, m_path);
+    if (outcome == Shortening_outcome::collapsed || !push_off_vertices(m_surface, m_path, m_crossings)) {
+      return Shortening_outcome::collapsed;
+    }
+    separator.crossings = m_crossings;
+    // The measures are those of the geodesic, before it is moved off the vertices.
+    crossing_points(m_surface, m_path.points, m_points);
+    set_measures(separator, m_points);
+    return outcome;
+  }
+
+private:
+  const Triangulation& m_triangulation;
+  const Surface& m_surface;
+  Edge_flip_shortening<Surface> m_shortening;
+  Surface_path m_path;
+  std::vector<Edge_crossing> m_crossings;
+  std::vector<Vector_3> m_points;
+};
+
+/// A model of `Separator_shortening` by the variational flow within the ball (appendix F).
+/// \tparam Projection `Closest_point_projection` or `Moving_least_squares_projection`
+/// \tparam Trace finds the crossed edges: `Polygon_trace` or `Complex_trace`
+template <class Projection, class Trace>
+class Separator_variational_shortening
+{
+public:
+  /// \param surface that of `projection` and `Trace`; it is referred to and must outlive this object
+  template <class Surface>
+  Separator_variational_shortening(const Surface& surface, Projection projection)
+      : m_shortening(std::move(projection)), m_trace(surface)
+  {
+  }
+
+  /// See `Separator_shortening`.
+  /// \return `collapsed` also where the trace fails or the loop has fewer than three edges
+  Shortening_outcome operator()(const std::vector<Index>& halfedges, Index source, Separator& separator)
+  {
+    if (halfedges.size() < 3) {
+      return Shortening_outcome::collapsed;
+    }
+    const auto& surface = m_trace.surface();
+    const Vector_3& center = surface.point(source);
+    double radius = 0;
+    m_points.clear();
+    for (const Index h : halfedges) {
+      m_points.push_back(surface.point(surface.origin(h)));
+      radius = std::max(radius, (m_points.back() - center).norm());
+    }
+    const std::size_t number_of_samples =
+        std::clamp(Trace::samples_per_edge * halfedges.size(), min_samples, max_samples);
+    const Shortening_outcome outcome =
+        m_shortening(m_points, number_of_samples, center, radius, surface.origin(halfedges.front())).outcome;
+    if (outcome == Shortening_outcome::collapsed || !m_trace(m_shortening.curve(), m_crossings)) {
+      return Shortening_outcome::collapsed;
+    }
+    separator.crossings = m_crossings;
+    if constexpr (!Trace::is_polygon_of_crossings) {
+      separator.points = m_points;
+    }
+    set_measures(separator, m_points);
+    return outcome;
+  }
+
+private:
+  /// The number of sides of the polygon: more of them cost more and change nothing.
+  static constexpr std::size_t min_samples = 32;
+  static constexpr std::size_t max_samples = 128;
+
+  Variational_shortening<Projection> m_shortening;
+  Trace m_trace;
+  std::vector<Vector_3> m_points;
+  std::vector<Edge_crossing> m_crossings;
+};
+
 /// The result of the search for the separator of one source by its distance field.
 struct Field_search_result
 {
   Search_outcome outcome = Search_outcome::no_cut;
-  /// `found`, or why there is no cut.
+  /// `found`, or the reason why there is none.
   Cut_loop_outcome loop = Cut_loop_outcome::no_cut_point;
   /// Where a loop was found, how its shortening ended; `collapsed` otherwise.
   Shortening_outcome shortening = Shortening_outcome::collapsed;
@@ -89,7 +217,7 @@ public:
     if (m_loop.outcome == Cut_loop_outcome::found) {
       result.separator.source = source;
       result.separator.level = 0;
-      result.shortening = m_shorten(halfedges(m_loop), source, result.separator);
+      result.shortening = m_shorten(m_loop.halfedges, source, result.separator);
       result.outcome =
           result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;
     }
@@ -115,9 +243,6 @@ public:
     return m_loop;
   }
 
-  /// The halfedges of a loop in order, from the target on.
-  std::vector<Index> halfedges(const Cut_loop& loop) const { return m_loop_finder.halfedges(loop); }
-
 private:
   const Basis& m_basis;
   const std::vector<Vector_3>& m_points;
@@ -130,18 +255,31 @@ private:
   Cut_loop m_loop;
 };
 
-/// How loops on a triangulation are shortened: prepared once, shared by all threads.
-/// \tparam Triangulation a model of `SurfaceTriangulation`, or an `Intrinsic_triangulation` of one
-template <class Triangulation>
-class Loop_shortening_space
+/// The variational flow on a triangulated surface.
+using Surface_flow = Separator_variational_shortening<Closest_point_projection, Polygon_trace>;
+
+/// How distances on a surface are estimated, and separators found from them: prepared once, shared by all threads.
+/// Distances, cut points, paths and loops are those of the intrinsic Delaunay triangulation (appendix G.1), of which
+/// faces that fill holes are part.
+/// \tparam Surface a model of `SurfaceTriangulation`; there is a specialization for `Point_complex`
+template <class Surface>
+class Field_search_space
 {
+  using Triangulation = Intrinsic_triangulation<Surface>;
+
 public:
+  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulation>>;
+
   /// \param surface is referred to and must outlive this object
-  /// \pre `rule` is not `variational`, which needs closest points, unless the surface is a `Triangulated_surface`
-  Loop_shortening_space(const Triangulation& surface, const std::optional<Shortening_rule>& rule) : m_surface(surface)
+  /// \pre the shortening rule is not `variational`, which needs closest points, unless `Surface` is a
+  ///      `Triangulated_surface`
+  Field_search_space(const Surface& surface, const Field_search_settings& settings)
+      : m_surface(surface), m_settings(settings),
+        m_triangulation(make_intrinsic_delaunay(surface, surface.number_of_faces())), m_frames(m_triangulation),
+        m_heat_method(m_triangulation)
   {
-    const bool is_variational = rule == Shortening_rule::variational;
-    if constexpr (std::is_same_v<Triangulation, Triangulated_surface>) {
+    const bool is_variational = settings.shortening_rule == Shortening_rule::variational;
+    if constexpr (std::is_same_v<Surface, Triangulated_surface>) {
       if (is_variational) {
         m_queries = std::make_unique<const Solid_queries>(surface);
       }
@@ -149,99 +287,43 @@ public:
       CGAL_precondition(!is_variational);
     }
   }
+  Field_search_space(const Field_search_space&) = delete;
+  Field_search_space& operator=(const Field_search_space&) = delete;
+  ~Field_search_space() = default;
 
-  /// Makes what shortens loops for one thread, which refers to this object.
-  Separator_shortening make_shortening() const
-  {
-    if constexpr (std::is_same_v<Triangulation, Triangulated_surface>) {
-      using Flow = Separator_variational_shortening<Closest_point_projection, Polygon_trace>;
-      if (m_queries) {
-        return Flow(m_surface, Closest_point_projection(m_surface, *m_queries));
-      }
-    }
-    const auto shortening = std::make_shared<Separator_flip_shortening<Triangulation>>(m_surface);
-    return [shortening](const std::vector<Index>& halfedges, Index source, Separator& separator) {
-      return (*shortening)(halfedges, source, separator);
-    };
-  }
-
-private:
-  const Triangulation& m_surface;
-  std::unique_ptr<const Solid_queries> m_queries; ///< for the variational flow
-};
-
-/// How distances on a surface are estimated, and separators found from them: prepared once, shared by all threads. The
-/// heat method on the intrinsic Delaunay triangulation, and loops along the edges.
-/// \tparam Triangulation a model of `SurfaceTriangulation`; there is a specialization for `Point_complex`
-template <class Triangulation>
-class Field_search_space
-{
-public:
-  using Finder = Field_separator_finder<Cut_locus_indicators<Triangulation>>;
-
-  /// \param surface is referred to and must outlive this object
-  /// \pre see `Loop_shortening_space`
-  Field_search_space(const Triangulation& surface, const Field_search_settings& settings)
-      : m_settings(settings), m_frames(surface), m_heat_method(make_intrinsic_delaunay(surface)),
-        m_shortening(surface, settings.shortening_rule)
-  {
-  }
-  Field_search_space(Triangulation&&, const Field_search_settings&) = delete;
-
-  const Triangulation& triangulation() const { return m_frames.triangulation(); }
   const Heat_method& heat_method() const { return m_heat_method; }
+  const Triangulation& triangulation() const { return m_triangulation; }
   double mean_edge_length() const { return m_frames.mean_edge_length(); }
 
   /// Makes a finder, which refers to this object.
-  Finder make_finder() const
-  {
-    return Finder(m_frames, triangulation().points(), m_settings, m_shortening.make_shortening());
-  }
+  Finder make_finder() const { return Finder(m_frames, m_surface.points(), m_settings, make_shortening()); }
 
 private:
+  Separator_shortening make_shortening() const
+  {
+    if constexpr (std::is_same_v<Surface, Triangulated_surface>) {
+      if (m_queries) {
+        const auto flow = std::make_shared<Surface_flow>(m_surface, Closest_point_projection(m_surface, *m_queries));
+        return [flow, this](std::vector<Index> halfedges, Index source, Separator& separator) {
+          for (Index& h : halfedges) {
+            h = m_triangulation.input_halfedge(h); // only their origins count
+          }
+          return (*flow)(halfedges, source, separator);
+        };
+      }
+    }
+    const auto flips = std::make_shared<Separator_flip_shortening<Surface>>(m_surface, m_triangulation);
+    return [flips](const std::vector<Index>& halfedges, Index source, Separator& separator) {
+      return (*flips)(halfedges, source, separator);
+    };
+  }
+
+  const Surface& m_surface;
   Field_search_settings m_settings;
+  Triangulation m_triangulation;
   Tangent_frames<Triangulation> m_frames;
   Heat_method m_heat_method;
-  Loop_shortening_space<Triangulation> m_shortening;
-};
-
-/// The same where all that the heat method is on the intrinsic Delaunay triangulation is there too (appendix G.1): cut
-/// points, paths along its edges, and loops, which are shortened on it. Faces that fill holes are part of the surface
-/// for all of these.
-template <class Triangulation>
-class Intrinsic_search_space
-{
-  using Intrinsic = Intrinsic_triangulation<Triangulation>;
-
-public:
-  using Finder = Field_separator_finder<Cut_locus_indicators<Intrinsic>>;
-
-  /// \param surface is referred to and must outlive this object
-  /// \pre `settings.shortening_rule` is not `variational`
-  Intrinsic_search_space(const Triangulation& surface, const Field_search_settings& settings)
-      : m_settings(settings), m_triangulation(make_intrinsic_delaunay(surface, surface.number_of_faces())),
-        m_frames(m_triangulation), m_heat_method(m_triangulation),
-        m_shortening(m_triangulation, settings.shortening_rule)
-  {
-  }
-  Intrinsic_search_space(const Intrinsic_search_space&) = delete;
-  Intrinsic_search_space& operator=(const Intrinsic_search_space&) = delete;
-  ~Intrinsic_search_space() = default;
-
-  const Heat_method& heat_method() const { return m_heat_method; }
-
-  /// Makes a finder, which refers to this object.
-  Finder make_finder() const
-  {
-    return Finder(m_frames, m_triangulation.input().points(), m_settings, m_shortening.make_shortening());
-  }
-
-private:
-  Field_search_settings m_settings;
-  Intrinsic m_triangulation;
-  Tangent_frames<Intrinsic> m_frames;
-  Heat_method m_heat_method;
-  Loop_shortening_space<Intrinsic> m_shortening;
+  std::unique_ptr<const Solid_queries> m_queries; ///< for the variational flow
 };
 
 /// Point clouds: the heat method on the intrinsic Delaunay triangulation of the tufted cover, loops along the edges of

@@ -1,46 +1,302 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulations of a surface by intrinsic edges, the intrinsic Delaunay triangulation among them.
+// Triangulations of a surface by intrinsic edges, which can be flipped: lengths, normal coordinates, traces over the
+// input.
 
 #ifndef CSCD_PUBLISHED_INTRINSIC_TRIANGULATION_H
 #define CSCD_PUBLISHED_INTRINSIC_TRIANGULATION_H
 
-#include <CSCD/Published/Edge_trace.h>
-#include <CSCD/Published/Flat_triangle.h>
-#include <CSCD/Published/Intrinsic_halfedges.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/Core>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CSCD::internal {
 
-/// An intrinsic triangulation of a whole surface: it has the vertices and the faces of the input, to begin with, and
-/// the edges of which can be flipped. It is a model of the same interface as `Triangulated_surface`, but for `twin()`
-/// being `no_index` on borders, and for edges that have equal ends or both ends in common: go by halfedges, never by
-/// pairs of vertices. Only lengths count; there are no points.
-///
-/// Degenerate faces are mollified: a constant is added to the lengths of all edges, see `mollifying_length()`.
-/// The input is referred to and must outlive the object.
-/// \tparam Triangulation see `Intrinsic_halfedges`
-template <class Triangulation>
-class Intrinsic_triangulation : public Intrinsic_halfedges<Triangulation>
+/// A triangle given by the lengths of its sides, counterclockwise.
+/// Where they break the triangle inequality, it is as if the apex lay on the line of the longest side.
+struct Flat_triangle
 {
-  using Base = Intrinsic_halfedges<Triangulation>;
+  double base;  ///< from the given corner
+  double next;  ///< the opposite side of that corner
+  double right; ///< back to the corner
 
+  /// Area by Heron's formula in the form of Kahan (Miscalculating area and angles of a needle-like triangle, 2014),
+  /// which is exact up to rounding also where the triangle is a needle.
+  double area() const
+  {
+    double a = base;
+    double b = next;
+    double c = right;
+    if (a < b) {
+      std::swap(a, b);
+    }
+    if (b < c) {
+      std::swap(b, c);
+    }
+    if (a < b) {
+      std::swap(a, b);
+    }
+    const double product = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
+    return product > 0 ? std::sqrt(product) / 4 : 0.;
+  }
+
+  /// The angle between `right` and `base`, in [0, pi].
+  double angle() const { return std::atan2(4 * area(), base * base + right * right - next * next); }
+
+  /// Where the foot of the height over `base` lies, from the corner on.
+  double foot() const { return (base * base + (right - next) * (right + next)) / (2 * base); }
+  /// The height over `base`.
+  double height() const { return 2 * area() / base; }
+};
+
+/// The face of `halfedge`, seen from its origin.
+/// \tparam Triangulation has halfedges in the layout of `Triangulated_surface` and their lengths
+template <class Triangulation>
+Flat_triangle flat_triangle(const Triangulation& triangulation, Index halfedge)
+{
+  return {triangulation.length(halfedge), triangulation.length(Triangulation::next(halfedge)),
+          triangulation.length(Triangulation::previous(halfedge))};
+}
+
+/// The angle of the face of `halfedge` at its origin, by lengths alone.
+template <class Triangulation>
+double corner_angle(const Triangulation& triangulation, Index halfedge)
+{
+  return flat_triangle(triangulation, halfedge).angle();
+}
+
+/// By how much two sides of a triangle have to be longer, at least, than the third one, relative to the mean length of
+/// edges (Sharp, Crane: A Laplacian for nonmanifold triangle meshes, 2020, section 4.5).
+inline constexpr double min_slack = 1e-5;
+
+/// The minimal length that, added to all edges of the first `number_of_faces` faces of `triangulation`, keeps their
+/// triangles clear of the degenerate by `min_slack`; 0 for all but degenerate input. Linear.
+template <class Triangulation>
+double mollifying_length(const Triangulation& triangulation, Index number_of_faces)
+{
+  double sum = 0;
+  double least = 0; // of how much two sides are longer than the third one
+  for (Index h = 0; h < 3 * number_of_faces; ++h) {
+    const Flat_triangle triangle = flat_triangle(triangulation, h);
+    const double slack = triangle.next + triangle.right - triangle.base;
+    sum += triangle.base;
+    least = h == 0 ? slack : std::min(least, slack);
+  }
+  const double needed = number_of_faces == 0 ? 0. : min_slack * sum / (3. * double(number_of_faces));
+  return std::max(0., needed - least);
+}
+
+/// The edges that a straight line from vertex to vertex crosses, in order. Reuse one object.
+class Edge_trace
+{
 public:
-  using Base::face;
-  using Base::length;
-  using Base::next;
-  using Base::previous;
+  /// Empty where the line runs along an edge.
+  const std::vector<Edge_crossing>& crossings() const { return m_crossings; }
 
+  void clear() { m_crossings.clear(); }
+  /// Adds the next edge to be crossed; `straighten()` finds where.
+  void cross(Index halfedge) { m_crossings.push_back({halfedge, 0.5}); }
+
+  /// Unfolds the faces along the line and sets the positions of all crossings. Linear.
+  /// \param corner the halfedge from the first vertex such that the line starts into its face
+  /// \pre the crossings are those of a line that starts so; each is in the face that the one before has entered
+  template <class Triangulation>
+  void straighten(const Triangulation& triangulation, Index corner)
+  {
+    if (m_crossings.empty()) {
+      return;
+    }
+    const Point end = unfold(triangulation, corner);
+    const auto side_of_line = [&end](const Point& p) { return end.x() * p.y() - end.y() * p.x(); };
+    for (std::size_t i = 0; i < m_crossings.size(); ++i) {
+      // The origin lies on the right of the line, the target on the left, except for rounding.
+      const double right = side_of_line(m_sides[i].origin);
+      const double left = side_of_line(m_sides[i].target);
+      const double position = left > right ? -right / (left - right) : 0.5;
+      m_crossings[i].position = std::clamp(position, end_margin, 1 - end_margin);
+    }
+  }
+
+private:
+  using Point = Eigen::Vector2d;
+
+  /// Crossings keep this distance from the ends of their edge, relative to its length, whatever rounding makes of them.
+  static constexpr double end_margin = 1e-9;
+
+  struct Unfolded_side
+  {
+    Point origin;
+    Point target;
+  };
+
+  /// Writes the unfolded edges to `m_sides`, the first vertex in the origin, and returns the last vertex.
+  template <class Triangulation>
+  Point unfold(const Triangulation& triangulation, Index corner)
+  {
+    const Flat_triangle first = flat_triangle(triangulation, corner);
+    Unfolded_side side{{first.base, 0}, {first.foot(), first.height()}};
+    m_sides.clear();
+    for (std::size_t i = 0;; ++i) {
+      m_sides.push_back(side);
+      const Index entered = triangulation.twin(m_crossings[i].halfedge);
+      Point apex = unfold_apex(flat_triangle(triangulation, entered), side);
+      if (i + 1 == m_crossings.size()) {
+        return apex;
+      }
+      if (m_crossings[i + 1].halfedge == Triangulation::next(entered)) {
+        side.target = apex;
+      } else {
+        side.origin = apex;
+      }
+    }
+  }
+
+  /// Where the apex of `triangle` lies, which is entered over `side`; its base runs from `target` to `origin`.
+  static Point unfold_apex(const Flat_triangle& triangle, const Unfolded_side& side)
+  {
+    const Point along = (side.origin - side.target) / triangle.base;
+    return side.target + triangle.foot() * along + triangle.height() * Point(-along.y(), along.x());
+  }
+
+  std::vector<Edge_crossing> m_crossings;
+  std::vector<Unfolded_side> m_sides;
+};
+
+/// The normal coordinate of an edge: the number of input edges that cross it, or `along_input_edge`.
+using Normal_coordinate = std::int32_t;
+
+/// The normal coordinate of an edge that runs along an edge of the input.
+inline constexpr Normal_coordinate along_input_edge = -1;
+
+/// The number of curves that cross an edge.
+inline Normal_coordinate crossings_of(Normal_coordinate coordinate)
+{
+  return std::max(coordinate, Normal_coordinate(0));
+}
+
+/// The curves that pass through a triangle, by the corner that they belong to; the corners are the origins of the
+/// first, second and third side. Curves are disjoint except for their ends and never cross a side twice in turn, hence
+/// those in a triangle either go round a corner, from one of its sides to the other, or emanate from one
+/// (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing, 2021, section 3).
+struct Triangle_curves
+{
+  Normal_coordinate around[3];
+  Normal_coordinate from[3];
+
+  /// Sorts the curves that cross the sides of a triangle, whose normal coordinates are given counterclockwise.
+  Triangle_curves(Normal_coordinate first, Normal_coordinate second, Normal_coordinate third)
+  {
+    const Normal_coordinate side[] = {crossings_of(first), crossings_of(second), crossings_of(third)};
+    for (int k = 0; k < 3; ++k) {
+      from[k] = emanating(side[k], side[(k + 1) % 3], side[(k + 2) % 3]);
+    }
+    for (int k = 0; k < 3; ++k) {
+      const int l = (k + 1) % 3;
+      const int m = (k + 2) % 3;
+      around[k] = (side[k] + side[m] - side[l] + from[k] - from[l] - from[m]) / 2;
+    }
+  }
+
+  /// The number of curves that emanate from the corner between the sides `before` and `after`.
+  static Normal_coordinate emanating(Normal_coordinate before, Normal_coordinate opposite, Normal_coordinate after)
+  {
+    return crossings_of(crossings_of(opposite) - crossings_of(before) - crossings_of(after));
+  }
+};
+
+/// The normal coordinate of the other diagonal kl of the quadrilateral of the triangles ijk and jil, from those of its
+/// sides and of its diagonal ij.
+inline Normal_coordinate flipped_coordinate(Normal_coordinate ij, Normal_coordinate jk, Normal_coordinate ki,
+                                            Normal_coordinate il, Normal_coordinate lj)
+{
+  const Triangle_curves left(ij, jk, ki);  // corners i, j, k
+  const Triangle_curves right(ij, il, lj); // corners j, i, l
+  // Along ij come, from i on and on either side: curves around i, curves that end at the apex, curves around j.
+  const Normal_coordinate left_end = left.around[0] + left.from[2];
+  const Normal_coordinate right_end = right.around[1] + right.from[2];
+  if (std::max(left.around[0], right.around[1]) < std::min(left_end, right_end)) {
+    return along_input_edge; // one curve goes from apex to apex
+  }
+  // Curves from ki across ij to lj, and from il across ij to jk.
+  const Normal_coordinate across = crossings_of(left.around[0] - right_end) + crossings_of(right.around[1] - left_end);
+  const Normal_coordinate at_ends = left.from[0] + left.from[1] + right.from[0] + right.from[1];
+  const Normal_coordinate diagonal = ij == along_input_edge ? 1 : 0;
+  return left.around[2] + right.around[2] + across + at_ends + diagonal;
+}
+
+/// Two triangles on both sides of a common base.
+class Flat_diamond
+{
+public:
+  /// Unfolds `left`, and `right`, whose base is that of `left` in the other direction.
+  Flat_diamond(const Flat_triangle& left, const Flat_triangle& right)
+      : m_base(left.base), m_left_foot(left.foot()), m_left_height(left.height()),
+        m_right_foot(left.base - right.foot()), m_right_height(right.height())
+  {
+  }
+
+  /// Whether the other diagonal runs strictly inside, leaving on either side at least the part `margin` of the area.
+  bool is_convex(double margin) const
+  {
+    const double height = m_left_height + m_right_height;
+    if (!(height > 0)) {
+      return false;
+    }
+    const double crossing = (m_left_foot * m_right_height + m_right_foot * m_left_height) / height;
+    return crossing > margin * m_base && crossing < (1 - margin) * m_base;
+  }
+
+  /// The length of the other diagonal, if the diamond is convex.
+  double other_diagonal() const
+  {
+    const double along = m_left_foot - m_right_foot;
+    const double across = m_left_height + m_right_height;
+    return std::sqrt(along * along + across * across);
+  }
+
+private:
+  double m_base;
+  double m_left_foot;
+  double m_left_height;
+  double m_right_foot;
+  double m_right_height;
+};
+
+/// The two faces of the edge of `halfedge`, which must have two.
+template <class Triangulation>
+Flat_diamond flat_diamond(const Triangulation& triangulation, Index halfedge)
+{
+  return {flat_triangle(triangulation, halfedge), flat_triangle(triangulation, triangulation.twin(halfedge))};
+}
+
+/// An intrinsic triangulation of a surface: it has the vertices and the faces of the input, to begin with, and its
+/// edges can be flipped. Edges are straight lines over the input. What is stored determines exactly, whatever rounding
+/// does to lengths, which input edges each edge crosses: its normal coordinate, and the input corner into which each of
+/// its halfedges leaves its origin (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing,
+/// 2021; their roundabouts, counted from the input halfedge before instead of after).
+///
+/// It has the interface of `Triangulated_surface`, except that `twin()` is `no_index` on borders, and that edges may
+/// have equal ends or both ends in common: go by halfedges, never by pairs of vertices. Only lengths count; there are
+/// no points. Degenerate faces are mollified: a constant is added to the lengths of all edges, see
+/// `mollifying_length()`. The input is referred to and must outlive the object.
+/// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
+///         (`no_index` on a border) and `length()`
+template <class Triangulation>
+class Intrinsic_triangulation : public Triangle_halfedges
+{
+public:
   /// Takes over all faces of `input`. Linear.
   explicit Intrinsic_triangulation(const Triangulation& input) : Intrinsic_triangulation(input, input.number_of_faces())
   {
@@ -49,23 +305,34 @@ public:
   /// Takes over the first `number_of_faces` faces of `input`; what is next to others becomes border. So the faces that
   /// bridge borders can be left out, from `first_hole_filling_face()` on; they are otherwise faces like all. Linear.
   Intrinsic_triangulation(const Triangulation& input, Index number_of_faces)
-      : Base(input, mollifying_length(input, number_of_faces))
+      : Intrinsic_triangulation(input, number_of_faces, mollifying_length(input, number_of_faces))
   {
-    this->m_halfedges.reserve(3 * std::size_t(number_of_faces));
-    for (Index f = 0; f < number_of_faces; ++f) {
-      this->append_face(f);
-    }
-    for (Index h = 0; h < this->number_of_halfedges(); ++h) {
+  }
+
+  /// The same with a given length that is added to all edges.
+  Intrinsic_triangulation(const Triangulation& input, Index number_of_faces, double added_length)
+      : m_input(&input), m_added_length(added_length)
+  {
+    const Index number_of_halfedges = 3 * number_of_faces;
+    m_halfedges.reserve(number_of_halfedges);
+    for (Index h = 0; h < number_of_halfedges; ++h) {
       const Index twin = input.twin(h);
-      this->m_halfedges[h].twin = twin < this->number_of_halfedges() ? twin : no_index;
+      m_halfedges.push_back({input.origin(h), twin < number_of_halfedges ? twin : no_index, h, along_input_edge,
+                             input.length(h) + added_length});
     }
   }
 
   /// \name Combinatorics
   /// @{
-  Index number_of_vertices() const { return this->input().number_of_vertices(); }
+  Index number_of_vertices() const { return m_input->number_of_vertices(); }
+  Index number_of_halfedges() const { return Index(m_halfedges.size()); }
+  Index number_of_faces() const { return Index(m_halfedges.size() / 3); }
+
+  Index origin(Index halfedge) const { return m_halfedges[halfedge].origin; }
+  Index target(Index halfedge) const { return m_halfedges[next(halfedge)].origin; }
+  Index opposite_vertex(Index halfedge) const { return m_halfedges[previous(halfedge)].origin; }
   /// `no_index` on a border.
-  Index twin(Index halfedge) const { return this->m_halfedges[halfedge].twin; }
+  Index twin(Index halfedge) const { return m_halfedges[halfedge].twin; }
   bool is_border(Index halfedge) const { return twin(halfedge) == no_index; }
   /// The halfedge that stands for the edge: the smaller one of the two.
   Index edge(Index halfedge) const { return std::min(halfedge, twin(halfedge)); }
@@ -73,17 +340,46 @@ public:
 
   /// \name Geometry
   /// @{
+  double length(Index halfedge) const { return m_halfedges[halfedge].length; }
+  /// The angle of the face of `halfedge` at its origin.
+  double angle(Index halfedge) const { return corner_angle(*this, halfedge); }
   double mean_edge_length() const
   {
     double sum = 0;
     std::size_t number = 0;
-    for (Index h = 0; h < this->number_of_halfedges(); ++h) {
+    for (Index h = 0; h < number_of_halfedges(); ++h) {
       if (edge(h) == h) {
         sum += length(h);
         ++number;
       }
     }
     return number == 0 ? 0. : sum / double(number);
+  }
+  /// @}
+
+  /// \name Relation to the input
+  /// @{
+  const Triangulation& input() const { return *m_input; }
+  /// The length that was added to every input edge.
+  double added_length() const { return m_added_length; }
+  /// Whether the edge runs along an edge of the input.
+  bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
+  /// See `Normal_coordinate`.
+  Normal_coordinate normal_coordinate(Index halfedge) const { return m_halfedges[halfedge].coordinate; }
+  /// The number of input edges that the edge crosses.
+  Index number_of_crossings(Index halfedge) const { return Index(crossings_of(m_halfedges[halfedge].coordinate)); }
+  /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.
+  Index input_halfedge(Index halfedge) const { return m_halfedges[halfedge].input_halfedge; }
+
+  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact;
+  /// where, is exact up to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
+  void trace(Index halfedge, Edge_trace& trace) const
+  {
+    trace.clear();
+    for (Normal_coordinate i = 0; i < m_halfedges[halfedge].coordinate; ++i) {
+      trace.cross(m_input->twin(left_input_halfedge(halfedge, i)));
+    }
+    trace.straighten(Input_lengths{*m_input, m_added_length}, m_halfedges[halfedge].input_halfedge);
   }
   /// @}
 
@@ -104,7 +400,7 @@ public:
   void flip(Index halfedge)
   {
     CGAL_precondition(is_flippable(halfedge));
-    this->replace_diagonal(halfedge, flat_diamond(*this, halfedge).other_diagonal());
+    replace_diagonal(halfedge, flat_diamond(*this, halfedge).other_diagonal());
   }
 
   /// Whether the angles opposite the edge sum up to at most pi, plus `delaunay_tolerance`.
@@ -113,19 +409,19 @@ public:
     return is_border(halfedge) || opposite_angles(halfedge) <= pi + delaunay_tolerance;
   }
 
-  /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi but for rounding.
+  /// Flips edges until all are Delaunay; the faces of edges that cannot be flipped have angles of pi up to rounding.
   /// Near linear in practice. \return the number of flips
   std::size_t make_delaunay()
   {
     std::vector<Index> queue;
-    std::vector<char> is_queued(this->number_of_halfedges(), 0);
+    std::vector<char> is_queued(number_of_halfedges(), 0);
     const auto push = [&](Index h) {
       if (!is_queued[h]) {
         is_queued[h] = 1;
         queue.push_back(h);
       }
     };
-    for (Index h = 0; h < this->number_of_halfedges(); ++h) {
+    for (Index h = 0; h < number_of_halfedges(); ++h) {
       if (!is_border(h) && edge(h) == h) {
         push(h);
       }
@@ -148,29 +444,28 @@ public:
   }
   /// @}
 
-  /// \name Traces
-  /// @{
-  /// Writes to `trace` the edges of the input that `halfedge` crosses, in order from its origin. Which ones is exact;
-  /// where, is exact up to rounding. O(k) for an edge that crosses k input edges which cross few edges themselves.
-  void trace(Index halfedge, Edge_trace& trace) const
-  {
-    this->trace_over_input(halfedge, trace, [this](Index h) { return twin(h); });
-  }
-  /// @}
-
   /// What the angles opposite an edge may exceed pi by, in radians: far more than rounding makes of cocircular
   /// vertices, far less than would be felt in cotangents.
   static constexpr double delaunay_tolerance = 1e-9;
+
+protected:
+  struct Halfedge
+  {
+    Index origin;
+    Index twin;
+    Index input_halfedge;
+    Normal_coordinate coordinate;
+    double length;
+  };
+
+  std::vector<Halfedge> m_halfedges;
 
 private:
   static constexpr double pi = boost::math::constants::pi<double>();
   /// The least part of the area of a quadrilateral that a diagonal has to leave on either side.
   static constexpr double min_part = 1e-9;
 
-  double opposite_angles(Index halfedge) const
-  {
-    return this->angle(previous(halfedge)) + this->angle(previous(twin(halfedge)));
-  }
+  double opposite_angles(Index halfedge) const { return angle(previous(halfedge)) + angle(previous(twin(halfedge))); }
 
   /// Flips a non-Delaunay edge, unless rounding lets the other diagonal look no better. \return whether it did
   bool flip_if_better(Index halfedge)
@@ -185,9 +480,118 @@ private:
     if (at_target.angle() + at_origin.angle() >= pi) {
       return false;
     }
-    this->replace_diagonal(halfedge, diagonal);
+    replace_diagonal(halfedge, diagonal);
     return true;
   }
+
+  /// The input with the lengths that count here.
+  struct Input_lengths
+  {
+    const Triangulation& input;
+    double added_length;
+
+    static Index next(Index halfedge) { return Triangulation::next(halfedge); }
+    static Index previous(Index halfedge) { return Triangulation::previous(halfedge); }
+    Index twin(Index halfedge) const { return input.twin(halfedge); }
+    double length(Index halfedge) const { return input.length(halfedge) + added_length; }
+  };
+
+  /// Replaces the edge of `h`, from i to j in a face with apex k, by the edge from k to l, the other apex, whose
+  /// halfedges are afterwards `previous(h)` and `previous(twin)`. The halfedge from k to i moves to `twin`, that from l
+  /// to j moves to `h`, the other two keep their place.
+  /// \pre the diamond is convex, and its faces are two
+  void replace_diagonal(Index h, double new_length)
+  {
+    const Index t = m_halfedges[h].twin;
+    const Index h_next = next(h);
+    const Index h_previous = previous(h);
+    const Index t_next = next(t);
+    const Index t_previous = previous(t);
+    const Normal_coordinate coordinate = flipped_coordinate(
+        m_halfedges[h].coordinate, m_halfedges[h_next].coordinate, m_halfedges[h_previous].coordinate,
+        m_halfedges[t_next].coordinate, m_halfedges[t_previous].coordinate);
+    const Index k = m_halfedges[h_previous].origin;
+    const Index l = m_halfedges[t_previous].origin;
+    move_two(h_previous, t, t_previous, h);
+    m_halfedges[h_previous] = {k, t_previous, leaving_corner(t, t_next, coordinate), coordinate, new_length};
+    m_halfedges[t_previous] = {l, h_previous, leaving_corner(h, h_next, coordinate), coordinate, new_length};
+  }
+
+  /// Moves two halfedges at a time. They may be twins of each other.
+  void move_two(Index from_1, Index to_1, Index from_2, Index to_2)
+  {
+    const auto moved = [&](Index halfedge) { return halfedge == from_1 ? to_1 : halfedge == from_2 ? to_2 : halfedge; };
+    Halfedge first = m_halfedges[from_1];
+    Halfedge second = m_halfedges[from_2];
+    first.twin = moved(first.twin);
+    second.twin = moved(second.twin);
+    m_halfedges[to_1] = first;
+    m_halfedges[to_2] = second;
+    for (const Index to : {to_1, to_2}) {
+      if (m_halfedges[to].twin != no_index) {
+        m_halfedges[m_halfedges[to].twin].twin = to;
+      }
+    }
+  }
+
+  /// The input halfedge into whose face a line leaves the origin of `before`, which is the next edge counterclockwise
+  /// after `before`; `opposite` is the third side of the triangle of both, `coordinate` that of the line.
+  Index leaving_corner(Index before, Index opposite, Normal_coordinate coordinate) const
+  {
+    const Normal_coordinate between =
+        Triangle_curves::emanating(m_halfedges[before].coordinate, m_halfedges[opposite].coordinate, coordinate);
+    return advance(m_halfedges[before].input_halfedge, between + (coordinate == along_input_edge ? 1 : 0));
+  }
+
+  /// Where a curve is that crosses an edge: it enters the face of `halfedge`, after `rank` others, seen from the
+  /// origin.
+  struct Curve_position
+  {
+    Index halfedge;
+    Normal_coordinate rank;
+  };
+
+  /// Follows the curve to the next edge that it crosses. \return false if it ends at the apex instead; `rank` is then
+  /// its rank among those that emanate there, counterclockwise
+  bool follow(Curve_position& at) const
+  {
+    const Index after = next(at.halfedge);
+    const Index before = previous(at.halfedge);
+    const Normal_coordinate side = m_halfedges[at.halfedge].coordinate;
+    const Normal_coordinate side_after = m_halfedges[after].coordinate;
+    const Triangle_curves curves(side, side_after, m_halfedges[before].coordinate);
+    if (at.rank < curves.around[0]) {
+      at.halfedge = m_halfedges[before].twin;
+      return true;
+    }
+    if (at.rank >= curves.around[0] + curves.from[2]) {
+      at = {m_halfedges[after].twin, side_after - side + at.rank};
+      return true;
+    }
+    at.rank -= curves.around[0];
+    return false;
+  }
+
+  /// The input edge that crosses `halfedge` after `rank` others, as a halfedge from its end on the left.
+  Index left_input_halfedge(Index halfedge, Normal_coordinate rank) const
+  {
+    Curve_position at{halfedge, rank};
+    while (follow(at)) {
+    }
+    return advance(m_halfedges[previous(at.halfedge)].input_halfedge, at.rank + 1);
+  }
+
+  /// The input halfedge that is `number` steps counterclockwise from `halfedge`.
+  Index advance(Index halfedge, Normal_coordinate number) const
+  {
+    for (; number > 0; --number) {
+      halfedge = m_input->twin(Triangulation::previous(halfedge));
+    }
+    return halfedge;
+  }
+
+  const Triangulation* m_input;
+  double m_added_length;
 };
 
 /// Makes the intrinsic Delaunay triangulation of the first `number_of_faces` faces of `surface`, which is referred to.

@@ -27,7 +27,7 @@ struct Distance_source
   std::array<double, 3> coordinates{};
 };
 
-/// Estimates distances by the heat method on an intrinsic Delaunay triangulation. Copies share what is prepared; const
+/// Estimates distances by the heat method on an intrinsic Delaunay triangulation. Copies share the preparation; const
 /// and thread safe.
 class Prepared_distances
 {

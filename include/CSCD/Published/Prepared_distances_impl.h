@@ -10,7 +10,7 @@
 #include <CSCD/Published/Heat_method.h>
 #include <CSCD/Published/Intrinsic_triangulation.h>
 #include <CSCD/Published/Prepared_distances.h>
-#include <CSCD/Published/Tufted_cover.h>
+#include <CSCD/Published/Tangent_frames.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Surface/close_surface.h>
 

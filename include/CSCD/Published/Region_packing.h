@@ -1,29 +1,478 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From many separators to few, as published, and the regions that belong to them.
+// Weighs, prunes and packs separators (3.2.1 to 3.2.3, appendix C), and the regions that belong to them.
 
 #ifndef CSCD_PUBLISHED_REGION_PACKING_H
 #define CSCD_PUBLISHED_REGION_PACKING_H
 
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Published/Balance_and_roundness.h>
 #include <CSCD/Published/Field_search_settings.h>
-#include <CSCD/Published/Separator_overlaps.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/Epoch_marks.h>
 
+#include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Measures the surface on the two sides of separators, one after the other. The work is that of the surface near a
+/// separator, up to a distance and an area that are given. One object serves one thread.
+/// \tparam Surface what separators lie on
+template <class Surface>
+class Separator_sides
+{
+public:
+  /// One side of a separator.
+  struct Side
+  {
+    double band_area = 0; ///< of the surface within a distance of the separator
+    double area = 0;      ///< of all the surface on this side, or something above a limit
+  };
+
+  /// \param surface is referred to
+  explicit Separator_sides(const Surface& surface)
+      : m_surface(surface), m_crossed(surface.number_of_halfedges()), m_front(surface.number_of_vertices())
+  {
+  }
+
+  /// Measures one side.
+  /// \param width the distance along edges that bounds the band \param limit where the area need not be counted further
+  Side measure(const Separator& separator, bool is_left, double width, double limit)
+  {
+    m_crossed.clear();
+    m_front.clear();
+    for (const Edge_crossing& crossing : separator.crossings) {
+      m_crossed.mark(edge_of(m_surface, crossing.halfedge));
+    }
+    for (const Edge_crossing& crossing : separator.crossings) {
+      // The target of the halfedge lies on the left.
+      const Index vertex = is_left ? m_surface.target(crossing.halfedge) : m_surface.origin(crossing.halfedge);
+      const double part = is_left ? 1 - crossing.position : crossing.position;
+      m_front.reach(vertex, float(part * m_surface.length(crossing.halfedge)));
+    }
+    Side side = spread(width, limit);
+    if (separator.is_open) {
+      side.area += (is_left ? 1 : -1) * missing_on_left(separator);
+    }
+    return side;
+  }
+
+private:
+  /// What the faces that `separator` cuts have on its left beyond what their vertices there stand for, a third each. In
+  /// corners of sheets, this is most of the area.
+  double missing_on_left(const Separator& separator) const
+  {
+    double result = 0;
+    for (std::size_t i = 0; i < separator.crossings.size(); ++i) {
+      const Edge_crossing& a = separator.crossings[i];
+      const Edge_crossing& b = separator.crossings[i + 1 < separator.crossings.size() ? i + 1 : 0];
+      const bool is_corner_left = m_surface.target(a.halfedge) == m_surface.target(b.halfedge);
+      const auto end = [&](const Edge_crossing& crossing, bool is_corner) {
+        return m_surface.points()[is_corner == is_corner_left ? m_surface.target(crossing.halfedge)
+                                                              : m_surface.origin(crossing.halfedge)];
+      };
+      const Vector_3& corner = end(a, true);
+      const double area = triangle_area(corner, end(a, false), end(b, false));
+      const double part_at_corner = is_corner_left ? (1 - a.position) * (1 - b.position) : a.position * b.position;
+      result += area * (is_corner_left ? part_at_corner - 1. / 3 : 1. / 3 - part_at_corner);
+    }
+    return result;
+  }
+
+  Side spread(double width, double limit)
+  {
+    Side side;
+    m_front.spread([&](Index vertex, float distance) {
+      const double area = double(m_surface.vertex_area(vertex));
+      side.area += area;
+      // The part of the vertex that is in the band, as if it was a square along it.
+      const double extent = std::sqrt(area);
+      const double from = std::max(double(distance) - extent / 2, 0.);
+      const double to = std::min(double(distance) + extent / 2, width);
+      side.band_area += std::max(to - from, 0.) * extent;
+      if (from > width && side.area > limit) {
+        return;
+      }
+      for (Index halfedge : m_surface.outgoing(vertex)) {
+        if (!m_crossed.is_marked(edge_of(m_surface, halfedge))) {
+          m_front.reach(m_surface.target(halfedge), distance + float(m_surface.length(halfedge)));
+        }
+      }
+    });
+    return side;
+  }
+
+  const Surface& m_surface;
+  Epoch_marks m_crossed;
+  Dijkstra_search m_front;
+};
+
+/// Weighs separators by the balance of the surface on their two sides and by their roundness (section 3.2.1), and
+/// prunes those that cut no limb (section 3.2.2). One object serves one thread.
+///
+/// The published text says that local separators are weighed as Baerentzen and Rotenberg do, by the ratio of the sizes
+/// of their two fronts: 1 on a tube, less at its ends and where a limb branches off. The areas of two bands are that
+/// for a curve. Roundness is the square root of the isoperimetric quotient; open separators have none.
+/// \tparam Surface a model of `SkeletonizationSurface`
+template <class Surface>
+class Balance_and_roundness
+{
+public:
+  enum class Verdict
+  {
+    good,
+    bump,  ///< one side is as small as that of a curve around a bump
+    tunnel ///< the curve does not span the body
+  };
+
+  explicit Balance_and_roundness(const Surface& surface, Weight_rule rule = Weight_rule::balance_and_roundness)
+      : m_surface(surface), m_rule(rule), m_sides(surface.triangulation())
+  {
+  }
+
+  /// Judges `separator` and sets `weight`, above 0 for a good one and 0 for others; except with `shortness` it is
+  /// at most 1.
+  Verdict operator()(const Separator& separator, double& weight)
+  {
+    weight = 0;
+    const double squared_length = separator.length * separator.length;
+    const double width = band_width * separator.length;
+    const double min_area = min_area_ratio(separator) * squared_length;
+    const typename Sides::Side left = m_sides.measure(separator, true, width, min_area);
+    const typename Sides::Side right = m_sides.measure(separator, false, width, min_area);
+    if (std::min(left.area, right.area) < min_area) {
+      return Verdict::bump;
+    }
+    curve_points(m_surface.triangulation(), separator, m_points);
+    // Between the two sides of a sheet there is nothing to be spanned.
+    if (!separator.is_open && span_inside_share(m_surface, m_points, separator.center) < min_inside_share) {
+      return Verdict::tunnel;
+    }
+    weight = weight_of_good(separator,
+                            std::min(left.band_area, right.band_area) / std::max(left.band_area, right.band_area));
+    return Verdict::good;
+  }
+
+private:
+  using Sides = Separator_sides<std::decay_t<decltype(std::declval<const Surface&>().triangulation())>>;
+
+  /// Width of the bands, relative to the length of the separator.
+  static constexpr double band_width = 1. / 8;
+  /// Least share of the spanned surface that lies inside: bent limbs have 0.8 and more, tunnels about 0.
+  static constexpr double min_inside_share = 0.7;
+
+  static double min_area_ratio(const Separator& separator)
+  {
+    return separator.is_open ? open_area_factor * Detail().min_branch_area_ratio() : Detail::max_loop_area_ratio;
+  }
+
+  double weight_of_good(const Separator& separator, double balance) const
+  {
+    if (m_rule == Weight_rule::shortness) {
+      return 1 / separator.length; // coordinates are those of a surface of unit area
+    }
+    return separator.is_open ? balance : balance * std::sqrt(std::min(1., separator.roundness()));
+  }
+
+  const Surface& m_surface;
+  Weight_rule m_rule;
+  Sides m_sides;
+  std::vector<Vector_3> m_points;
+};
+
+/// For each of `separators`, 1 if it crosses itself in a face. Linear in the number of crossings.
+/// \tparam Triangulation a model of `SurfaceTriangulation`
+template <class Triangulation>
+std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, const std::vector<Separator>& separators)
+{
+  std::vector<std::uint8_t> result;
+  result.reserve(separators.size());
+  Separator_arrangement_on<Triangulation> arrangement(surface);
+  for (Index i = 0; i < separators.size(); ++i) {
+    arrangement.clear();
+    result.push_back(arrangement.insert(i, separators[i].crossings) ? 0 : 1);
+  }
+  return result;
+}
+
+/// For each of `separators`, 1 if it crosses an edge twice: among points there are no faces in which curves could be
+/// followed more closely. Linear in the number of crossings.
+inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
+                                                     const std::vector<Separator>& separators)
+{
+  std::vector<std::uint8_t> result;
+  result.reserve(separators.size());
+  Epoch_marks crossed(surface.number_of_halfedges());
+  for (const Separator& separator : separators) {
+    crossed.clear();
+    const bool is_simple =
+        std::all_of(separator.crossings.begin(), separator.crossings.end(),
+                    [&](const Edge_crossing& crossing) { return crossed.mark(edge_of(surface, crossing.halfedge)); });
+    result.push_back(is_simple ? 0 : 1);
+  }
+  return result;
+}
+
+/// The end of the crossed edge that `crossing` is closer to; in the middle, the same one in either direction.
+template <class Surface>
+Index nearest_vertex(const Surface& surface, const Edge_crossing& crossing)
+{
+  const Index edge = edge_of(surface, crossing.halfedge);
+  const double position = edge == crossing.halfedge ? crossing.position : 1 - crossing.position;
+  return position < 0.5 ? surface.origin(edge) : surface.target(edge);
+}
+
+/// Whether the segments from `a` to `b` and from `c` to `d` meet, which are given by barycentric coordinates: by
+/// equations 7 and 8 of appendix C, and where the lines are parallel, if they are one and the segments have a point in
+/// common.
+inline bool do_segments_meet(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                             const std::array<double, 2>& c, const std::array<double, 2>& d)
+{
+  // Of areas in barycentric coordinates: rounding errors.
+  constexpr double tolerance = 1e-12;
+  const auto turn = [](const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  const double denominator = (a[0] - b[0]) * (d[1] - c[1]) - (d[0] - c[0]) * (a[1] - b[1]);
+  if (std::abs(denominator) > tolerance) {
+    const double first = (a[0] * (d[1] - c[1]) + c[0] * (a[1] - d[1]) + d[0] * (c[1] - a[1])) / denominator;
+    const double second = (a[0] * (b[1] - c[1]) + b[0] * (c[1] - a[1]) + c[0] * (a[1] - b[1])) / denominator;
+    return first >= 0 && first <= 1 && second >= 0 && second <= 1;
+  }
+  if (std::abs(turn(a, b, c)) > tolerance || std::abs(turn(c, d, a)) > tolerance) {
+    return false;
+  }
+  const auto overlap = [&](std::size_t k) {
+    return std::max(std::min(a[k], b[k]), std::min(c[k], d[k])) <= std::min(std::max(a[k], b[k]), std::max(c[k], d[k]));
+  };
+  return overlap(0) && overlap(1);
+}
+
+/// The pairs of separators that overlap: that pass closest to the same vertex, or as `Overlap_rule` says.
+///
+/// Among the pairs that pass closest to the same vertex are all that cross in a face (appendix C). For let a chord cut
+/// the corner c off a face with the other corners x and y, and cross another one: that has one end on c's side, say on
+/// the edge to x. If the first chord meets this edge nearer to c than to x, both pass closest to c; if it meets it
+/// nearer to x, and so does the second one, both pass closest to x. If the second one alone is nearer to c, the first
+/// one passes closest to c too, on the edge to y, or passes closest to both x and y; and the other end of the second
+/// one, which is not on c's side, is nearest to one of these. There are no parallel lines, vertices or edges to be
+/// treated in a special way. Separators that coincide, and so do not cross, overlap too. And each of a set without
+/// overlaps has a closed ring of vertices of its own: its part of the surface is never empty and always connected.
+class Separator_overlaps
+{
+public:
+  /// Lists what passes each vertex; linear in the number of crossings.
+  /// \param surface whose edges the separators cross
+  template <class Surface>
+  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
+      : Separator_overlaps(surface, separators, find_self_crossings(surface, separators))
+  {
+  }
+  /// The same where it is known already which separators cross themselves.
+  template <class Surface>
+  Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators,
+                     std::vector<std::uint8_t> crosses_itself)
+      : m_crosses_itself(std::move(crosses_itself))
+  {
+    collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
+    list_passes(surface.number_of_vertices());
+  }
+  /// Where only those overlap that meet: in a face, or at a vertex that both pass through. Linear.
+  /// \tparam Surface a model of `SurfaceTriangulation`
+  template <class Surface>
+  static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
+  {
+    Separator_overlaps result;
+    result.m_crosses_itself = find_self_crossings(surface, separators);
+    result.collect_rings(surface, separators, [](const Edge_crossing& crossing) {
+      return std::min(crossing.position, 1 - crossing.position) <= vertex_offset;
+    });
+    result.list_passes(surface.number_of_vertices());
+    result.list_chords(surface, separators);
+    return result;
+  }
+
+  /// The separators that overlap `separator`, in ascending order, until the next call. Linear in the number of
+  /// crossings that pass the same vertices or faces, so that pairs take no memory.
+  const std::vector<Index>& others(Index separator)
+  {
+    m_others.clear();
+    m_found.clear();
+    m_found.mark(separator);
+    collect_touching(separator);
+    if (!m_first_chord.empty()) {
+      collect_meeting(separator);
+    }
+    std::sort(m_others.begin(), m_others.end());
+    return m_others;
+  }
+  /// Whether `separator` is not a simple curve.
+  bool crosses_itself(Index separator) const { return m_crosses_itself[separator] != 0; }
+
+private:
+  /// A piece of a separator in a face, between two barycentric coordinates of its ends each.
+  struct Chord
+  {
+    Index separator;
+    Index face;
+    std::array<double, 2> begin;
+    std::array<double, 2> end;
+  };
+
+  Separator_overlaps() = default;
+
+  /// Lists for each separator the vertices that it passes closest to where `is_passing(crossing)` holds, each once for
+  /// consecutive crossings.
+  template <class Surface, class Predicate>
+  void collect_rings(const Surface& surface, const std::vector<Separator>& separators, const Predicate& is_passing)
+  {
+    for (const Separator& separator : separators) {
+      m_ring_begin.push_back(m_rings.size());
+      for (const Edge_crossing& crossing : separator.crossings) {
+        const Index vertex = nearest_vertex(surface, crossing);
+        if (is_passing(crossing) && (m_rings.size() == m_ring_begin.back() || m_rings.back() != vertex)) {
+          m_rings.push_back(vertex);
+        }
+      }
+    }
+    m_ring_begin.push_back(m_rings.size());
+    m_found = Epoch_marks(separators.size());
+  }
+
+  CGAL::Iterator_range<const Index*> ring(Index separator) const
+  {
+    return {m_rings.data() + m_ring_begin[separator], m_rings.data() + m_ring_begin[separator + 1]};
+  }
+
+  /// Lists for each vertex the separators that pass closest to it.
+  void list_passes(std::size_t number_of_vertices)
+  {
+    m_passes = Compressed_rows<Index, std::size_t>(number_of_vertices, [this](const auto& add) {
+      for (Index separator = 0; separator + 1 < m_ring_begin.size(); ++separator) {
+        for (const Index vertex : ring(separator)) {
+          add(vertex, separator);
+        }
+      }
+    });
+  }
+
+  /// Lists the chords of all separators, one after the other, and those in each face.
+  template <class Surface>
+  void list_chords(const Surface& surface, const std::vector<Separator>& separators)
+  {
+    const auto coordinates = [](Index side, double position) {
+      std::array<double, 3> weights{};
+      weights[side] = 1 - position;
+      weights[(side + 1) % 3] = position;
+      return std::array<double, 2>{weights[0], weights[1]};
+    };
+    for (Index i = 0; i < separators.size(); ++i) {
+      m_first_chord.push_back(m_chords.size());
+      const std::vector<Edge_crossing>& crossings = separators[i].crossings;
+      for (std::size_t k = 0; k < crossings.size(); ++k) {
+        const Edge_crossing& before = crossings[k > 0 ? k - 1 : crossings.size() - 1];
+        m_chords.push_back({i, Surface::face(crossings[k].halfedge),
+                            coordinates(surface.twin(before.halfedge) % 3, 1 - before.position),
+                            coordinates(crossings[k].halfedge % 3, crossings[k].position)});
+      }
+    }
+    m_first_chord.push_back(m_chords.size());
+    m_chords_in_face = Compressed_rows<Index, std::size_t>(surface.number_of_faces(), [this](const auto& add) {
+      for (Index chord = 0; chord < m_chords.size(); ++chord) {
+        add(m_chords[chord].face, chord);
+      }
+    });
+  }
+
+  void collect_meeting(Index separator)
+  {
+    for (std::size_t k = m_first_chord[separator]; k < m_first_chord[separator + 1]; ++k) {
+      const Chord& chord = m_chords[k];
+      for (const Index other : m_chords_in_face[chord.face]) {
+        const Chord& candidate = m_chords[other];
+        if (!m_found.is_marked(candidate.separator) &&
+            do_segments_meet(chord.begin, chord.end, candidate.begin, candidate.end)) {
+          m_found.mark(candidate.separator);
+          m_others.push_back(candidate.separator);
+        }
+      }
+    }
+  }
+
+  void collect_touching(Index separator)
+  {
+    for (const Index vertex : ring(separator)) {
+      for (const Index other : m_passes[vertex]) {
+        if (m_found.mark(other)) {
+          m_others.push_back(other);
+        }
+      }
+    }
+  }
+
+  std::vector<std::uint8_t> m_crosses_itself;
+  std::vector<std::size_t> m_ring_begin; ///< of every separator
+  std::vector<Index> m_rings;
+  Compressed_rows<Index, std::size_t> m_passes; ///< of every vertex
+  std::vector<Chord> m_chords;
+  std::vector<std::size_t> m_first_chord; ///< of every separator
+  Compressed_rows<Index, std::size_t> m_chords_in_face;
+  Epoch_marks m_found;         ///< of the separators
+  std::vector<Index> m_others; ///< of the separator that was asked for
+};
+
+/// Packs separators that do not overlap, greedily (section 3.2.3): first those whose weight is large against the
+/// weights of all that they would exclude, w / (1 + sum of the w of its overlaps), as Baerentzen and Rotenberg order
+/// local separators.
+/// \param weights for each separator, how good it is; those of weight 0 and those that cross themselves are not packed
+/// \return the packed separators, the first packed first; equal ones in the order of their numbers
+inline std::vector<Index> pack_by_overlap(Separator_overlaps& overlaps, const std::vector<double>& weights)
+{
+  const std::size_t size = weights.size();
+  std::vector<double> order_weight(size, 0);
+  std::vector<Index> order;
+  const auto is_allowed = [&](Index i) { return weights[i] > 0 && !overlaps.crosses_itself(i); };
+  for (Index i = 0; i < size; ++i) {
+    if (!is_allowed(i)) {
+      continue;
+    }
+    double excluded = 0;
+    for (Index other : overlaps.others(i)) {
+      excluded += is_allowed(other) ? weights[other] : 0;
+    }
+    order_weight[i] = weights[i] / (1 + excluded);
+    order.push_back(i);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return order_weight[a] > order_weight[b]; });
+  std::vector<std::uint8_t> is_packed(size, 0);
+  std::vector<Index> packed;
+  for (Index i : order) {
+    const std::vector<Index>& others = overlaps.others(i);
+    if (std::none_of(others.begin(), others.end(), [&](Index other) { return is_packed[other] != 0; })) {
+      is_packed[i] = 1;
+      packed.push_back(i);
+    }
+  }
+  return packed;
+}
 
 /// Assigns every vertex to the packed separator that is nearest along the edges (Alg. 2, line 12). Each separator
 /// starts from the ring of vertices that it passes closest to; so its region is connected and never empty. A component
@@ -81,11 +530,21 @@ private:
   Index m_size;
 };
 
+/// \throw Input_error if separators on a `Triangulation` cannot be tested by `rule`
+template <class Triangulation>
+void check_overlap_rule(Overlap_rule rule)
+{
+  if (std::is_same_v<Triangulation, Point_complex> && rule == Overlap_rule::crossing) {
+    throw Input_error("separators among points cannot be tested for crossings: choose Overlap_rule::nearest_vertex");
+  }
+}
+
 /// Packed separators, and the regions of the surface that are nearest to them.
 class Region_packing
 {
 public:
   /// Weighs, prunes and packs `separators` by the rules of `settings`; counts in `report`.
+  /// \throw Input_error if the overlap rule is not one for the surface
   /// \tparam Surface a model of `SkeletonizationSurface`
   template <class Surface>
   Region_packing(const Surface& surface, const std::vector<Separator>& separators,
@@ -123,12 +582,13 @@ private:
     const auto& triangulation = surface.triangulation();
     if constexpr (!std::is_same_v<std::decay_t<decltype(triangulation)>, Point_complex>) {
       if (settings.overlap_rule == Overlap_rule::crossing) {
-        const Separator_overlaps overlaps = Separator_overlaps::meeting(triangulation, separators);
+        Separator_overlaps overlaps = Separator_overlaps::meeting(triangulation, separators);
         return resolved(triangulation, separators, pack_by_overlap(overlaps, weights));
       }
     }
-    CGAL_precondition(settings.overlap_rule == Overlap_rule::nearest_vertex);
-    return pack_by_overlap(Separator_overlaps(triangulation, separators), weights);
+    check_overlap_rule<std::decay_t<decltype(triangulation)>>(settings.overlap_rule);
+    Separator_overlaps overlaps(triangulation, separators);
+    return pack_by_overlap(overlaps, weights);
   }
 
   /// Those of `packed`, no two of which cross, that the vertices resolve. Where several run between the same vertices,

@@ -11,10 +11,10 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
-#include <CSCD/Published/Separator_shortening.h>
 #include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -108,7 +108,7 @@ private:
   boost::random::mt19937 m_generator;
 };
 
-/// Sources whose distances are solved for together, and what is found from them.
+/// Sources whose distances are solved for together, and the results of their searches.
 struct Source_group
 {
   std::vector<Index> sources; ///< vertices of the finest surface
@@ -167,13 +167,16 @@ public:
   using Level_space = Field_search_space<Triangulated_surface>;
 
   /// \param levels is referred to and must outlive this object
-  Multiscale_search_space(const Surface_levels& levels, const Field_search_settings& settings)
-      : m_levels(levels), m_shortening(levels.finest().surface, settings.shortening_rule)
+  Multiscale_search_space(const Surface_levels& levels, Field_search_settings settings) : m_levels(levels)
   {
-    Field_search_settings settings_of_levels = settings;
-    settings_of_levels.shortening_rule.reset(); // loops are shortened on the finest level only
+    if (finest_level() > 0) { // loops are shortened on the finest level only
+      if (settings.shortening_rule == Shortening_rule::variational) {
+        m_queries = std::make_unique<const Solid_queries>(levels.finest().surface);
+      }
+      settings.shortening_rule.reset();
+    }
     for (Index level = finest_level(); level <= coarsest_level(); ++level) {
-      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings_of_levels));
+      m_spaces.push_back(std::make_unique<Level_space>(levels[level].surface, settings));
     }
   }
 
@@ -184,21 +187,35 @@ public:
   Index finest_level() const { return std::min<Index>(1, coarsest_level()); }
   /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
   const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
-  Separator_shortening make_shortening() const { return m_shortening.make_shortening(); }
+
+  /// What shortens loops along the edges of the finest level.
+  Separator_shortening make_shortening() const
+  {
+    const Triangulated_surface& surface = m_levels.finest().surface;
+    if (m_queries) {
+      return Surface_flow(surface, Closest_point_projection(surface, *m_queries));
+    }
+    using Flips = Separator_flip_shortening<Triangulated_surface, Triangulated_surface>;
+    const auto flips = std::make_shared<Flips>(surface, surface);
+    return [flips](const std::vector<Index>& halfedges, Index source, Separator& separator) {
+      return (*flips)(halfedges, source, separator);
+    };
+  }
 
 private:
   /// Vertices of a level from which on there is no use in a coarser one: solves take little time, and estimated
-  /// distances need edges that are short beside the limbs.
+  /// distances need edges that are short compared with the limbs.
   static constexpr Index coarsest_size = 6000;
 
   const Surface_levels& m_levels;
-  Loop_shortening_space<Triangulated_surface> m_shortening; ///< on the finest level
+  std::unique_ptr<const Solid_queries> m_queries; ///< for the variational flow
   std::vector<std::unique_ptr<const Level_space>> m_spaces;
 };
 
 /// Searches on the coarsest level from points in its faces. Where the loop has too few edges there, or there is none,
 /// it searches again on the next finer level. What is found is carried to the finest level, by shortest paths between
-/// its vertices, and shortened there: only once, since each shortening may let it slide.
+/// its vertices, and shortened there: only once, since each shortening may let it slide. With one level only, this is
+/// the search of `Field_group_search`.
 class Multiscale_group_search
 {
 public:
@@ -259,6 +276,10 @@ private:
     std::vector<std::size_t> refused;
     for (std::size_t k = 0; k < m_pending.size(); ++k) {
       Field_search_result& result = group.results[m_pending[k]];
+      if (level == 0) {
+        finder.find(group.sources[m_pending[k]], m_distances[k], result);
+        continue;
+      }
       const Cut_loop& loop = finder.find.find_loop(m_level_sources[k].vertex, m_level_sources[k].point, m_distances[k]);
       const bool is_found = loop.outcome == Cut_loop_outcome::found;
       if (level > m_space.finest_level() &&
@@ -270,8 +291,7 @@ private:
       result.outcome = Search_outcome::no_cut;
       result.shortening = Shortening_outcome::collapsed;
       if (is_found) {
-        m_halfedges = finder.find.halfedges(loop);
-        shorten_on_finest(level, group.sources[m_pending[k]], result);
+        shorten_on_finest(level, loop.halfedges, group.sources[m_pending[k]], result);
       }
     }
     m_pending.swap(refused);
@@ -344,41 +364,35 @@ private:
     return weights;
   }
 
-  /// Makes the separator of the loop along `m_halfedges`, those of `level`.
-  void shorten_on_finest(Index level, Index source, Field_search_result& result)
+  /// Makes the separator of the loop along `halfedges` of `level`: carries it to the finest level by shortest paths
+  /// between its vertices, and shortens it there.
+  void shorten_on_finest(Index level, const std::vector<Index>& halfedges, Index source, Field_search_result& result)
   {
     result.separator.source = source;
     result.separator.level = level;
-    if (level == 0 || carry_to_finest(m_levels[level])) {
-      result.shortening = m_shorten(m_halfedges, source, result.separator);
+    m_loop.clear();
+    for (const Index halfedge : halfedges) {
+      m_loop.push_back(m_space[level].triangulation().origin(halfedge));
+    }
+    if (m_projection(m_levels[level], m_loop, m_fine_loop)) {
+      m_halfedges.clear();
+      for (std::size_t i = 0; i < m_fine_loop.size(); ++i) {
+        m_halfedges.push_back(
+            m_levels.finest().surface.find_halfedge(m_fine_loop[i], m_fine_loop[(i + 1) % m_fine_loop.size()]));
+      }
+      if (std::count(m_halfedges.begin(), m_halfedges.end(), no_index) == 0) {
+        result.shortening = m_shorten(m_halfedges, source, result.separator);
+      }
     }
     result.outcome =
         result.shortening == Shortening_outcome::collapsed ? Search_outcome::degenerate : Search_outcome::found;
-  }
-
-  /// Replaces the halfedges of `level` by those of the finest level. \return false if they make no closed curve there
-  bool carry_to_finest(const Surface_level& level)
-  {
-    m_loop.clear();
-    for (const Index halfedge : m_halfedges) {
-      m_loop.push_back(level.surface.origin(halfedge));
-    }
-    if (!m_projection(level, m_loop, m_fine_loop)) {
-      return false;
-    }
-    m_halfedges.clear();
-    for (std::size_t i = 0; i < m_fine_loop.size(); ++i) {
-      m_halfedges.push_back(
-          m_levels.finest().surface.find_halfedge(m_fine_loop[i], m_fine_loop[(i + 1) % m_fine_loop.size()]));
-    }
-    return std::count(m_halfedges.begin(), m_halfedges.end(), no_index) == 0;
   }
 
   const Multiscale_search_space& m_space;
   const Surface_levels& m_levels;
   std::vector<std::unique_ptr<Finder>> m_finders; ///< of the levels that have distances
   Loop_projection m_projection;
-  Separator_shortening m_shorten;
+  Separator_shortening m_shorten;     ///< on the finest level
   std::vector<std::size_t> m_pending; ///< places in the group
   std::vector<Level_source> m_level_sources;
   std::vector<std::vector<Geodesic_source>> m_source_sets;
@@ -398,7 +412,7 @@ template <class Surface>
 class Sampled_search
 {
 public:
-  /// \pre `field_settings.is_multiscale` and `is_intrinsic` only if `surface` is a `Triangulated_solid`
+  /// \pre `field_settings.is_multiscale` only if `surface` is a `Triangulated_solid`
   Sampled_search(const Surface& surface, const Options& settings, const Field_search_settings& field_settings)
       : m_group_size(field_settings.is_multiscale ? multiscale_group_size : Heat_method::batch_size),
         m_round_size(field_settings.sampling_rule == Sampling_rule::one_by_one ? 1 : m_group_size * max_groups),
@@ -456,12 +470,8 @@ private:
       if (settings.is_multiscale) {
         return share<Multiscale_search_space, Multiscale_group_search>(surface.levels(), settings);
       }
-      if (settings.is_intrinsic.value_or(settings.shortening_rule != Shortening_rule::variational)) {
-        using Space = Intrinsic_search_space<Triangulated_surface>;
-        return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
-      }
     }
-    CGAL_precondition(!settings.is_multiscale && !settings.is_intrinsic.value_or(false));
+    CGAL_precondition(!settings.is_multiscale);
     using Space = Field_search_space<Triangulation>;
     return share<Space, Field_group_search<Space>>(surface.triangulation(), settings);
   }

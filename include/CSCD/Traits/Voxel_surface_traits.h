@@ -42,15 +42,14 @@ public:
   using Surface = Triangulated_solid;
   /// @}
 
-  /// Compiles `surface`, which is not referred to later; near linear.
+  /// Compiles `surface`, which is not copied if it is moved here; near linear.
   /// \pre the surface is as `Voxel_surface_builder` makes it
-  explicit Voxel_surface_traits(const Voxel_surface& surface) : m_numbers(surface.triangles.points.size())
+  explicit Voxel_surface_traits(Voxel_surface surface) : m_numbers(surface.triangles.points.size())
   {
     const auto start = std::chrono::steady_clock::now();
     std::iota(m_numbers.begin(), m_numbers.end(), std::size_t(0));
-    Voxel_surface bodies = surface;
-    bodies.turn_cavities();
-    m_surface.emplace(std::move(bodies.triangles), std::move(bodies.pairing));
+    surface.turn_cavities();
+    m_surface.emplace(std::move(surface.triangles), std::move(surface.pairing));
     m_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   }
 

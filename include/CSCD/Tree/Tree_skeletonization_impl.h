@@ -9,7 +9,6 @@
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/Points/Point_grid.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Tree/Gap_bridging.h>
 #include <CSCD/Tree/Limb_finder.h>

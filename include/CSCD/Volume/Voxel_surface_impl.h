@@ -541,8 +541,8 @@ CSCD_INLINE Voxel_surface Voxel_surface_builder::make_surface(Shape&& shape) con
   result.triangles = std::move(shape.triangles);
   Indexed_triangles& triangles = result.triangles;
   result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
-  result.number_of_cavities = internal::find_cavities(triangles, result.pairing, m_settings.fills_cavities);
   triangles.first_hole_filling_face = triangles.faces.size();
+  result.number_of_cavities = internal::find_cavities(triangles, result.pairing, m_settings.fills_cavities);
   internal::smooth_voxel_surface(triangles);
   for (Vector_3& point : triangles.points) {
     point = m_grid.point(point - Vector_3::Constant(0.5));

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From the regions of packed separators to a skeleton.
+// From the regions of packed separators to a skeleton (algorithm 2, lines 13 to 15).
 
-#ifndef CSCD_PUBLISHED_BUILD_QUOTIENT_SKELETON_H
-#define CSCD_PUBLISHED_BUILD_QUOTIENT_SKELETON_H
+#ifndef CSCD_PUBLISHED_QUOTIENT_SKELETON_H
+#define CSCD_PUBLISHED_QUOTIENT_SKELETON_H
 
-#include <CSCD/Graph/Spatial_graph.h>
-#include <CSCD/Points/Closed_complex.h>
 #include <CSCD/Points/Point_complex.h>
+#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Published/Region_packing.h>
+#include <CSCD/Separator/Plane_section.h>
+#include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeletonization_report.h>
@@ -21,8 +22,8 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <initializer_list>
 #include <iterator>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -251,196 +252,14 @@ std::vector<std::vector<Index>> region_meetings(const Point_complex& complex, co
   return count_cycles(closed_meetings) < number_of_cycles ? closed_meetings : meetings;
 }
 
-/// The same in a graph, which has no faces: its cycles of three or four edges take their place.
-class Graph_region_meetings
-{
-public:
-  template <class Region>
-  Graph_region_meetings(const Spatial_graph& graph, const Region& region)
-      : m_graph(graph), m_networks(graph.number_of_halfedges()), m_cycles(graph.number_of_halfedges()),
-        m_halfedge_to(graph.number_of_vertices(), no_index)
-  {
-    for (Index a = 0; a < graph.number_of_vertices(); ++a) {
-      join_at_vertex(region, a);
-    }
-    m_meetings = collect_meetings(graph, region, m_networks, m_cycles);
-  }
-
-  std::vector<std::vector<Index>> meetings() && { return std::move(m_meetings); }
-
-private:
-  /// Joins what is connected by cycles of three or four edges with two edges at `a`.
-  template <class Region>
-  void join_at_vertex(const Region& region, Index a)
-  {
-    for (const Index h : m_graph.outgoing(a)) {
-      m_halfedge_to[m_graph.target(h)] = h;
-    }
-    for (const Index h : m_graph.outgoing(a)) {
-      const Index b = m_graph.target(h);
-      for (const Index side : m_graph.outgoing(b)) {
-        const Index c = m_graph.target(side);
-        if (m_halfedge_to[c] != no_index && b < c) {
-          join(region, {h, side, m_graph.twin(m_halfedge_to[c])});
-        }
-        for (const Index opposite : m_graph.outgoing(c)) {
-          const Index d = m_graph.target(opposite);
-          if (a < c && b < d && m_halfedge_to[d] != no_index && m_halfedge_to[c] == no_index &&
-              !m_graph.is_adjacent(b, d)) {
-            join_square(region, {h, side, opposite, m_graph.twin(m_halfedge_to[d])});
-          }
-        }
-      }
-    }
-    for (const Index h : m_graph.outgoing(a)) {
-      m_halfedge_to[m_graph.target(h)] = no_index;
-    }
-  }
-
-  /// As `join()`; where two opposite corners are in one region, and the others in two, these do not meet: it is
-  /// between.
-  template <class Region>
-  void join_square(const Region& region, const std::array<Index, 4>& sides)
-  {
-    std::array<Index, 4> corner{};
-    std::transform(sides.begin(), sides.end(), corner.begin(), [&](Index h) { return region(m_graph.origin(h)); });
-    if (corner[0] == corner[2] && corner[1] != corner[3]) {
-      join(region, {sides[0], sides[1]});
-      join(region, {sides[2], sides[3]});
-    } else if (corner[1] == corner[3] && corner[0] != corner[2]) {
-      join(region, {sides[1], sides[2]});
-      join(region, {sides[3], sides[0]});
-    } else {
-      join(region, {sides[0], sides[1], sides[2], sides[3]});
-    }
-  }
-
-  /// Joins the edges between regions among those of a cycle, and the halfedges among them that leave one region.
-  template <class Region>
-  void join(const Region& region, std::initializer_list<Index> cycle)
-  {
-    Index first = no_index;
-    std::array<Index, 8> leaving{}; // two for each edge
-    std::size_t size = 0;
-    for (const Index h : cycle) {
-      if (region(m_graph.origin(h)) == region(m_graph.target(h))) {
-        continue;
-      }
-      if (first == no_index) {
-        first = h;
-      }
-      m_networks.join(edge_of(m_graph, first), edge_of(m_graph, h));
-      for (const Index leaves : {h, m_graph.twin(h)}) {
-        for (std::size_t i = 0; i < size; ++i) {
-          if (region(m_graph.origin(leaving[i])) == region(m_graph.origin(leaves))) {
-            m_cycles.join(leaving[i], leaves);
-          }
-        }
-        leaving[size++] = leaves;
-      }
-    }
-  }
-
-  const Spatial_graph& m_graph;
-  Disjoint_sets m_networks;         ///< of edges between regions
-  Disjoint_sets m_cycles;           ///< of halfedges that leave a region
-  std::vector<Index> m_halfedge_to; ///< from the vertex that is looked at to its neighbors
-  std::vector<std::vector<Index>> m_meetings;
-};
-
-template <class Region>
-std::vector<std::vector<Index>> region_meetings(const Spatial_graph& graph, const Region& region)
-{
-  return Graph_region_meetings(graph, region).meetings();
-}
-
-/// The radius of what a vertex stands for: nothing but itself on a surface.
+/// The radius of what a vertex stands for: nothing but itself on a surface. There are overloads of this, of
+/// `region_meetings()` and of `finish_skeleton()` for graphs.
 template <class Triangulation>
 double vertex_radius(const Triangulation& /* surface */, Index /* vertex */)
 {
   return 0;
 }
-inline double vertex_radius(const Spatial_graph& graph, Index vertex)
-{
-  return graph.radius(vertex);
-}
-
-/// What is particular to graphs, once regions are joined.
-class Graph_skeleton_finishing
-{
-public:
-  Graph_skeleton_finishing(const Spatial_graph& graph, const Separator_regions& regions, Skeleton_builder& builder)
-      : m_graph(graph), m_regions(regions), m_builder(builder)
-  {
-  }
-
-  void operator()()
-  {
-    prune_bumps();
-    center();
-    m_builder.compact();
-  }
-
-private:
-  /// How far a tip reaches from the junction that it hangs on if it is only a bump, in radii of the junction. Chosen on
-  /// dino, elephant and a torus of nine handles: with 1.3 tubes have tips aside, with 2 blunt limbs are lost.
-  static constexpr double bump_reach = 1.6;
-  /// The part that the separator has in the place of a node inside a branch; the region has the rest. The region of a
-  /// separator between oblique ones is a wedge, whose centroid is off the axis; chosen on the same shapes.
-  static constexpr double separator_part = 0.5;
-
-  void prune_bumps()
-  {
-    std::vector<char> is_wire_end(m_regions.size(), 0);
-    for (Index vertex = 0; vertex < m_graph.number_of_vertices(); ++vertex) {
-      if (m_graph.outgoing(vertex).size() == 1) {
-        is_wire_end[m_regions[vertex]] = 1;
-      }
-    }
-    for (Index node = 0; node < m_regions.size(); ++node) {
-      if (m_builder.degree(node) != 1 || is_wire_end[node] != 0) {
-        continue;
-      }
-      const Index junction = m_builder[node].neighbors.front();
-      if (m_builder.is_junction(junction) &&
-          m_builder.edge_length(node, junction) + m_builder[node].radius < bump_reach * m_builder[junction].radius) {
-        m_builder.contract(node, junction);
-      }
-    }
-    // Nodes between regions that no longer join three.
-    for (Index node = m_regions.size(); node < m_builder.size(); ++node) {
-      const std::vector<Index>& neighbors = m_builder[node].neighbors;
-      if (neighbors.size() == 2 && neighbors[0] != neighbors[1]) {
-        m_builder.bypass(node);
-      }
-    }
-  }
-
-  void center()
-  {
-    std::vector<Vector_3> sum(m_regions.size(), Vector_3::Zero());
-    std::vector<double> length(m_regions.size(), 0);
-    for (Index vertex = 0; vertex < m_graph.number_of_vertices(); ++vertex) {
-      if (m_regions.is_on_separator(vertex)) {
-        const double extent = std::sqrt(m_graph.vertex_area(vertex));
-        sum[m_regions[vertex]] += extent * m_graph.points()[vertex];
-        length[m_regions[vertex]] += extent;
-      }
-    }
-    for (Index node = 0; node < m_regions.size(); ++node) {
-      if (m_builder.is_regular(node) && length[node] > 0) {
-        Vector_3& position = m_builder[node].position;
-        position = (1 - separator_part) * position + separator_part * (sum[node] / length[node]);
-      }
-    }
-  }
-
-  const Spatial_graph& m_graph;
-  const Separator_regions& m_regions;
-  Skeleton_builder& m_builder;
-};
-
-/// Moves into the body what is outside, and counts the rest.
+/// Moves nodes and edges into the body, and counts those that stay outside.
 template <class Surface>
 void finish_skeleton(const Surface& surface, const Separator_regions& /* regions */, Skeleton_builder& builder,
                      Skeletonization_report& report)
@@ -455,17 +274,9 @@ void finish_skeleton(const Surface& surface, const Separator_regions& /* regions
   report.number_of_nodes_outside = outside.number_of_nodes;
   report.number_of_edges_outside = outside.number_of_edges;
 }
-/// A graph bounds no body.
-inline void finish_skeleton(const Spatial_graph& graph, const Separator_regions& regions, Skeleton_builder& builder,
-                            Skeletonization_report& /* report */)
-{
-  Graph_skeleton_finishing(graph, regions, builder)();
-  make_simple(builder);
-}
-
 /// Builds the skeleton whose nodes are the regions of the packed separators: at their centroids by area (Alg. 2, lines
 /// 13 and 14), joined where regions touch.
-/// \tparam Surface a model of `SkeletonizationSurface`, or `Spatial_graph`
+/// \tparam Surface a model of `SkeletonizationSurface`, or a type with the overloads above, found by its namespace
 template <class Surface>
 class Quotient_skeleton_builder
 {
@@ -613,6 +424,258 @@ private:
   std::vector<double> m_area;
 };
 
+/// The surface of a limb beyond its last separator, by vertices.
+class Limb_end
+{
+public:
+  /// A limb gets a tip if its end is higher than this, relative to its radius.
+  static constexpr double min_tip_height = 0.7;
+
+  /// \param distance from the last separator
+  void add(const Vector_3& point, double area, float distance) { m_vertices.push_back({point, area, distance}); }
+
+  /// The largest distance; 0 if there is no vertex.
+  float height() const
+  {
+    float result = 0;
+    for (const Vertex& vertex : m_vertices) {
+      result = std::max(result, vertex.distance);
+    }
+    return result;
+  }
+
+  /// The vertices that are at least `distance` from the separator, with distances from there.
+  Limb_end beyond(double distance) const
+  {
+    Limb_end result;
+    for (const Vertex& vertex : m_vertices) {
+      if (vertex.distance >= float(distance)) {
+        result.add(vertex.point, vertex.area, vertex.distance - float(distance));
+      }
+    }
+    return result;
+  }
+  /// The vertices that are nearer to it than `distance`.
+  Limb_end below(double distance) const
+  {
+    Limb_end result;
+    std::copy_if(m_vertices.begin(), m_vertices.end(), std::back_inserter(result.m_vertices),
+                 [distance](const Vertex& vertex) { return vertex.distance < float(distance); });
+    return result;
+  }
+
+  struct Ball
+  {
+    Vector_3 center;
+    double radius;
+  };
+  /// The centroid by area, and the mean distance from it; nothing if there are too few vertices for either.
+  std::optional<Ball> ball() const
+  {
+    if (m_vertices.size() < min_vertices) {
+      return std::nullopt;
+    }
+    Ball result{Vector_3::Zero(), 0};
+    double weight = 0;
+    for (const Vertex& vertex : m_vertices) {
+      result.center += vertex.area * vertex.point;
+      weight += vertex.area;
+    }
+    result.center /= weight;
+    for (const Vertex& vertex : m_vertices) {
+      result.radius += vertex.area / weight * (vertex.point - result.center).norm();
+    }
+    return weight > 0 ? std::optional<Ball>(result) : std::nullopt;
+  }
+
+  /// The tip of a limb with its last node at `base`, in the direction of what is far from that; nothing if the end is
+  /// not higher than `min_height`, relative to the radius.
+  std::optional<Vector_3> tip(const Vector_3& base, double radius, double min_height = min_tip_height) const
+  {
+    const float far = float(far_part * height());
+    Vector_3 sum = Vector_3::Zero();
+    double weight = 0;
+    for (const Vertex& vertex : m_vertices) {
+      if (vertex.distance >= far) {
+        sum += vertex.area * vertex.point;
+        weight += vertex.area;
+      }
+    }
+    const bool is_high = height() > min_height * radius && weight > 0;
+    return is_high ? tip_towards(base, (sum / weight - base).normalized(), radius) : std::nullopt;
+  }
+
+  /// The tip in `direction`, if the limb extends far enough there.
+  std::optional<Vector_3> tip_towards(const Vector_3& base, const Vector_3& direction, double radius) const
+  {
+    double extent = 0;
+    for (const Vertex& vertex : m_vertices) {
+      extent = std::max(extent, direction.dot(vertex.point - base));
+    }
+    const double length = extent - tip_depth * radius;
+    return length > min_tip_length * radius ? std::optional<Vector_3>(base + length * direction) : std::nullopt;
+  }
+
+private:
+  /// The tip stays this far below the surface ...
+  static constexpr double tip_depth = 0.75;
+  /// ... and this far from the node that it is joined to, relative to the radius.
+  static constexpr double min_tip_length = 0.3;
+  /// The direction of a tip is that to the vertices beyond this part of the height.
+  static constexpr double far_part = 0.6;
+  /// Fewer surround nothing.
+  static constexpr std::size_t min_vertices = 6;
+
+  struct Vertex
+  {
+    Vector_3 point;
+    double area;
+    float distance;
+  };
+  std::vector<Vertex> m_vertices;
+};
+
+/// Moves the nodes of regions towards the middle of their separators, and leads branches to the ends of limbs.
+/// \tparam Triangulation a model of `SurfaceTriangulation`, or `Point_complex`
+template <class Triangulation>
+class Region_sections
+{
+public:
+  Region_sections(const Triangulation& surface, const std::vector<Separator>& separators, const Region_packing& packing,
+                  Skeleton_builder& builder)
+      : m_surface(surface), m_separators(separators), m_packing(packing), m_builder(builder)
+  {
+  }
+
+  /// \pre node i of the builder is that of region i, joined to those that it touches
+  void operator()()
+  {
+    std::vector<Vector_3> outline;
+    for (Index region = 0; region < m_packing.packed().size(); ++region) {
+      curve_points(m_surface, separator(region), outline);
+      const Section_disc disc = section_disc(outline);
+      m_builder[region].position = region_share * m_builder[region].position + (1 - region_share) * disc.center;
+      m_builder[region].radius = disc.radius();
+    }
+    for (const Side& side : find_ends()) {
+      add_tip(side);
+    }
+  }
+
+private:
+  /// The share of the centroid of a region in the position of its node, as where the surface is cut.
+  static constexpr double region_share = 0.5;
+
+  /// The ends of limbs that are longer than this get nodes before the tip ...
+  static constexpr double min_long_height = 1.5;
+  /// ... in the middle of bands that are this high, and these as far from each other, relative to the radius at the
+  /// node before.
+  static constexpr double band_height = 0.5;
+  /// A band may be so much wider than the radius before: its vertices are farther from its middle along the limb, too.
+  static constexpr double max_thickening = 1.5;
+
+  /// A side of a separator without another separator beyond it.
+  struct Side
+  {
+    Index region;
+    double direction; ///< 1 where its normal points to, else -1
+    Limb_end end{};
+  };
+
+  const Separator& separator(Index region) const { return m_separators[m_packing.packed()[region]]; }
+  Index region_of(Index vertex) const { return m_packing.regions()[vertex]; }
+
+  /// Positive on that side of the separator of `region` where the normal points to.
+  double height(Index region, Index vertex) const
+  {
+    return separator(region).normal.dot(m_surface.points()[vertex] - separator(region).center);
+  }
+
+  /// For each region with a separator, how many more edges lead to others from the side that the normal points to than
+  /// from the other one.
+  std::vector<int> count_ways_out() const
+  {
+    std::vector<int> result(m_packing.packed().size(), 0);
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
+      const Index region = region_of(m_surface.origin(h));
+      if (region < result.size() && region_of(m_surface.target(h)) != region) {
+        result[region] += height(region, m_surface.origin(h)) > 0 ? 1 : -1;
+      }
+    }
+    return result;
+  }
+
+  /// The sides of regions at which limbs end.
+  std::vector<Side> find_ends() const
+  {
+    const std::vector<int> ways_out = count_ways_out();
+    std::vector<Side> sides;
+    std::vector<std::vector<Index>> sides_of_region(m_packing.regions().size());
+    for (Index region = 0; region < ways_out.size(); ++region) {
+      for (const int direction : {1, -1}) {
+        if (m_builder.degree(region) == 0 || (m_builder.degree(region) == 1 && direction * ways_out[region] < 0)) {
+          sides_of_region[region].push_back(Index(sides.size()));
+          sides.push_back({region, double(direction)});
+        }
+      }
+    }
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      for (const Index i : sides_of_region[region_of(vertex)]) {
+        if (sides[i].direction * height(sides[i].region, vertex) > 0) {
+          sides[i].end.add(m_surface.points()[vertex], double(m_surface.vertex_area(vertex)),
+                           m_packing.regions().distance(vertex));
+        }
+      }
+    }
+    return sides;
+  }
+
+  /// Leads the limb of `side` to its end: through the middle of bands as long as it gets no thicker, and not back.
+  void add_tip(const Side& side)
+  {
+    Index last = side.region;
+    Limb_end end = side.end;
+    while (end.height() > min_long_height * m_builder[last].radius) {
+      const double radius = m_builder[last].radius;
+      double height = band_height * radius;
+      while (3 * height < end.height() && !end.beyond(height).below(height).ball()) {
+        height *= 2; // there are few vertices around a thin limb
+      }
+      const std::optional<Limb_end::Ball> ball = end.beyond(height).below(height).ball();
+      if (!ball || ball->radius > max_thickening * radius || !leads_on(last, ball->center)) {
+        break;
+      }
+      last = append(last, ball->center, std::min(ball->radius, radius), side.region);
+      end = end.beyond(3 * height / 2); // the middle of the band
+    }
+    const std::optional<Vector_3> tip = end.tip(m_builder[last].position, m_builder[last].radius);
+    if (tip && leads_on(last, *tip)) {
+      append(last, *tip, m_builder[last].radius, side.region);
+    }
+  }
+
+  /// Whether the branch turns by less than a right angle at `last`, if it goes on to `position`.
+  bool leads_on(Index last, const Vector_3& position) const
+  {
+    const Skeleton_builder::Node& node = m_builder[last];
+    return node.neighbors.empty() ||
+           (node.position - m_builder[node.neighbors.front()].position).dot(position - node.position) > 0;
+  }
+
+  Index append(Index last, const Vector_3& position, double radius, Index region)
+  {
+    const Index node = m_builder.add_node(position, radius);
+    m_builder[node].pieces = {region};
+    m_builder.add_edge(last, node);
+    return node;
+  }
+
+  const Triangulation& m_surface;
+  const std::vector<Separator>& m_separators;
+  const Region_packing& m_packing;
+  Skeleton_builder& m_builder;
+};
+
 } // namespace CSCD::internal
 
-#endif // CSCD_PUBLISHED_BUILD_QUOTIENT_SKELETON_H
+#endif // CSCD_PUBLISHED_QUOTIENT_SKELETON_H
