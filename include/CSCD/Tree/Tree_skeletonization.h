@@ -41,8 +41,4 @@ Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Ve
 
 } // namespace CSCD::internal
 
-#ifndef CSCD_COMPILED
-#include <CSCD/Tree/Tree_skeletonization_impl.h>
-#endif
-
 #endif // CSCD_TREE_TREE_SKELETONIZATION_H

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of evaluate_skeleton.h.
+// Measures a skeleton against a mesh or points.
 
-#ifndef CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
-#define CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
-
-#include <CSCD/Measure/Isosurface_tracker.h>
-#include <CSCD/Measure/Position_measurement.h>
-#include <CSCD/Measure/Segment_bvh.h>
+#include "Measure/Isosurface_tracker.h"
+#include "Measure/Position_measurement.h"
+#include "Measure/Segment_tree.h"
+#include "Measure/Surface_limbs.h"
+#include "Measure/count_skeleton.h"
+#include "Measure/reconstruction_fields.h"
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/Surface_limbs.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -25,8 +23,6 @@
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -42,6 +38,7 @@
 #include <vector>
 
 namespace CSCD::internal {
+namespace {
 
 /// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
 /// Borders are bridged, so that there is a body; components that face inwards are turned.
@@ -104,7 +101,7 @@ private:
 };
 
 /// The angle by which the path a, b, c turns at b, from 0 to pi; 0 where two of the points are equal.
-inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
   const Vector_3 before = b - a;
   const Vector_3 after = c - b;
@@ -113,9 +110,9 @@ inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3
 
 /// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
 /// edges that touch such nodes, half for each end, in local radii.
-inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<double>& radii,
-                            const std::vector<std::vector<Index>>& neighbors, Skeleton_counts& counts)
+void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
 {
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
   double sum = 0;
   double length = 0; // in radii
   for (std::size_t v = 0; v < neighbors.size(); ++v) {
@@ -127,38 +124,14 @@ inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<
     const Vector_3& c = skeleton.points[neighbors[v][1]];
     const double angle = turning_angle(a, b, c);
     counts.max_turning = std::fmax(counts.max_turning, angle);
-    if (radii[v] > 0) {
+    if (skeleton.radii[v] > 0) {
       sum += angle;
-      length += ((a - b).norm() + (c - b).norm()) / 2 / radii[v];
+      length += ((a - b).norm() + (c - b).norm()) / 2 / skeleton.radii[v];
     }
   }
   if (length > 0) {
     counts.mean_turning = sum / length;
   }
-}
-
-/// Counts nodes, edges, components, cycles, tips and junctions, and measures length and turning. Near linear.
-/// \param radii of the nodes, for the unit of the turning
-inline Skeleton_counts count_skeleton(const Indexed_skeleton& skeleton, const std::vector<double>& radii)
-{
-  Skeleton_counts counts;
-  counts.number_of_nodes = skeleton.number_of_nodes();
-  counts.number_of_edges = skeleton.edges.size();
-  counts.number_of_components = skeleton.number_of_nodes();
-  Disjoint_sets sets(skeleton.number_of_nodes());
-  for (const std::array<Index, 2>& edge : skeleton.edges) {
-    counts.number_of_components -= sets.join(edge[0], edge[1]) ? 1 : 0;
-    counts.length += skeleton.length(edge);
-  }
-  counts.betti_number = counts.number_of_edges + counts.number_of_components - counts.number_of_nodes;
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
-  for (const std::vector<Index>& around : neighbors) {
-    counts.number_of_isolated_nodes += around.empty() ? 1 : 0;
-    counts.number_of_tips += around.size() == 1 ? 1 : 0;
-    counts.number_of_junctions += around.size() > 2 ? 1 : 0;
-  }
-  measure_turning(skeleton, radii, neighbors, counts);
-  return counts;
 }
 
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
@@ -244,32 +217,33 @@ public:
       }
     }
     m_normalization = normalize_diagonal(m_points);
-    std::vector<Segment_bvh::Segment> segments;
+    std::vector<Segment_tree::Segment> segments;
     segments.reserve(m_points.size());
     for (const Vector_3& point : m_points) {
       segments.push_back({point, point});
     }
-    m_tree = Segment_bvh(std::move(segments));
+    m_tree = Segment_tree(std::move(segments));
   }
 
   const Normalization& normalization() const { return m_normalization; }
   const std::vector<Vector_3>& points() const { return m_points; }
-  double distance(const Vector_3& point) const { return m_tree.nearest(point).distance; }
+  double distance(const Vector_3& point) const { return m_tree.nearest(point, m_work).distance; }
 
 private:
   std::vector<Vector_3> m_points;
   Normalization m_normalization;
-  Segment_bvh m_tree;
+  Segment_tree m_tree;
+  mutable Work_limit m_work;
 };
 
 /// The distance of `point` from the input.
 /// \param near what the last call left; neighboring points are answered faster one after the other
-inline double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
+double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
 {
   return cloud.distance(point);
 }
 
-inline double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
+double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
 {
   const Surface_point nearest = body.queries().closest_point(point, near);
   near = nearest.face;
@@ -284,9 +258,13 @@ public:
   /// \param measured is referred to
   /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
   ///        radii are to be used and it has none
-  Skeleton_evaluation(const Measured& measured, Indexed_skeleton skeleton, const Evaluation_parameters& parameters)
+  Skeleton_evaluation(const Measured& measured, Skeleton skeleton, const Evaluation_parameters& parameters)
       : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
   {
+    constexpr std::size_t max_size = std::size_t(1) << 18; // more would take minutes: fields are sums over all edges
+    if (m_skeleton.number_of_nodes() + m_skeleton.edges.size() > max_size) {
+      throw Input_error("the skeleton has more than 2^18 nodes and edges: resample it with a greater spacing first");
+    }
     if (m_resolution == 0 || m_resolution > maximum_resolution) {
       throw Input_error("the resolution is not in [1, 10000]: 200 will do in most cases");
     }
@@ -294,11 +272,11 @@ public:
     if (parameters.uses_skeleton_radii) {
       place_radii();
     } else {
-      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton, &m_are_radii_estimates);
+      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton);
     }
   }
 
-  const Indexed_skeleton& skeleton() const { return m_skeleton; }
+  const Skeleton& skeleton() const { return m_skeleton; }
 
   /// The surface that the skeleton describes, in common coordinates.
   Field_surface reconstruct(Reconstruction_method method) const
@@ -317,8 +295,8 @@ public:
     Skeleton_measures result;
     result.number_of_points = m_measured.points().size();
     result.diagonal = m_measured.normalization().unit;
-    result.are_radii_estimates = m_are_radii_estimates;
-    result.counts = count_skeleton(m_skeleton, m_skeleton.radii);
+    result.counts = count_skeleton(m_skeleton);
+    measure_turning(m_skeleton, result.counts);
     result.convolution =
         measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points(), distance);
     result.round_cones =
@@ -380,13 +358,27 @@ private:
   }
 
   const Measured& m_measured;
-  Indexed_skeleton m_skeleton;
+  Skeleton m_skeleton;
   std::size_t m_resolution;
-  bool m_are_radii_estimates = false;
 };
 
-CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
-                                                const Evaluation_parameters& parameters)
+/// Reconstructs a surface in the coordinates of `measured`.
+template <class Measured>
+Indexed_triangles reconstruct_surface(const Measured& measured, Skeleton&& skeleton,
+                                      const Evaluation_parameters& parameters, Reconstruction_method method)
+{
+  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
+  Indexed_triangles result = evaluation.reconstruct(method).triangles;
+  for (Vector_3& point : result.points) {
+    point = measured.normalization().to_input(point);
+  }
+  return result;
+}
+
+} // namespace
+
+Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
+                                    const Evaluation_parameters& parameters)
 {
   if (!input.is_mesh) {
     const Measured_cloud cloud(std::move(input.points));
@@ -406,21 +398,8 @@ CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_
   return result;
 }
 
-/// Reconstructs a surface in the coordinates of `measured`.
-template <class Measured>
-Indexed_triangles reconstruct_surface(const Measured& measured, Indexed_skeleton&& skeleton,
+Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
                                       const Evaluation_parameters& parameters, Reconstruction_method method)
-{
-  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
-  Indexed_triangles result = evaluation.reconstruct(method).triangles;
-  for (Vector_3& point : result.points) {
-    point = measured.normalization().to_input(point);
-  }
-  return result;
-}
-
-CSCD_INLINE Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
-                                                  const Evaluation_parameters& parameters, Reconstruction_method method)
 {
   if (input.is_mesh) {
     const Measured_body body(std::move(input.triangles), std::move(input.pairing));
@@ -431,5 +410,3 @@ CSCD_INLINE Indexed_triangles reconstruct_surface(Measured_input&& input, Indexe
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H

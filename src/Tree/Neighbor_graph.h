@@ -3,8 +3,8 @@
 //
 // The graph of neighboring points of a scan, and distances from the root in it.
 
-#ifndef CSCD_TREE_NEIGHBOR_GRAPH_H
-#define CSCD_TREE_NEIGHBOR_GRAPH_H
+#ifndef CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
+#define CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
@@ -167,4 +167,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_NEIGHBOR_GRAPH_H
+#endif // CSCD_SRC_TREE_NEIGHBOR_GRAPH_H

@@ -3,10 +3,10 @@
 //
 // Fits circles to the sections of limbs.
 
-#ifndef CSCD_TREE_SECTION_FITTING_H
-#define CSCD_TREE_SECTION_FITTING_H
+#ifndef CSCD_SRC_TREE_SECTION_FITTING_H
+#define CSCD_SRC_TREE_SECTION_FITTING_H
 
-#include <CSCD/Tree/Tree_limb.h>
+#include "Tree/Tree_limb.h"
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
@@ -482,4 +482,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_SECTION_FITTING_H
+#endif // CSCD_SRC_TREE_SECTION_FITTING_H
