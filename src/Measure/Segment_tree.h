@@ -26,18 +26,21 @@ namespace CSCD::internal {
 class Work_limit
 {
 public:
-  /// \throw Input_error if this was too much
+  /// Adds the steps of one search. \throw Input_error if these were too many
   void add(std::size_t steps)
   {
-    constexpr std::size_t most = std::size_t(1) << 31; // half a minute; skeletons of bodies take a hundredth
+    constexpr std::size_t most = std::size_t(1) << 31; // half a minute
+    constexpr std::size_t most_of_each = 1024;         // on the average; in skeletons of bodies there are a hundred
     m_steps += steps;
-    if (m_steps > most) {
+    ++m_number;
+    if (m_steps > std::max(most, most_of_each * m_number)) {
       throw Input_error("too many edges of the skeleton are near each other to be measured: simplify it first");
     }
   }
 
 private:
   std::size_t m_steps = 0;
+  std::size_t m_number = 0; // of searches
 };
 
 /// The ends of the edges of `skeleton`, in order, and after them twice the number of each node that has no edge: such a

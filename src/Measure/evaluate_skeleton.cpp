@@ -32,6 +32,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -137,9 +139,8 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
 /// which the faces of a cell follow each other does not matter.
-template <class Distance>
-void measure_reverse(const Triangulated_surface& surface, const Distance& distance_to_input,
-                     Reconstruction_error& error)
+void measure_reverse(const Triangulated_surface& surface,
+                     const std::function<double(const Vector_3&)>& distance_to_input, Reconstruction_error& error)
 {
   constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
@@ -168,9 +169,8 @@ void measure_reverse(const Triangulated_surface& surface, const Distance& distan
 /// Measures the distances between `points`, those of the input, and the faces of `reconstruction`, both ways.
 /// O((p + f) log f) for p points and f faces.
 /// \param distance_to_input gives the distance of a point from the input
-template <class Distance>
 Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const std::vector<Vector_3>& points,
-                                            const Distance& distance_to_input)
+                                            const std::function<double(const Vector_3&)>& distance_to_input)
 {
   Reconstruction_error error;
   error.unresolved_fraction = reconstruction.unresolved_fraction;
@@ -200,65 +200,57 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   return error;
 }
 
-/// The points of a cloud, and how far a point is from them.
-class Measured_cloud
+/// What a skeleton is measured against, in coordinates in which the diagonal of the bounding box is 1.
+struct Measured_surface
 {
-public:
-  /// \throw Input_error if there are no points, or not finite ones, or all are equal
-  explicit Measured_cloud(std::vector<Vector_3> points) : m_points(std::move(points)), m_tree({})
-  {
-    if (m_points.empty()) {
-      throw Input_error("there are no points to measure the skeleton against: check how the input was read");
-    }
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      if (!m_points[i].allFinite()) {
-        throw Input_error("point " + std::to_string(i) +
-                          " has a coordinate that is not finite: correct it or remove the point");
-      }
-    }
-    m_normalization = normalize_diagonal(m_points);
-    std::vector<Segment_tree::Segment> segments;
-    segments.reserve(m_points.size());
-    for (const Vector_3& point : m_points) {
-      segments.push_back({point, point});
-    }
-    m_tree = Segment_tree(std::move(segments));
-  }
-
-  const Normalization& normalization() const { return m_normalization; }
-  const std::vector<Vector_3>& points() const { return m_points; }
-  double distance(const Vector_3& point) const { return m_tree.nearest(point, m_work).distance; }
-
-private:
-  std::vector<Vector_3> m_points;
-  Normalization m_normalization;
-  Segment_tree m_tree;
-  mutable Work_limit m_work;
+  Normalization normalization;
+  std::vector<Vector_3> points;
+  /// The distance of a point; neighboring points are answered faster one after the other.
+  std::function<double(const Vector_3&)> distance;
 };
 
-/// The distance of `point` from the input.
-/// \param near what the last call left; neighboring points are answered faster one after the other
-double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
+/// The surface of `body`, which is referred to.
+Measured_surface measured_surface(const Measured_body& body)
 {
-  return cloud.distance(point);
+  return {body.normalization(), body.points(), [&body, near = no_index](const Vector_3& point) mutable {
+            const Surface_point nearest = body.queries().closest_point(point, near);
+            near = nearest.face;
+            return (nearest.point - point).norm();
+          }};
 }
 
-double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
+/// The points of a cloud.
+/// \throw Input_error if there are no points, or not finite ones, or all are equal
+Measured_surface measured_cloud(std::vector<Vector_3> points)
 {
-  const Surface_point nearest = body.queries().closest_point(point, near);
-  near = nearest.face;
-  return (nearest.point - point).norm();
+  if (points.empty()) {
+    throw Input_error("there are no points to measure the skeleton against: check how the input was read");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite()) {
+      throw Input_error("point " + std::to_string(i) +
+                        " has a coordinate that is not finite: correct it or remove the point");
+    }
+  }
+  const Normalization normalization = normalize_diagonal(points);
+  std::vector<Segment_tree::Segment> segments;
+  segments.reserve(points.size());
+  for (const Vector_3& point : points) {
+    segments.push_back({point, point});
+  }
+  const auto tree = std::make_shared<const Segment_tree>(std::move(segments));
+  return {normalization, std::move(points),
+          [tree, work = Work_limit()](const Vector_3& point) mutable { return tree->nearest(point, work).distance; }};
 }
 
-/// A skeleton in the coordinates of a `Measured_body` or a `Measured_cloud`, with radii.
-template <class Measured>
+/// A skeleton in the coordinates of a surface, with radii.
 class Skeleton_evaluation
 {
 public:
   /// \param measured is referred to
   /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
   ///        radii are to be used and it has none
-  Skeleton_evaluation(const Measured& measured, Skeleton skeleton, const Evaluation_parameters& parameters)
+  Skeleton_evaluation(const Measured_surface& measured, Skeleton skeleton, const Evaluation_parameters& parameters)
       : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
   {
     constexpr std::size_t max_size = std::size_t(1) << 18; // more would take minutes: fields are sums over all edges
@@ -272,7 +264,7 @@ public:
     if (parameters.uses_skeleton_radii) {
       place_radii();
     } else {
-      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton);
+      m_skeleton.radii = estimate_radii(m_measured.points, m_skeleton);
     }
   }
 
@@ -290,23 +282,21 @@ public:
   /// All measures but those of the position.
   Skeleton_measures measure() const
   {
-    Index near = no_index;
-    const auto distance = [this, &near](const Vector_3& point) { return distance_to(m_measured, point, near); };
     Skeleton_measures result;
-    result.number_of_points = m_measured.points().size();
-    result.diagonal = m_measured.normalization().unit;
+    result.number_of_points = m_measured.points.size();
+    result.diagonal = m_measured.normalization.unit;
     result.counts = count_skeleton(m_skeleton);
     measure_turning(m_skeleton, result.counts);
     result.convolution =
-        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points(), distance);
+        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points, m_measured.distance);
     result.round_cones =
-        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points(), distance);
+        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points, m_measured.distance);
     const Round_cone_field field(m_skeleton);
     double sum = 0;
-    for (const Vector_3& point : m_measured.points()) {
+    for (const Vector_3& point : m_measured.points) {
       sum += std::abs(field(point));
     }
-    result.mean_distance_from_round_cones = sum / double(m_measured.points().size());
+    result.mean_distance_from_round_cones = sum / double(m_measured.points.size());
     return result;
   }
 
@@ -328,7 +318,7 @@ private:
                           " of the skeleton has a coordinate that is not finite: "
                           "correct it or remove the node");
       }
-      point = m_measured.normalization().from_input(point);
+      point = m_measured.normalization.from_input(point);
       if (!(point.norm() <= max_length)) {
         throw Input_error("node " + std::to_string(v) +
                           " of the skeleton is far from the surface: check that both have the same unit and place");
@@ -344,7 +334,7 @@ private:
     double sum = 0;
     for (std::size_t v = 0; v < m_skeleton.radii.size(); ++v) {
       double& radius = m_skeleton.radii[v];
-      radius /= m_measured.normalization().unit;
+      radius /= m_measured.normalization.unit;
       if (!(radius >= 0 && radius <= max_length)) {
         throw Input_error("node " + std::to_string(v) +
                           " of the skeleton has a radius that is negative, not finite or "
@@ -357,20 +347,19 @@ private:
     }
   }
 
-  const Measured& m_measured;
+  const Measured_surface& m_measured;
   Skeleton m_skeleton;
   std::size_t m_resolution;
 };
 
-/// Reconstructs a surface in the coordinates of `measured`.
-template <class Measured>
-Indexed_triangles reconstruct_surface(const Measured& measured, Skeleton&& skeleton,
-                                      const Evaluation_parameters& parameters, Reconstruction_method method)
+/// The surface that `skeleton` describes, in the coordinates of the input.
+Indexed_triangles reconstruct(const Measured_surface& measured, Skeleton&& skeleton,
+                              const Evaluation_parameters& parameters, Reconstruction_method method)
 {
-  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
-  Indexed_triangles result = evaluation.reconstruct(method).triangles;
+  Indexed_triangles result =
+      Skeleton_evaluation(measured, std::move(skeleton), parameters).reconstruct(method).triangles;
   for (Vector_3& point : result.points) {
-    point = measured.normalization().to_input(point);
+    point = measured.normalization.to_input(point);
   }
   return result;
 }
@@ -381,11 +370,12 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters)
 {
   if (!input.is_mesh) {
-    const Measured_cloud cloud(std::move(input.points));
-    return Skeleton_evaluation<Measured_cloud>(cloud, std::move(skeleton), parameters).measure();
+    const Measured_surface cloud = measured_cloud(std::move(input.points));
+    return Skeleton_evaluation(cloud, std::move(skeleton), parameters).measure();
   }
   const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-  const Skeleton_evaluation<Measured_body> evaluation(body, std::move(skeleton), parameters);
+  const Measured_surface surface = measured_surface(body);
+  const Skeleton_evaluation evaluation(surface, std::move(skeleton), parameters);
   Skeleton_measures result = evaluation.measure();
   result.position = Position_measurement(body.queries(), evaluation.skeleton())();
   result.position.number_of_surface_components = body.number_of_components();
@@ -403,10 +393,9 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleto
 {
   if (input.is_mesh) {
     const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-    return reconstruct_surface(body, std::move(skeleton), parameters, method);
+    return reconstruct(measured_surface(body), std::move(skeleton), parameters, method);
   }
-  const Measured_cloud cloud(std::move(input.points));
-  return reconstruct_surface(cloud, std::move(skeleton), parameters, method);
+  return reconstruct(measured_cloud(std::move(input.points)), std::move(skeleton), parameters, method);
 }
 
 } // namespace CSCD::internal

@@ -15,7 +15,7 @@
 #include <CSCD/Points/Point_grid.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Tree/Tree_skeletonization.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/counted.h>
 
@@ -324,9 +324,7 @@ public:
     for (Index point = 0; point < m_points.size(); ++point) {
       spacings.push_back(m_graph.spacing(point));
     }
-    const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
-    std::nth_element(spacings.begin(), middle, spacings.end());
-    return *middle;
+    return quantile(std::move(spacings), 0.5);
   }
 
 private:
