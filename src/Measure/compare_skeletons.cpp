@@ -162,7 +162,7 @@ public:
   /// Takes note that one more pair is compared. \throw Input_error if these are too many
   void count()
   {
-    constexpr std::size_t most = std::size_t(1) << 24; // some seconds; skeletons of bodies have some thousand
+    constexpr std::size_t most = std::size_t(1) << 22; // some seconds; skeletons of bodies have some thousand
     if (++m_number > most) {
       throw Input_error("too many tips, junctions or branches of the skeletons are near each other to be matched: "
                         "choose a smaller match distance or simplify the skeletons first");

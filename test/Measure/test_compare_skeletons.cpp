@@ -348,7 +348,7 @@ TEST(Compare_skeletons, refuses_complete_graphs)
 {
   constexpr std::size_t number_of_nodes = 150; // and 11,175 branches, of which most are near each other
   const Skeleton graph = complete_graph(number_of_nodes, 1);
-  EXPECT_THROW(compare_skeletons(graph, graph, CSCD::parameters::match_distance(1.)), CSCD::Input_error);
+  EXPECT_THROW(compare_skeletons(graph, graph), CSCD::Input_error);
 }
 
 TEST(Compare_skeletons, structure_of_a_long_caterpillar)

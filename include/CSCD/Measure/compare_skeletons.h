@@ -40,7 +40,7 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
 /// \cgalNamedParamsEnd
 ///
 /// \throw Input_error if a skeleton has no nodes or a coordinate is not finite, the match distance is negative, or too
-///        many branches are near each other: 16 million pairs of them
+///        many branches are near each other: 4 million pairs of them
 template <class Skeleton1, class Skeleton2, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& second,
                                       const NamedParameters& np = parameters::default_values())
