@@ -45,8 +45,8 @@ PROGRAMS = {
 
 def compile_once(source, macros, root):
     """Returns the CPU seconds and the megabytes (10^6 bytes) of one compilation, without those of the linker."""
-    command = [COMPILER, *FLAGS, *(f"-D{macro}" for macro in macros), f"-I{root / 'include'}", "-isystem", str(EIGEN),
-               "-c", "-o", os.devnull, str(source)]
+    command = [COMPILER, *FLAGS, *(f"-D{macro}" for macro in macros), f"-I{root / 'include'}", f"-I{root / 'src'}",
+               "-isystem", str(EIGEN), "-c", "-o", os.devnull, str(source)]
     process = subprocess.Popen(command)
     _, status, usage = os.wait4(process.pid, 0)
     if status != 0:
@@ -77,8 +77,8 @@ def jobs_of(root, revision_root, with_parts):
             jobs[name, "compiled"] = (root / source, [*macros, COMPILED.removeprefix("-D")], root)
             if revision_root and name in COMPARED:
                 jobs[name, "revision"] = (root / source, macros, revision_root)
-    for source in sorted((root / "src").glob("*.cpp")) if with_parts else []:
-        jobs[f"`src/{source.name}`, once", "compiled"] = (source, [COMPILED.removeprefix("-D")], root)
+    for source in sorted((root / "src").rglob("*.cpp")) if with_parts else []:
+        jobs[f"`{source.relative_to(root)}`, once", "compiled"] = (source, [COMPILED.removeprefix("-D")], root)
     return jobs
 
 

@@ -17,14 +17,15 @@ if(CSCD_CLANG_FORMAT)
 endif()
 
 # clang-tidy reads one file, since most of its time goes to the headers of CGAL: all headers of the library, with the
-# definitions that src/ compiles among them, then a file that instantiates the pipeline for meshes and points and both
+# definitions that src/ compiles among them, the files of the modules, then a file that instantiates the pipeline for meshes and points and both
 # methods. Definitions in files are analyzed along all paths, those in headers as far as these files call them.
 find_program(CSCD_CLANG_TIDY NAMES clang-tidy clang-tidy-14)
 mark_as_advanced(CSCD_CLANG_TIDY)
 if(CSCD_CLANG_TIDY)
   file(GLOB_RECURSE cscd_tidy_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h")
   list(REMOVE_ITEM cscd_tidy_headers "${PROJECT_SOURCE_DIR}/include/CSCD/internal/parameters_interface.h")
-  set(cscd_tidy_text ${cscd_tidy_headers} "${PROJECT_SOURCE_DIR}/cmake/instantiate_adapters.cpp")
+  file(GLOB cscd_tidy_modules CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*/*.cpp")
+  set(cscd_tidy_text ${cscd_tidy_headers} ${cscd_tidy_modules} "${PROJECT_SOURCE_DIR}/cmake/instantiate_adapters.cpp")
   list(TRANSFORM cscd_tidy_text REPLACE "(.+)" "#include \"\\1\" // NOLINT(bugprone-suspicious-include)\n")
   list(JOIN cscd_tidy_text "" cscd_tidy_text)
   set(cscd_tidy_file "${PROJECT_BINARY_DIR}/tidy.cpp")
@@ -33,6 +34,7 @@ if(CSCD_CLANG_TIDY)
   # Never built: it only puts the file's options into compile_commands.json.
   add_library(cscd_tidy OBJECT EXCLUDE_FROM_ALL "${cscd_tidy_file}")
   target_link_libraries(cscd_tidy PRIVATE CSCD::CSCD)
+  target_include_directories(cscd_tidy PRIVATE "${PROJECT_SOURCE_DIR}/src")
   set_target_properties(cscd_tidy PROPERTIES CXX_EXTENSIONS OFF EXPORT_COMPILE_COMMANDS ON)
 
   add_custom_target(

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the headers, the compiled part and the program where they are built, and what find_package(CSCD) reads.
+# Installs the headers, the compiled parts and the program where they are built, and what find_package(CSCD) reads.
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
@@ -21,12 +21,14 @@ install(
   DESTINATION "${cscd_package_dir}"
   COMPONENT library)
 
-# The component `compiled` of the package has a targets file of its own, so that the headers can be installed without it.
+# The compiled parts of the package have a targets file of their own, so that the headers can be installed without them.
 if(CSCD_BUILD_COMPILED)
-  set_target_properties(cscd_compiled PROPERTIES VERSION ${PROJECT_VERSION}
-                                                 SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  list(TRANSFORM cscd_parts PREPEND cscd_ OUTPUT_VARIABLE cscd_part_targets)
+  set_target_properties(
+    ${cscd_part_targets} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION
+                                                               ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(
-    TARGETS cscd_compiled
+    TARGETS ${cscd_part_targets} cscd_compiled
     EXPORT CSCDCompiledTargets
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT compiled
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT compiled

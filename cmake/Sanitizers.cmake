@@ -24,5 +24,7 @@ endif()
 
 # The tests link a build of the library of their own, with the sanitizer.
 if(CSCD_SANITIZER AND TARGET cscd_compiled)
-  set_target_properties(cscd_compiled PROPERTIES EXCLUDE_FROM_ALL ON)
+  foreach(part IN LISTS cscd_parts)
+    set_target_properties(cscd_${part} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endforeach()
 endif()

@@ -57,19 +57,14 @@ void check_options(const Simplify_options& options)
 }
 
 /// Gives the skeleton radii that are estimated from the vertices of the mesh, as `cscd evaluate` does.
-void estimate_radii(const Mesh& mesh, const Simplify_options& options, Skeleton& skeleton)
+void estimate_radii(const Mesh& mesh, Skeleton& skeleton)
 {
   std::vector<CSCD::Vector_3> points;
   for (const auto vertex : mesh.vertices()) {
     const Point& p = mesh.point(vertex);
     points.emplace_back(p.x(), p.y(), p.z());
   }
-  bool is_partial = false;
-  const std::vector<double> radii =
-      CSCD::internal::estimate_radii(points, CSCD::internal::index_skeleton(skeleton), &is_partial);
-  if (is_partial && !options.is_quiet) {
-    std::cerr << "cscd: " << printable(options.skeleton) << ": radii are estimates: some vertices stand for all\n";
-  }
+  const std::vector<double> radii = CSCD::internal::estimate_radii(points, CSCD::internal::index_skeleton(skeleton));
   for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
     skeleton[node].radius = radii[node];
   }
@@ -143,7 +138,7 @@ void simplify(const Simplify_options& options)
   Skeleton skeleton;
   bool has_radii = read_skeleton_argument(options.skeleton, skeleton);
   if (!has_radii && input) {
-    estimate_radii(input->mesh, options, skeleton);
+    estimate_radii(input->mesh, skeleton);
     has_radii = true;
   }
   if (has_radii) {

@@ -79,10 +79,7 @@ Json to_json(const CSCD::Reconstruction_error& e)
 
 Json to_json(const CSCD::Skeleton_distance& d)
 {
-  return {{"mean", d.mean},
-          {"maximum", d.maximum},
-          {"fraction_matched", d.fraction_matched},
-          {"is_estimate", d.is_estimate}};
+  return {{"mean", d.mean}, {"maximum", d.maximum}, {"fraction_matched", d.fraction_matched}};
 }
 
 Json to_json(const CSCD::Match_count& m)
@@ -90,7 +87,6 @@ Json to_json(const CSCD::Match_count& m)
   return {{"number_in_first", m.number_in_first},
           {"number_in_second", m.number_in_second},
           {"number_matched", m.number_matched},
-          {"is_estimate", m.is_estimate},
           {"fraction", m.fraction()}};
 }
 
@@ -145,8 +141,8 @@ void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)
 /// A line of the table of matches.
 void write_match(std::ostream& out, const char* name, const CSCD::Match_count& match)
 {
-  out << name << (match.is_estimate ? "about " : "") << match.number_matched << " of " << match.number_in_first
-      << " and " << match.number_in_second << " match\n";
+  out << name << match.number_matched << " of " << match.number_in_first << " and " << match.number_in_second
+      << " match\n";
 }
 
 void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_distance& distance)
@@ -154,8 +150,7 @@ void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_di
   constexpr double thousand = 1000;
   constexpr int width = 9;
   out << name << std::setw(width) << fixed(thousand * distance.mean) << std::setw(width)
-      << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %"
-      << (distance.is_estimate ? " (estimates: some points stand for all, and the maximum is a lower bound)\n" : "\n");
+      << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %\n";
 }
 
 } // namespace
@@ -167,7 +162,6 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
                       {"input", options.input},
                       {"skeleton", options.skeleton},
                       {"radii", options.radii},
-                      {"are_radii_estimates", measures.are_radii_estimates},
                       {"number_of_points", measures.number_of_points},
                       {"diagonal", measures.diagonal},
                       {"has_topology_of_surface", measures.has_topology_of_surface()},
@@ -205,8 +199,7 @@ void write_measures(std::ostream& out, const Evaluate_options& options, const CS
   }
   out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
       << " rad at a node\n"
-      << "distances in thousandths of the diagonal, with " << options.radii << " radii"
-      << (measures.are_radii_estimates ? ", for which some points stood for all" : "") << ":\n"
+      << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"
       << "                         mean      rms      max  reverse      max\n";
   write_error(out, "convolution surface ", measures.convolution);
   write_error(out, "round cones         ", measures.round_cones);

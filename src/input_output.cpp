@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Readers and writers, compiled once, and the surfaces of volumes, which come from files.
+// Readers and writers, compiled once.
 
 #include <CSCD/IO/read_points_impl.h>
 #include <CSCD/IO/read_skeleton_impl.h>
@@ -10,4 +10,3 @@
 #include <CSCD/IO/write_html_page_impl.h>
 #include <CSCD/IO/write_rig_impl.h>
 #include <CSCD/IO/write_skeleton_impl.h>
-#include <CSCD/Volume/Voxel_surface_impl.h>

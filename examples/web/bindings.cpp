@@ -6,7 +6,6 @@
 
 #include "three_js_source.h"
 #include "types.h"
-#include <CSCD/Application/make_rig_impl.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
 

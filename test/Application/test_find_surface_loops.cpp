@@ -3,12 +3,12 @@
 //
 // Tests of handle loops, tunnel loops and constrictions, on shapes where these are known.
 
+#include "Application/Loop_classes.h"
 #include "support/convert_shape.h"
 #include "support/limb_shapes.h"
 #include "support/shape_operations.h"
 #include "support/simple_shapes.h"
 #include "support/swept_shapes.h"
-#include <CSCD/Application/Loop_classes.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -3,12 +3,13 @@
 //
 // Tests of the fields that surfaces are reconstructed by, of their triangulation, and of estimated radii.
 
-#include <CSCD/Measure/Isosurface_tracker.h>
-#include <CSCD/Measure/Segment_bvh.h>
+#include "Measure/Isosurface_tracker.h"
+#include "Measure/reconstruction_fields.h"
 #include <CSCD/Measure/estimate_radii.h>
-#include <CSCD/Measure/reconstruction_fields.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
+#include <CSCD/exceptions.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -28,15 +29,15 @@ using namespace CSCD;
 using namespace CSCD::internal;
 constexpr double pi = boost::math::double_constants::pi;
 
-Indexed_skeleton segment(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
+Skeleton segment(const Vector_3& source, const Vector_3& target, double source_radius, double target_radius)
 {
   return {{source, target}, {source_radius, target_radius}, {{0, 1}}};
 }
 
 /// A circle around the z axis as a polygon.
-Indexed_skeleton ring(double radius, double node_radius, Index number_of_nodes)
+Skeleton ring(double radius, double node_radius, Index number_of_nodes)
 {
-  Indexed_skeleton result;
+  Skeleton result;
   for (Index i = 0; i < number_of_nodes; ++i) {
     const double angle = 2 * pi * double(i) / double(number_of_nodes);
     result.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
@@ -47,7 +48,7 @@ Indexed_skeleton ring(double radius, double node_radius, Index number_of_nodes)
 }
 
 /// F of one edge by quadrature.
-double quadrature(const Indexed_skeleton& s, const Vector_3& point)
+double quadrature(const Skeleton& s, const Vector_3& point)
 {
   const Vector_3 along = s.points[1] - s.points[0];
   const auto integrand = [&](double t) {
@@ -67,7 +68,7 @@ TEST(Convolution_field, agrees_with_quadrature)
   std::uniform_real_distribution<double> coordinate(-1, 1);
   const auto point = [&] { return Vector_3(coordinate(random), coordinate(random), coordinate(random)); };
   for (int i = 0; i < 200; ++i) {
-    const Indexed_skeleton s =
+    const Skeleton s =
         segment(point() / 4, point() / 4, 0.1 + std::abs(coordinate(random)), 0.1 + std::abs(coordinate(random)));
     const Vector_3 near = s.points[0] + 0.1 * point();
     for (const Vector_3& p : {near, point(), Vector_3(3 * point())}) {
@@ -94,8 +95,8 @@ TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
 
 TEST(Convolution_field, does_not_depend_on_how_an_edge_is_divided)
 {
-  const Indexed_skeleton whole = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0.3);
-  Indexed_skeleton parts;
+  const Skeleton whole = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0.3);
+  Skeleton parts;
   for (Index i = 0; i <= 10; ++i) {
     parts.points.emplace_back(0.1 * i, 0, 0);
     parts.radii.push_back(0.1 + 0.02 * i);
@@ -110,7 +111,7 @@ TEST(Convolution_field, does_not_depend_on_how_an_edge_is_divided)
 
 TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
 {
-  Indexed_skeleton s = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0);
+  Skeleton s = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0);
   s.points.emplace_back(5, 5, 5); // a node without edges is a ball
   s.radii.push_back(0.5);
   s.points.emplace_back(1, 0, 0); // an edge without length
@@ -123,7 +124,7 @@ TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
   }
   EXPECT_NEAR(0, field({5, 5.5, 5}), 1e-3);
   // Nodes at the same place are one ball, and none where there is an edge of some length.
-  const Indexed_skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
+  const Skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
   EXPECT_DOUBLE_EQ(1, Convolution_field(twice).convolution({0.5, 0, 0}));
   EXPECT_NEAR(1,
               Convolution_field(s).convolution({1, 0.1, 0}) /
@@ -134,11 +135,11 @@ TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
 }
 
 /// Edges and balls at random places in a cube.
-Indexed_skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
+Skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
 {
   std::mt19937 generator(5);
   std::uniform_real_distribution<double> uniform;
-  Indexed_skeleton result;
+  Skeleton result;
   for (Index i = 0; i < 2 * number_of_edges + number_of_balls; ++i) {
     const double x = uniform(generator);
     const double y = uniform(generator);
@@ -153,34 +154,9 @@ Indexed_skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
   return result;
 }
 
-TEST(Convolution_field, of_very_many_edges_is_the_sum_of_its_parts)
-{
-  const Indexed_skeleton whole = random_skeleton(5000, 1000);
-  // In parts that are few enough to be summed edge by edge.
-  std::vector<Indexed_skeleton> skeletons(5);
-  for (Index v = 0; v < whole.points.size(); ++v) {
-    Indexed_skeleton& part = skeletons[v / 2 % 5];
-    part.points.push_back(whole.points[v]);
-    part.radii.push_back(whole.radii[v]);
-    if (v % 2 == 1 && v < 2 * whole.edges.size()) {
-      part.edges.push_back({Index(part.points.size() - 2), Index(part.points.size() - 1)});
-    }
-  }
-  const std::vector<Convolution_field> parts(skeletons.begin(), skeletons.end());
-  const Convolution_field field(whole);
-  for (int i = 0; i < 20; ++i) {
-    const Vector_3 point(0.05 * i, 0.5 + 0.02 * i, 0.4);
-    double sum = 0;
-    for (const Convolution_field& part : parts) {
-      sum += part.convolution(point);
-    }
-    EXPECT_NEAR(field.convolution(point), sum, 0.02 * sum) << i;
-  }
-}
-
 TEST(Round_cone_field, of_many_cones_is_the_least_of_their_distances)
 {
-  const Indexed_skeleton whole = random_skeleton(300, 100);
+  const Skeleton whole = random_skeleton(300, 100);
   const Round_cone_field field(whole);
   for (int i = 0; i < 50; ++i) {
     const Vector_3 point(0.02 * i, 0.03 * i, 0.4);
@@ -195,7 +171,7 @@ TEST(Round_cone_field, of_many_cones_is_the_least_of_their_distances)
 
 TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
 {
-  const Indexed_skeleton s = segment({0, 0, 0}, {2, 0, 0}, 0.5, 0.2);
+  const Skeleton s = segment({0, 0, 0}, {2, 0, 0}, 0.5, 0.2);
   const Round_cone_field field(s);
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> coordinate(-1.5, 1.5);
@@ -214,7 +190,7 @@ TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
 
 TEST(Round_cone_field, a_ball_in_another_and_a_node_alone_are_balls)
 {
-  Indexed_skeleton s = segment({0, 0, 0}, {0.1, 0, 0}, 1, 0.2);
+  Skeleton s = segment({0, 0, 0}, {0.1, 0, 0}, 1, 0.2);
   s.points.emplace_back(5, 0, 0);
   s.radii.push_back(0.5);
   const Round_cone_field field(s);
@@ -228,7 +204,7 @@ TEST(Round_cone_field, a_ball_in_another_and_a_node_alone_are_balls)
 /// The surface of round cones, which must be a closed oriented manifold, and its facts.
 struct Surface_facts
 {
-  explicit Surface_facts(const Indexed_skeleton& s, double cell_size)
+  explicit Surface_facts(const Skeleton& s, double cell_size)
   {
     const Round_cone_field field(s);
     Field_surface result = triangulate_field(field, s, cell_size);
@@ -270,7 +246,7 @@ TEST(Triangulate_field, a_capsule_is_closed_and_has_the_right_volume)
 TEST(Triangulate_field, handles_components_and_lattice_points_on_the_surface)
 {
   EXPECT_EQ(0, Surface_facts(ring(1, 0.2, 64), 0.05).euler_number);
-  Indexed_skeleton balls;
+  Skeleton balls;
   balls.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
   balls.radii = {0.5, 0.25, 1};
   const Surface_facts facts(balls, 0.25); // the balls' poles are lattice points, on the surface but for rounding
@@ -281,7 +257,7 @@ TEST(Triangulate_field, handles_components_and_lattice_points_on_the_surface)
 
 TEST(Triangulate_field, says_what_is_too_thin)
 {
-  Indexed_skeleton s = segment({0.013, 0.013, 0.013}, {1.013, 0.013, 0.013}, 0.2, 0.2);
+  Skeleton s = segment({0.013, 0.013, 0.013}, {1.013, 0.013, 0.013}, 0.2, 0.2);
   s.points.emplace_back(0.013, 5.013, 0.013);
   s.points.emplace_back(1.013, 5.013, 0.013);
   s.radii.insert(s.radii.end(), {1e-4, 1e-4});
@@ -291,19 +267,19 @@ TEST(Triangulate_field, says_what_is_too_thin)
 
 TEST(Triangulate_field, nodes_without_edges_count_as_edges_do)
 {
-  Indexed_skeleton nodes;
+  Skeleton nodes;
   nodes.points.assign(100'000, CSCD::Vector_3::Zero());
-  Indexed_skeleton path = nodes;
+  Skeleton path = nodes;
   for (Index v = 1; v < path.number_of_nodes(); ++v) {
     path.edges.push_back({v - 1, v});
   }
   EXPECT_EQ(CSCD::internal::max_number_of_cells(nodes), CSCD::internal::max_number_of_cells(path));
-  EXPECT_LT(CSCD::internal::max_number_of_cells(path), CSCD::internal::max_number_of_cells(Indexed_skeleton()));
+  EXPECT_LT(CSCD::internal::max_number_of_cells(path), CSCD::internal::max_number_of_cells(Skeleton()));
 }
 
 TEST(Triangulate_field, coarsens_the_lattice_where_radii_are_huge)
 {
-  const Indexed_skeleton s = segment({0, 0, 0}, {1, 0, 0}, 2, 2);
+  const Skeleton s = segment({0, 0, 0}, {1, 0, 0}, 2, 2);
   constexpr std::size_t maximum_number_of_cells = 4000;
   const Field_surface result = triangulate_field(Round_cone_field(s), s, 0.02, maximum_number_of_cells);
   EXPECT_EQ(0.16, result.cell_size); // an area of 63 takes some 1.5 cells for each square of the lattice
@@ -314,7 +290,7 @@ TEST(Triangulate_field, coarsens_the_lattice_where_radii_are_huge)
 TEST(Estimate_radii, are_exact_on_a_cone)
 {
   // Points in planes across the axis, whose distances from it grow linearly.
-  const Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {}, {{0, 1}, {1, 2}, {2, 3}}};
+  const Skeleton s{{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {4, 0, 0}}, {}, {{0, 1}, {1, 2}, {2, 3}}};
   std::vector<Vector_3> points;
   for (int i = 0; i <= 400; ++i) {
     const double x = 0.01 * i;
@@ -332,7 +308,7 @@ TEST(Estimate_radii, are_exact_on_a_cone)
 TEST(Estimate_radii, interpolates_where_no_point_is_near)
 {
   // Points around the ends only: the nodes between get radii that are linear in length.
-  Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}, {6, 0, 0}, {0, 90, 0}}, {}, {}};
+  Skeleton s{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {5, 0, 0}, {6, 0, 0}, {0, 90, 0}}, {}, {}};
   s.edges = {{0, 1}, {1, 2}, {2, 3}, {3, 4}};
   const std::vector<double> radii = estimate_radii({{0, 1, 0}, {0, 0, -1}, {6, 7, 0}}, s);
   EXPECT_NEAR(1, radii[0], 1e-12);
@@ -343,49 +319,28 @@ TEST(Estimate_radii, interpolates_where_no_point_is_near)
   EXPECT_NEAR(3, radii[5], 1e-12); // nothing is known of its component: the mean of all distances
 }
 
-TEST(Estimate_radii, are_interpolated_over_thousands_of_cycles)
+TEST(Estimate_radii, refuses_thousands_of_cycles)
 {
-  // Points are around the ends of the first edge only. Nodes beside it are joined at random: factors of that matrix
-  // would take gigabytes.
-  constexpr Index number_of_nodes = 20000;
-  std::mt19937 generator(2);
-  std::uniform_real_distribution<double> uniform;
-  Indexed_skeleton s{{{0, 0, 0}, {1, 0, 0}}, {}, {{0, 1}}};
-  std::vector<std::vector<Index>> neighbors(number_of_nodes);
-  for (Index v = 2; v < number_of_nodes; ++v) {
-    const double x = uniform(generator);
-    const double y = uniform(generator);
-    s.points.emplace_back(x, y + 10, uniform(generator));
-    for (const Index u : {v - 1, Index(generator() % v)}) {
+  constexpr Index number_of_nodes = 80;
+  Skeleton s;
+  for (Index v = 0; v < number_of_nodes; ++v) {
+    s.points.emplace_back(v, 0.1 * v * v, 0);
+    for (Index u = 0; u < v; ++u) {
       s.edges.push_back({u, v});
-      neighbors[u].push_back(v);
-      neighbors[v].push_back(u);
     }
   }
-  const std::vector<double> radii = estimate_radii({{-0.1, -1, 0}, {1.1, -3, 0}}, s);
-  EXPECT_LT(radii[0], 1.2);
-  EXPECT_GT(radii[1], 2.8);
-  for (Index v = 2; v < number_of_nodes; ++v) {
-    double sum = 0;
-    double weights = 0;
-    for (const Index u : neighbors[v]) {
-      const double weight = 1 / (s.points[u] - s.points[v]).norm();
-      sum += weight * radii[u];
-      weights += weight;
-    }
-    ASSERT_NEAR(radii[v], sum / weights, 1e-4) << v;
-  }
+  EXPECT_THROW(estimate_radii({{-0.1, -1, 0}, {1.1, -3, 0}}, s), Input_error);
 }
 
 TEST(Estimate_radii, do_not_depend_on_scale)
 {
-  const Indexed_skeleton s = ring(1, 0, 8);
+  const Skeleton s = ring(1, 0, 8);
   std::vector<Vector_3> points;
   for (int i = 0; i < 100; ++i) {
     points.emplace_back(1.2 * std::cos(i), 1.2 * std::sin(i), 0.1);
   }
   const std::vector<double> radii = estimate_radii(points, s);
-  Indexed_skeleton large = s;
+  Skeleton large = s;
   for (Vector_3& p : large.points) {
     p *= 1000;
   }

@@ -3,8 +3,8 @@
 //
 // Which pieces of poles, standing and floating, are one object.
 
-#include <CSCD/Tree/Gap_bridging.h>
-#include <CSCD/Tree/Neighbor_graph.h>
+#include "Tree/Gap_bridging.h"
+#include "Tree/Neighbor_graph.h"
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 

@@ -3,8 +3,8 @@
 //
 // Circles through known points.
 
+#include "Tree/Section_fitting.h"
 #include "support/sampling.h"
-#include <CSCD/Tree/Section_fitting.h>
 
 #include <gtest/gtest.h>
 

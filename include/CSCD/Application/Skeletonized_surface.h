@@ -6,20 +6,18 @@
 #ifndef CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Dijkstra_search.h>
 
 #include <CGAL/boost/graph/properties.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
-#include <cstddef>
-#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -31,7 +29,7 @@ struct Skeletonized_surface
 {
   Indexed_triangles triangles;
   Halfedge_pairing pairing; ///< of the triangles
-  Indexed_skeleton skeleton;
+  CSCD::Skeleton skeleton;
   std::vector<Index> node; ///< for each vertex of the triangles
 };
 
@@ -65,38 +63,6 @@ auto collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skel
     }
   }
   return std::pair(std::move(surface), std::move(collected.descriptors));
-}
-
-/// Distances along a skeleton from some of its nodes.
-struct Skeleton_distances
-{
-  /// To a node in another component.
-  static constexpr double unreachable = std::numeric_limits<double>::infinity();
-
-  std::vector<double> distance;
-  std::vector<Index> previous; ///< the next node on the way to those
-};
-
-/// \param neighbors of the nodes of `skeleton`
-inline Skeleton_distances distances_along(const Indexed_skeleton& skeleton,
-                                          const std::vector<std::vector<Index>>& neighbors,
-                                          const std::vector<Index>& starts)
-{
-  const std::size_t n = skeleton.number_of_nodes();
-  Skeleton_distances result{std::vector<double>(n, Skeleton_distances::unreachable), std::vector<Index>(n, no_index)};
-  Dijkstra_search front(n);
-  for (const Index start : starts) {
-    front.reach(start, 0);
-  }
-  front.spread([&](Index node, float distance) {
-    result.distance[node] = distance;
-    for (const Index next : neighbors[node]) {
-      if (front.reach(next, distance + float(skeleton.length({node, next})))) {
-        result.previous[next] = node;
-      }
-    }
-  });
-  return result;
 }
 
 } // namespace CSCD::internal

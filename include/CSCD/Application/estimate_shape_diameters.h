@@ -80,28 +80,10 @@ void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& s
 }
 
 /// estimates the shape diameter at each face of a mesh, the mean of those of its vertices: what
-/// `CGAL::sdf_values_postprocessing()` and `CGAL::segmentation_from_sdf_values()` take.
-///
-/// Near linear. \see estimate_vertex_shape_diameters()
-///
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
-/// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
+/// `CGAL::sdf_values_postprocessing()` and `CGAL::segmentation_from_sdf_values()` take. Parameters and errors are those
+/// of `estimate_vertex_shape_diameters()`.
 /// \tparam FaceDiameterMap a model of `WritablePropertyMap` with face descriptors as keys and `double` as value
-/// \param mesh an oriented manifold with or without borders
-/// \param skeleton of `mesh`: each vertex with a face is in the list of a node
 /// \param diameters gets the shape diameters, in the unit of the mesh
-/// \param np an optional sequence of named parameters
-/// \param number_of_smoothing_steps how often to average
-///
-/// \cgalNamedParamsBegin
-///   \cgalParamNBegin{vertex_point_map}
-///     \cgalParamDescription{the points of the vertices of `mesh`}
-///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
-///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-///   \cgalParamNEnd
-/// \cgalNamedParamsEnd
-///
-/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
 template <class TriangleMesh, class Skeleton, class FaceDiameterMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& skeleton, FaceDiameterMap diameters,
@@ -121,9 +103,5 @@ void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& ske
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Application/estimate_shape_diameters_impl.h>
-#endif
 
 #endif // CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_H

@@ -122,8 +122,4 @@ auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = pa
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/Application/find_surface_loops_impl.h>
-#endif
-
 #endif // CSCD_APPLICATION_FIND_SURFACE_LOOPS_H

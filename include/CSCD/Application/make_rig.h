@@ -8,6 +8,7 @@
 
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
@@ -61,7 +62,7 @@ struct Rig
 namespace internal {
 
 /// \param bend_tolerance see the public function
-Rig make_rig(const Indexed_skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
+Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
              double bend_tolerance);
 
 } // namespace internal
@@ -92,15 +93,11 @@ Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, const std::vect
              double bend_tolerance = 0.5)
 {
   static_assert(has_radius_v<Skeleton>, "joints are placed by the radii of the nodes");
-  const internal::Indexed_skeleton indexed = internal::index_skeleton(skeleton);
+  const CSCD::Skeleton indexed = internal::index_skeleton(skeleton);
   return internal::make_rig(indexed, internal::assigned_surface(mesh, skeleton),
                             roots.empty() ? internal::find_roots(indexed, Root_rule::thickest) : roots, bend_tolerance);
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Application/make_rig_impl.h>
-#endif
 
 #endif // CSCD_APPLICATION_MAKE_RIG_H

@@ -73,8 +73,4 @@ std::size_t segment_mesh(const TriangleMesh& mesh, const Skeleton& skeleton, Fac
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/Application/segment_mesh_impl.h>
-#endif
-
 #endif // CSCD_APPLICATION_SEGMENT_MESH_H

@@ -6,6 +6,7 @@
 #ifndef CSCD_MEASURE_SKELETON_BRANCHES_H
 #define CSCD_MEASURE_SKELETON_BRANCHES_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
@@ -149,16 +150,15 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
 }
 
 /// The significance of every edge; nothing if there are no radii.
-std::vector<double> edge_significances(const Indexed_skeleton& skeleton);
+std::vector<double> edge_significances(const Skeleton& skeleton);
 
 /// \param roots nodes, at most one of each component; parents and orders are left out if there is none
-Skeleton_branches measure_branches(const Indexed_skeleton& skeleton, const std::vector<Index>& roots = {});
+Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<Index>& roots = {});
 
 /// Adds area and volume of the parts of the surface.
-void measure_surface_parts(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
-                           Skeleton_branches& branches);
+void measure_surface_parts(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches);
 
-std::vector<Node_measures> measure_nodes(const Indexed_skeleton& skeleton, const Assigned_surface& surface);
+std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Assigned_surface& surface);
 
 } // namespace internal
 
@@ -185,7 +185,7 @@ template <class Skeleton, class TriangleMesh, std::enable_if_t<is_triangle_mesh_
 Skeleton_branches measure_branches(const Skeleton& skeleton, const TriangleMesh& mesh,
                                    const std::vector<Index>& roots = {})
 {
-  const internal::Indexed_skeleton indexed = internal::index_skeleton(skeleton);
+  const CSCD::Skeleton indexed = internal::index_skeleton(skeleton);
   Skeleton_branches result = internal::measure_branches(indexed, roots);
   internal::measure_surface_parts(indexed, internal::assigned_surface(mesh, skeleton), result);
   return result;
@@ -203,9 +203,5 @@ std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Triangl
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Measure/Skeleton_branches_impl.h>
-#endif
 
 #endif // CSCD_MEASURE_SKELETON_BRANCHES_H

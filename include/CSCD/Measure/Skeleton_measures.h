@@ -105,7 +105,6 @@ struct Skeleton_measures
   Limb_measures limbs;              ///< undefined if the input is a point cloud
   Reconstruction_error convolution; ///< of the convolution surface
   Reconstruction_error round_cones; ///< of the union of round cones
-  bool are_radii_estimates = false; ///< whether some points of the input stood for all when radii were estimated
   /// The mean of |signed distance| of the input's points from the round cones, without triangulation: exact outside, a
   /// lower bound inside. Relative to the diagonal.
   double mean_distance_from_round_cones = undefined_measure;
@@ -127,7 +126,6 @@ struct Skeleton_distance
   double mean = 0;             ///< over the length of the edges
   double maximum = 0;          ///< over edges and nodes
   double fraction_matched = 0; ///< of the length: what is not farther away than the match distance
-  bool is_estimate = false;    ///< whether some points stood for all: the maximum is a lower bound then
 };
 
 /// How many features of two skeletons are at the same place.
@@ -136,7 +134,6 @@ struct Match_count
   std::size_t number_in_first = 0;  ///< features of the first skeleton
   std::size_t number_in_second = 0; ///< features of the second skeleton
   std::size_t number_matched = 0;   ///< pairs of features at the same place; each is in one pair at most
-  bool is_estimate = false;         ///< whether some features stood for all, since these are very many
 
   /// 1 if all are matched, 0 if none are; 1 if there are none.
   double fraction() const

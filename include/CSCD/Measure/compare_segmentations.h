@@ -95,8 +95,4 @@ Segmentation_comparison compare_segmentations(const TriangleMesh& mesh, const Fa
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/Measure/compare_segmentations_impl.h>
-#endif
-
 #endif // CSCD_MEASURE_COMPARE_SEGMENTATIONS_H

@@ -8,13 +8,14 @@
 
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 
 namespace CSCD {
 
 namespace internal {
 
-Skeleton_comparison compare_skeletons(Indexed_skeleton&& first, Indexed_skeleton&& second, double match_distance);
+Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, double match_distance);
 
 } // namespace internal
 
@@ -23,8 +24,7 @@ Skeleton_comparison compare_skeletons(Indexed_skeleton&& first, Indexed_skeleton
 /// Distances are those of points of one skeleton from the nearest point of the other, in both directions. Two tips
 /// match if they are not farther apart than the match distance, and likewise two junctions; two branches if the mean
 /// distance of each from the other is not greater. Nearest pairs are matched first, each feature at most once. See
-/// `doc/measures.md`. O(n log n) for n nodes and edges. Where tens of thousands of branches cross or share a hub,
-/// some branches and points stand for all, so that the work is bounded.
+/// `doc/measures.md`. O(n log n) for n nodes and edges that are well spread.
 ///
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph`
 /// \param first,second skeletons in the same coordinates
@@ -39,7 +39,8 @@ Skeleton_comparison compare_skeletons(Indexed_skeleton&& first, Indexed_skeleton
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if a skeleton has no nodes or a coordinate is not finite, or the match distance is negative
+/// \throw Input_error if a skeleton has no nodes or a coordinate is not finite, the match distance is negative, or too
+///        many branches are near each other: 4 million pairs of them
 template <class Skeleton1, class Skeleton2, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& second,
                                       const NamedParameters& np = parameters::default_values())
@@ -52,9 +53,5 @@ Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& s
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Measure/compare_skeletons_impl.h>
-#endif
 
 #endif // CSCD_MEASURE_COMPARE_SKELETONS_H

@@ -6,6 +6,7 @@
 #ifndef CSCD_MEASURE_DISTANCE_TO_EDGES_H
 #define CSCD_MEASURE_DISTANCE_TO_EDGES_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 
@@ -24,8 +25,8 @@ inline double distance_to_segment(const Vector_3& point, const Vector_3& source,
 }
 
 /// The distance of `point` from `node` and the edges there. \param neighbors as `node_neighbors()` gives them
-inline double distance_to_edges(const Indexed_skeleton& skeleton, const std::vector<std::vector<Index>>& neighbors,
-                                Index node, const Vector_3& point)
+inline double distance_to_edges(const Skeleton& skeleton, const std::vector<std::vector<Index>>& neighbors, Index node,
+                                const Vector_3& point)
 {
   double distance = (point - skeleton.points[node]).norm();
   for (const Index neighbor : neighbors[node]) {

@@ -8,6 +8,7 @@
 
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/Input_points.h>
@@ -81,11 +82,11 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
   return result;
 }
 
-Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
+Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters);
 
 /// The surface that `skeleton` describes, in the coordinates of the input.
-Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
+Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
                                       const Evaluation_parameters& parameters, Reconstruction_method method);
 
 } // namespace internal
@@ -132,7 +133,8 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&&
 ///
 /// \return the measures; what is not defined for the input is `undefined_measure`
 /// \throw Input_error if there is no surface or skeleton, they are far from each other, a coordinate is not finite, the
-///        mesh is no oriented manifold of triangles, or the skeleton's radii are to be used and there are none
+///        mesh is not an oriented manifold of triangles, the skeleton's radii are to be used and there are none, or the
+///        skeleton is too large: more than 2^18 nodes and edges, or 2048 cycles where radii are estimated
 template <class Surface, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skeleton,
                                     const NamedParameters& np = parameters::default_values())
@@ -143,9 +145,5 @@ Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skel
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Measure/evaluate_skeleton_impl.h>
-#endif
 
 #endif // CSCD_MEASURE_EVALUATE_SKELETON_H

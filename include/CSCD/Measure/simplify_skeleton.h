@@ -7,6 +7,7 @@
 #define CSCD_MEASURE_SIMPLIFY_SKELETON_H
 
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -60,7 +61,7 @@ struct Simplification_parameters
 /// A simplified skeleton and where it comes from.
 struct Simplified_skeleton
 {
-  Indexed_skeleton skeleton;
+  Skeleton skeleton;
   std::vector<Index> origin; ///< of each node: the node that it was, or `no_index` for a new one
   std::vector<Index> heir;   ///< of each node that was: which node its vertices go to; `no_index` if to none
   Simplification_report report;
@@ -68,7 +69,7 @@ struct Simplified_skeleton
 
 /// \param number_of_vertices of the input, that belong to each node
 /// \param solid the body, or null if it is not known
-Simplified_skeleton simplify_skeleton(Indexed_skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
+Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
                                       const Simplification_parameters& parameters, const Triangulated_solid* solid);
 
 template <class NamedParameters>
@@ -99,7 +100,7 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
 
 /// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with whatever else they carry.
 template <class Skeleton>
-Skeleton to_simplified_graph(const Skeleton& skeleton, const Indexed_skeleton& before,
+Skeleton to_simplified_graph(const Skeleton& skeleton, const CSCD::Skeleton& before,
                              const Simplified_skeleton& simplified)
 {
   const std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> old_nodes(vertices(skeleton).first,
@@ -154,9 +155,9 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
     const auto& sites = skeleton[node].vertices;
     number_of_vertices.push_back(std::size_t(std::distance(std::begin(sites), std::end(sites))));
   }
-  const Indexed_skeleton before = index_skeleton(skeleton);
+  const CSCD::Skeleton before = index_skeleton(skeleton);
   const Simplified_skeleton simplified =
-      internal::simplify_skeleton(Indexed_skeleton(before), number_of_vertices, parameters, solid);
+      internal::simplify_skeleton(CSCD::Skeleton(before), number_of_vertices, parameters, solid);
   skeleton = to_simplified_graph(skeleton, before, simplified);
   return simplified.report;
 }
@@ -173,8 +174,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 /// -# Short branches between two junctions become one junction, at their middle. Where that would give a cycle of less
 ///    than three nodes, they stay.
 /// -# Components are joined by straight edges into one, by the minimum spanning tree over the distances from the tips
-/// of
-///    one (all nodes, if there are none) to the nodes of the other. Such edges have `is_joined`.
+///    of one (all nodes, if there are none) to the nodes of the other. Such edges have `is_joined`.
 /// -# Branches are sampled anew: tips, junctions and the ends of joined edges stay, the nodes between are replaced by
 ///    equidistant ones on the branch. Cycles keep at least three nodes, and radii are interpolated.
 /// -# Branches are smoothed: each step moves the nodes of degree 2 halfway to the middle of their neighbors.
@@ -238,7 +238,8 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///
 /// \return what was done, and counts of what is left
 /// \throw Input_error if a coordinate, radius or parameter is not finite or negative where it must not be; if radii are
-///        needed and the skeleton has none; or if a spacing asks for more nodes than there can be
+///        needed and the skeleton has none; if a spacing asks for more nodes than there can be; or if there are too
+///        many nodes to join: 2^34 pairs of an end and a node of another component
 template <class Skeleton, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!is_triangle_mesh_v<NamedParameters>, int> = 0>
 Simplification_report simplify_skeleton(Skeleton& skeleton, const NamedParameters& np = parameters::default_values())
@@ -265,9 +266,5 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const TriangleMesh& 
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Measure/simplify_skeleton_impl.h>
-#endif
 
 #endif // CSCD_MEASURE_SIMPLIFY_SKELETON_H

@@ -16,6 +16,24 @@
 namespace CSCD {
 namespace internal {
 
+/// By what branches are pruned.
+enum class Branch_measure
+{
+  significance,      ///< how far the limb reaches beyond the body it stands on, in its mean radii
+  length,            ///< along the branch
+  length_over_radius ///< the length in mean radii of the branch
+};
+
+/// When each edge falls as limbs are cut, the least first.
+struct Branch_levels
+{
+  std::vector<double> levels; ///< for each edge the greatest threshold with which it stays, when what is below is cut
+  std::vector<char> is_last;  ///< whether an edge belongs to the path that is left last of a component without cycles
+};
+
+/// Cuts the limbs of `skeleton` in thought, the least first.
+Branch_levels branch_levels(const Indexed_skeleton& skeleton, Branch_measure measure);
+
 /// The significance of every edge of `skeleton`; infinite for all where nodes have no radii. See
 /// `compute_significance()`.
 std::vector<double> significance_levels(const Indexed_skeleton& skeleton);

@@ -16,17 +16,10 @@
 #include <limits>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
-
-/// By what branches are pruned.
-enum class Branch_measure
-{
-  significance,      ///< how far the limb reaches beyond the body it stands on, in its mean radii
-  length,            ///< along the branch
-  length_over_radius ///< the length in mean radii of the branch
-};
 
 /// A path from a tip; lengths and integrals of the radius are measured from there.
 class Limb
@@ -139,10 +132,7 @@ public:
   /// The level of what is never cut.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
-  /// For each edge the greatest threshold with which it stays, when whatever is below the threshold is cut.
-  const std::vector<double>& levels() const { return m_level; }
-  /// Whether an edge belongs to the path that is left last of a component without cycles.
-  bool is_last(Index edge) const { return m_is_last[edge] != 0; }
+  Branch_levels release() { return {std::move(m_level), std::move(m_is_last)}; }
 
 private:
   using Key = std::tuple<double, double, double, double, double, Index>;
@@ -252,9 +242,14 @@ private:
   std::vector<char> m_is_last;
 };
 
+CSCD_INLINE Branch_levels branch_levels(const Indexed_skeleton& skeleton, Branch_measure measure)
+{
+  return Branch_hierarchy(skeleton, measure).release();
+}
+
 CSCD_INLINE std::vector<double> significance_levels(const Indexed_skeleton& skeleton)
 {
-  return Branch_hierarchy(skeleton, Branch_measure::significance).levels();
+  return branch_levels(skeleton, Branch_measure::significance).levels;
 }
 
 } // namespace CSCD::internal

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The skeletons of scans of trees, compiled once.
+// The surfaces of volumes, compiled once.
 
-#include <CSCD/Tree/Tree_skeletonization_impl.h>
+#include <CSCD/Volume/Voxel_surface_impl.h>

@@ -3,10 +3,11 @@
 //
 // The limbs of a surface, by which the tips of a skeleton are judged.
 
-#ifndef CSCD_MEASURE_SURFACE_LIMBS_H
-#define CSCD_MEASURE_SURFACE_LIMBS_H
+#ifndef CSCD_SRC_MEASURE_SURFACE_LIMBS_H
+#define CSCD_SRC_MEASURE_SURFACE_LIMBS_H
 
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -265,7 +266,7 @@ inline std::array<Index, 2> limbs_near_tip(const Surface_limbs& limbs, const Sol
 /// Compares the tips of `skeleton` with the limbs of the surface, in the same coordinates. A tip and a limb of
 /// `limbs_near_tip()` belong together unless one of them belongs to a nearer one. O(n log n).
 inline Limb_measures measure_limbs(const Triangulated_surface& surface, const Solid_queries& queries,
-                                   const Indexed_skeleton& skeleton)
+                                   const Skeleton& skeleton)
 {
   const Surface_limbs limbs(surface);
   Limb_measures result;
@@ -310,4 +311,4 @@ inline Limb_measures measure_limbs(const Triangulated_surface& surface, const So
 
 } // namespace CSCD::internal
 
-#endif // CSCD_MEASURE_SURFACE_LIMBS_H
+#endif // CSCD_SRC_MEASURE_SURFACE_LIMBS_H

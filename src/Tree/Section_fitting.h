@@ -3,10 +3,11 @@
 //
 // Fits circles to the sections of limbs.
 
-#ifndef CSCD_TREE_SECTION_FITTING_H
-#define CSCD_TREE_SECTION_FITTING_H
+#ifndef CSCD_SRC_TREE_SECTION_FITTING_H
+#define CSCD_SRC_TREE_SECTION_FITTING_H
 
-#include <CSCD/Tree/Tree_limb.h>
+#include "Tree/Tree_limb.h"
+#include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -107,9 +109,7 @@ inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const
   for (std::size_t i = 0; i < points.size(); ++i) {
     deviations[i] = std::abs((points[i] - circle.center).norm() - circle.radius);
   }
-  const auto middle = deviations.begin() + std::ptrdiff_t(deviations.size() / 2);
-  std::nth_element(deviations.begin(), middle, deviations.end());
-  return std::max(deviation_of_median * *middle, min_deviation * circle.radius);
+  return std::max(deviation_of_median * quantile(std::move(deviations), 0.5), min_deviation * circle.radius);
 }
 
 /// The step of a Gauss-Newton iteration for `circle`, two coordinates and the radius, in which points that deviate by
@@ -180,9 +180,7 @@ public:
   void estimate_noise()
   {
     if (!m_deviations.empty()) {
-      const auto middle = m_deviations.begin() + std::ptrdiff_t(m_deviations.size() / 2);
-      std::nth_element(m_deviations.begin(), middle, m_deviations.end());
-      m_noise = *middle;
+      m_noise = quantile(m_deviations, 0.5);
     }
   }
 
@@ -482,4 +480,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_SECTION_FITTING_H
+#endif // CSCD_SRC_TREE_SECTION_FITTING_H

@@ -3,17 +3,13 @@
 //
 // The definitions of segment_mesh.h and Part_merging.h.
 
-#ifndef CSCD_APPLICATION_SEGMENT_MESH_IMPL_H
-#define CSCD_APPLICATION_SEGMENT_MESH_IMPL_H
-
-#include <CSCD/Application/Part_merging.h>
+#include "Application/Part_merging.h"
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/config.h>
 
 #include <algorithm>
 #include <array>
@@ -294,7 +290,7 @@ private:
   std::vector<std::vector<Index>> m_inner_edges; // of each slice
 };
 
-CSCD_INLINE Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters)
+Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters)
 {
   return Slice_cutting(surface, diameters).release();
 }
@@ -335,7 +331,7 @@ constexpr std::array<double, number_of_merge_features*(number_of_merge_features 
 
 /// @}
 
-CSCD_INLINE double merge_score(const Merge_features& features)
+double merge_score(const Merge_features& features)
 {
   constexpr double greatest = 3; // normalized features beyond this were too rare to be fitted
   Merge_features normalized{};
@@ -354,7 +350,7 @@ CSCD_INLINE double merge_score(const Merge_features& features)
 }
 
 /// Numbers parts from 0 in the order of their first faces.
-CSCD_INLINE void number_parts(std::vector<Index>& parts)
+void number_parts(std::vector<Index>& parts)
 {
   std::vector<Index> number(parts.size(), no_index);
   Index next = 0;
@@ -366,7 +362,7 @@ CSCD_INLINE void number_parts(std::vector<Index>& parts)
   }
 }
 
-CSCD_INLINE std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
+std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::size_t number_of_parts)
 {
   const std::vector<double> diameters =
       face_means(surface, vertex_shape_diameters(surface, default_number_of_diameter_smoothing_steps));
@@ -384,5 +380,3 @@ CSCD_INLINE std::vector<Index> segment_surface(const Skeletonized_surface& surfa
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_APPLICATION_SEGMENT_MESH_IMPL_H

@@ -1,17 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of estimate_shape_diameters.h.
-
-#ifndef CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H
-#define CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H
+// Distances from vertices to the skeleton, averaged along the surface.
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/config.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +16,7 @@
 
 namespace CSCD::internal {
 
-CSCD_INLINE void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps,
-                                      std::vector<double>& values)
+void smooth_along_surface(const Skeletonized_surface& surface, std::size_t number_of_steps, std::vector<double>& values)
 {
   const std::size_t n = values.size();
   std::vector<double> sum(n);
@@ -41,8 +36,7 @@ CSCD_INLINE void smooth_along_surface(const Skeletonized_surface& surface, std::
   }
 }
 
-CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface,
-                                                       std::size_t number_of_smoothing_steps)
+std::vector<double> vertex_shape_diameters(const Skeletonized_surface& surface, std::size_t number_of_smoothing_steps)
 {
   const std::size_t n = surface.node.size();
   const std::vector<std::vector<Index>> neighbors = node_neighbors(surface.skeleton);
@@ -54,8 +48,7 @@ CSCD_INLINE std::vector<double> vertex_shape_diameters(const Skeletonized_surfac
   return diameters;
 }
 
-CSCD_INLINE std::vector<double> face_means(const Skeletonized_surface& surface,
-                                           const std::vector<double>& vertex_values)
+std::vector<double> face_means(const Skeletonized_surface& surface, const std::vector<double>& vertex_values)
 {
   std::vector<double> means;
   means.reserve(surface.triangles.faces.size());
@@ -66,5 +59,3 @@ CSCD_INLINE std::vector<double> face_means(const Skeletonized_surface& surface,
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_APPLICATION_ESTIMATE_SHAPE_DIAMETERS_IMPL_H

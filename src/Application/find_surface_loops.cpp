@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of find_surface_loops.h.
+// Collects loops of all kinds and chooses among them.
 
-#ifndef CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H
-#define CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H
-
-#include <CSCD/Application/Loop_classes.h>
+#include "Application/Loop_classes.h"
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Local/Covering_search.h>
 #include <CSCD/Local/Local_separator_finder.h>
@@ -25,7 +22,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/Epoch_marks.h>
-#include <CSCD/internal/config.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -43,8 +39,10 @@
 
 namespace CSCD::internal {
 
+namespace {
+
 /// The local separators of `solid`, from sources all over the surface.
-inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
+std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
 {
   Options settings;
   settings.random_seed = random_seed;
@@ -645,12 +643,12 @@ private:
   std::vector<Candidate> m_candidates;
 };
 
-CSCD_INLINE std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid,
-                                                                   unsigned random_seed, double min_depth)
+} // namespace
+
+std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid, unsigned random_seed,
+                                                       double min_depth)
 {
   return Surface_loop_search(solid)(random_seed, min_depth);
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_APPLICATION_FIND_SURFACE_LOOPS_IMPL_H

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of Skeleton_branches.h.
-
-#ifndef CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H
-#define CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H
+// Measures branches, the parts of a surface that belong to them, and what is around nodes.
 
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
@@ -14,7 +11,6 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/assertions.h>
@@ -34,12 +30,13 @@
 
 namespace CSCD::internal {
 
+namespace {
+
 /// Measures one branch after the other.
 class Branch_measurement
 {
 public:
-  explicit Branch_measurement(const Indexed_skeleton& skeleton)
-      : m_skeleton(skeleton), m_degree(skeleton.number_of_nodes(), 0)
+  explicit Branch_measurement(const Skeleton& skeleton) : m_skeleton(skeleton), m_degree(skeleton.number_of_nodes(), 0)
   {
     for (const auto& [u, v] : skeleton.edges) {
       ++m_degree[u];
@@ -101,7 +98,7 @@ private:
     branch.mean_radius = branch.length > 0 ? integral / branch.length : branch.end_radii[0];
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   std::vector<std::size_t> m_degree;
   boost::unordered_map<std::pair<Index, Index>, double> m_significance;
 };
@@ -207,8 +204,7 @@ inline std::vector<Index> nodes_of_faces(const Assigned_surface& surface)
 class Surface_part_measurement
 {
 public:
-  Surface_part_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
-                           Skeleton_branches& branches)
+  Surface_part_measurement(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches)
       : m_skeleton(skeleton), m_surface(surface), m_branches(branches.branches),
         m_branch_of_node(branches.branch_of_node), m_pairing(surface.triangles, surface.points.size()),
         m_node_of_face(nodes_of_faces(surface))
@@ -321,7 +317,7 @@ private:
     return (m_skeleton.points[m_anchor[node]] + m_skeleton.points[m_anchor[other]]) / 2;
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   const Assigned_surface& m_surface;
   std::vector<Skeleton_branch>& m_branches;
   const std::vector<Index>& m_branch_of_node;
@@ -425,7 +421,7 @@ private:
 class Node_measurement
 {
 public:
-  Node_measurement(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+  Node_measurement(const Skeleton& skeleton, const Assigned_surface& surface)
       : m_skeleton(skeleton), m_surface(surface), m_neighbors(node_neighbors(skeleton)),
         m_faces(skeleton.number_of_nodes()), m_is_near(skeleton.number_of_nodes(), 0),
         m_last_node(surface.triangles.size(), no_index)
@@ -510,7 +506,7 @@ private:
     return CGAL::squared_distance(to_point(point), triangle);
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   const Assigned_surface& m_surface;
   std::vector<std::vector<Index>> m_neighbors;
   std::vector<std::vector<Index>> m_faces; ///< with a vertex of each node
@@ -519,12 +515,14 @@ private:
   std::vector<Index> m_last_node; ///< for which each face was looked at
 };
 
-CSCD_INLINE std::vector<double> edge_significances(const Indexed_skeleton& skeleton)
+} // namespace
+
+std::vector<double> edge_significances(const Skeleton& skeleton)
 {
   return skeleton.has_radii() ? significance_levels(skeleton) : std::vector<double>();
 }
 
-CSCD_INLINE Skeleton_branches measure_branches(const Indexed_skeleton& skeleton, const std::vector<Index>& roots)
+Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<Index>& roots)
 {
   Skeleton_branches result;
   const Branch_measurement measure(skeleton);
@@ -539,13 +537,12 @@ CSCD_INLINE Skeleton_branches measure_branches(const Indexed_skeleton& skeleton,
   return result;
 }
 
-CSCD_INLINE void measure_surface_parts(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
-                                       Skeleton_branches& branches)
+void measure_surface_parts(const Skeleton& skeleton, const Assigned_surface& surface, Skeleton_branches& branches)
 {
   Surface_part_measurement(skeleton, surface, branches).measure();
 }
 
-CSCD_INLINE std::vector<Node_measures> measure_nodes(const Indexed_skeleton& skeleton, const Assigned_surface& surface)
+std::vector<Node_measures> measure_nodes(const Skeleton& skeleton, const Assigned_surface& surface)
 {
   CGAL_precondition(skeleton.has_radii());
   Node_measurement measure(skeleton, surface);
@@ -558,5 +555,3 @@ CSCD_INLINE std::vector<Node_measures> measure_nodes(const Indexed_skeleton& ske
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_MEASURE_SKELETON_BRANCHES_IMPL_H

@@ -3,8 +3,8 @@
 //
 // From slices of a surface to parts: which neighboring parts belong together.
 
-#ifndef CSCD_APPLICATION_PART_MERGING_H
-#define CSCD_APPLICATION_PART_MERGING_H
+#ifndef CSCD_SRC_APPLICATION_PART_MERGING_H
+#define CSCD_SRC_APPLICATION_PART_MERGING_H
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Vector_3.h>
@@ -302,4 +302,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_APPLICATION_PART_MERGING_H
+#endif // CSCD_SRC_APPLICATION_PART_MERGING_H

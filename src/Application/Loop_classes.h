@@ -3,8 +3,8 @@
 //
 // To which handles and tunnels closed curves on a surface belong.
 
-#ifndef CSCD_APPLICATION_LOOP_CLASSES_H
-#define CSCD_APPLICATION_LOOP_CLASSES_H
+#ifndef CSCD_SRC_APPLICATION_LOOP_CLASSES_H
+#define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
@@ -365,4 +365,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_APPLICATION_LOOP_CLASSES_H
+#endif // CSCD_SRC_APPLICATION_LOOP_CLASSES_H

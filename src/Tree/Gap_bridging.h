@@ -3,11 +3,11 @@
 //
 // Which pieces of a scan belong to one object.
 
-#ifndef CSCD_TREE_GAP_BRIDGING_H
-#define CSCD_TREE_GAP_BRIDGING_H
+#ifndef CSCD_SRC_TREE_GAP_BRIDGING_H
+#define CSCD_SRC_TREE_GAP_BRIDGING_H
 
+#include "Tree/Neighbor_graph.h"
 #include <CSCD/Points/insert_points.h>
-#include <CSCD/Tree/Neighbor_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Disjoint_sets.h>
 
@@ -257,4 +257,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_GAP_BRIDGING_H
+#endif // CSCD_SRC_TREE_GAP_BRIDGING_H

@@ -3,12 +3,11 @@
 //
 // The fields whose level sets reconstruct a body from its skeleton.
 
-#ifndef CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
-#define CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
+#ifndef CSCD_SRC_MEASURE_RECONSTRUCTION_FIELDS_H
+#define CSCD_SRC_MEASURE_RECONSTRUCTION_FIELDS_H
 
-#include <CSCD/Measure/Part_tree.h>
-#include <CSCD/Measure/Segment_bvh.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include "Measure/Segment_tree.h"
+#include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>
@@ -21,10 +20,51 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A round cone, the convex hull of the balls around two points; a ball if it has no length.
+struct Round_cone
+{
+  Vector_3 source, direction;
+  double length, source_radius, target_radius;
+  double sine, cosine; ///< of the angle between the axis and the straight lines of the surface
+
+  Round_cone(const Vector_3& from, const Vector_3& to, double from_radius, double to_radius)
+      : source(from), direction(Vector_3::Zero()), length((to - from).norm()), source_radius(from_radius),
+        target_radius(to_radius), sine(length > 0 ? (from_radius - to_radius) / length : 1), cosine(0)
+  {
+    if (std::abs(sine) < 1) {
+      direction = (to - from) / length;
+      cosine = std::sqrt(1 - sine * sine);
+    } else { // one ball holds the other
+      source = from_radius >= to_radius ? from : to;
+      source_radius = target_radius = std::max(from_radius, to_radius);
+      length = sine = 0;
+      cosine = 1;
+    }
+  }
+
+  /// Negative inside, exact outside, and inside no greater in magnitude than the distance from the surface.
+  double signed_distance(const Vector_3& point) const
+  {
+    const Vector_3 to_point = point - source;
+    const double x = to_point.dot(direction);
+    const double y2 = std::max(to_point.squaredNorm() - x * x, 0.);
+    const double y = std::sqrt(y2);
+    // Coordinate along the straight line of the surface below the point, 0 where it leaves the first ball.
+    const double along = x * cosine - y * sine;
+    if (along <= 0) {
+      return std::sqrt(x * x + y2) - source_radius;
+    }
+    if (along >= length * cosine) {
+      return std::sqrt((x - length) * (x - length) + y2) - target_radius;
+    }
+    return x * sine + y * cosine - source_radius;
+  }
+};
 
 /// The signed distance from the union of round cones, the convex hulls of the balls around the two ends of each edge:
 /// negative inside, exact outside, and inside no greater in magnitude than the distance from the surface.
@@ -33,32 +73,53 @@ class Round_cone_field
 {
 public:
   /// \pre `skeleton` has nodes, and radii, which are positive or zero
-  explicit Round_cone_field(const Indexed_skeleton& skeleton)
+  explicit Round_cone_field(const Skeleton& skeleton)
   {
     CGAL_precondition(skeleton.has_radii());
     const std::vector<std::array<Index, 2>> ends = segment_ends(skeleton);
-    std::vector<Segment_bvh::Segment> segments;
-    std::vector<double> radii;
-    segments.reserve(ends.size());
-    radii.reserve(ends.size());
+    std::vector<Bounding_box> boxes(ends.size());
     m_cones.reserve(ends.size());
-    for (const auto& [u, v] : ends) {
-      segments.push_back({skeleton.points[u], skeleton.points[v]});
-      radii.push_back(std::max(skeleton.radii[u], skeleton.radii[v]));
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      const auto& [u, v] = ends[i];
       m_cones.emplace_back(skeleton.points[u], skeleton.points[v], skeleton.radii[u], skeleton.radii[v]);
+      for (const Index node : ends[i]) {
+        boxes[i].extend(skeleton.points[node] - Vector_3::Constant(skeleton.radii[node]));
+        boxes[i].extend(skeleton.points[node] + Vector_3::Constant(skeleton.radii[node]));
+      }
     }
-    m_tree = Segment_bvh(std::move(segments), radii);
+    m_tree = Box_tree(boxes);
   }
 
   /// The signed distance of `point`; O(log n) where the cones are well spread.
   double operator()(const Vector_3& point) const
   {
-    return m_tree.least_value(point, [&](Index i) { return m_cones[i].signed_distance(point); });
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t steps = 0;
+    m_tree.minimize([&](const Bounding_box& box) { return bound(box, point); },
+                    [&](Index i) {
+                      ++steps;
+                      const double distance = m_cones[i].signed_distance(point);
+                      least = std::min(least, distance);
+                      return distance;
+                    });
+    m_work.add(steps);
+    return least;
   }
 
 private:
+  /// At most the signed distance of `point` from what lies in `box`: inside it, the distance from its nearest side.
+  static double bound(const Bounding_box& box, const Vector_3& point)
+  {
+    constexpr double slack = 1e-12; // far above rounding
+    const double square = box.squared_distance(point);
+    const double distance =
+        square > 0 ? std::sqrt(square) : -std::min((point - box.min()).minCoeff(), (box.max() - point).minCoeff());
+    return distance - slack * std::abs(distance);
+  }
+
   std::vector<Round_cone> m_cones;
-  Segment_bvh m_tree{{}};
+  Box_tree m_tree;
+  mutable Work_limit m_work;
 };
 
 /// The convolution of a skeleton with the inverse quartic kernel.
@@ -73,7 +134,7 @@ class Convolution_field
 {
 public:
   /// \pre `skeleton` has radii, which are positive or zero
-  explicit Convolution_field(const Indexed_skeleton& skeleton)
+  explicit Convolution_field(const Skeleton& skeleton)
   {
     CGAL_precondition(skeleton.has_radii());
     Disjoint_sets places(skeleton.number_of_nodes()); // of nodes that edges of length zero join
@@ -88,19 +149,11 @@ public:
       }
     }
     add_balls(skeleton, places);
-    if (m_edges.size() + m_balls.size() > max_number_summed) {
-      build_clusters();
-    }
   }
 
-  /// F at `point`. Linear in the number of edges up to some thousands; of more, those that are far and near each other
-  /// count as one place, which changes their part of F by some percent. The cost is O(log n) where they are well
-  /// spread, and bounded in tangles, where edges count as one place that are not far.
+  /// F at `point`. Linear in the number of edges.
   double convolution(const Vector_3& point) const
   {
-    if (!m_clusters.empty()) {
-      return sum_of_clusters(point);
-    }
     double sum = 0;
     for (const Edge& edge : m_edges) {
       sum += integral(edge, point);
@@ -131,17 +184,6 @@ private:
     Vector_3 center;
     double radius;
   };
-  /// The edges and balls of a node of the tree, seen from afar.
-  struct Cluster
-  {
-    Vector_3 center = Vector_3::Zero(); ///< of mass
-    double radius = 0;                  ///< of a ball around the center that holds them
-    double mass = 0;                    ///< F is about this over the fourth power of the distance
-    double spread = 0;                  ///< mean square of the distances from the center, by mass
-  };
-
-  /// Above this, sums over all edges would take minutes. Skeletons of bodies have fewer.
-  static constexpr std::size_t max_number_summed = 4096;
 
   static double value(const Ball& ball, const Vector_3& point)
   {
@@ -149,99 +191,8 @@ private:
     return ratio * ratio;
   }
 
-  /// The mass of an object of the tree, an edge or a ball, at its middle.
-  Cluster cluster_of(Index object) const
-  {
-    if (object >= m_edges.size()) {
-      const Ball& ball = m_balls[object - m_edges.size()];
-      return {ball.center, 0, ball.radius * ball.radius * ball.radius * ball.radius, 0};
-    }
-    const Edge& edge = m_edges[object];
-    const double a = edge.source_radius;
-    const double b = edge.target_radius;
-    const double mean_cube = (a + b) * (a * a + b * b) / 4; // of the radius along the edge
-    return {edge.source + edge.length / 2 * edge.direction, 0,
-            boost::math::double_constants::two_div_pi * edge.length * mean_cube, edge.length * edge.length / 12};
-  }
-
-  void build_clusters()
-  {
-    std::vector<Part_tree<2>::Parts> ends(m_edges.size() + m_balls.size());
-    for (std::size_t i = 0; i < ends.size(); ++i) {
-      const bool is_edge = i < m_edges.size();
-      const Vector_3& source = is_edge ? m_edges[i].source : m_balls[i - m_edges.size()].center;
-      ends[i][0].extend(source);
-      ends[i][1].extend(is_edge ? Vector_3(source + m_edges[i].length * m_edges[i].direction) : source);
-    }
-    m_tree = Part_tree<2>(ends);
-    m_clusters.resize(m_tree.nodes().size());
-    for (Index n = Index(m_clusters.size()); n-- > 0;) {
-      const auto& node = m_tree.nodes()[n];
-      Cluster& cluster = m_clusters[n]; // until here, centers and squares from the origin were summed times masses
-      for (Index i = node.begin; node.second_child == no_index && i < node.end; ++i) {
-        const Cluster object = cluster_of(m_tree.objects()[i]);
-        cluster.center += object.mass * object.center;
-        cluster.mass += object.mass;
-        cluster.spread += object.mass * (object.center.squaredNorm() + object.spread);
-      }
-      if (node.parent != no_index) {
-        m_clusters[node.parent].center += cluster.center;
-        m_clusters[node.parent].mass += cluster.mass;
-        m_clusters[node.parent].spread += cluster.spread;
-      }
-      Bounding_box box = node.boxes[0];
-      box.extend(node.boxes[1]);
-      cluster.center = cluster.mass > 0 ? Vector_3(cluster.center / cluster.mass) : box.min();
-      cluster.spread =
-          cluster.mass > 0 ? std::max(cluster.spread / cluster.mass - cluster.center.squaredNorm(), 0.) : 0;
-      cluster.radius = (cluster.center - box.min()).cwiseMax(box.max() - cluster.center).norm();
-    }
-  }
-
-  /// What is near is divided first, and what is left when enough was divided counts as if it were far.
-  double sum_of_clusters(const Vector_3& point) const
-  {
-    constexpr double far = 4;                        // in radii of the cluster: its part of F is right to some percent
-    constexpr std::size_t max_number_divided = 1024; // of well spread edges there are some hundred; of tangles, no end
-    const auto square_to = [&](Index n) { return (point - m_clusters[n].center).squaredNorm(); };
-    double sum = 0;
-    double sum_of_edges = 0;
-    std::size_t number_divided = 0;
-    std::vector<Index> to_do{0};
-    while (!to_do.empty()) {
-      const Index n = to_do.back();
-      to_do.pop_back();
-      const Cluster& cluster = m_clusters[n];
-      const auto& node = m_tree.nodes()[n];
-      const double square = square_to(n);
-      const bool is_far = square > far * far * cluster.radius * cluster.radius && square > min_square;
-      if (is_far || number_divided == max_number_divided) {
-        const double limited = std::max({square, cluster.radius * cluster.radius, min_square});
-        // The second term of the expansion around the center, averaged over all directions, is the spread's.
-        sum += cluster.mass / (limited * limited) * (1 + 2 * cluster.spread / limited);
-        continue;
-      }
-      ++number_divided;
-      if (node.second_child != no_index) {
-        const bool is_first_nearer = square_to(n + 1) < square_to(node.second_child);
-        to_do.push_back(is_first_nearer ? node.second_child : n + 1);
-        to_do.push_back(is_first_nearer ? n + 1 : node.second_child);
-        continue;
-      }
-      for (Index i = node.begin; i < node.end; ++i) {
-        const Index object = m_tree.objects()[i];
-        if (object < m_edges.size()) {
-          sum_of_edges += integral(m_edges[object], point);
-        } else {
-          sum += value(m_balls[object - m_edges.size()], point);
-        }
-      }
-    }
-    return sum + boost::math::double_constants::two_div_pi * sum_of_edges;
-  }
-
   /// Adds a ball for each place without an edge of any length, of the greatest radius of its nodes.
-  void add_balls(const Indexed_skeleton& skeleton, Disjoint_sets& places)
+  void add_balls(const Skeleton& skeleton, Disjoint_sets& places)
   {
     std::vector<char> has_length(skeleton.number_of_nodes(), 0);
     for (const std::array<Index, 2>& edge : skeleton.edges) {
@@ -317,10 +268,8 @@ private:
 
   std::vector<Edge> m_edges;
   std::vector<Ball> m_balls;
-  Part_tree<2> m_tree{{}};         ///< over edges and then balls, if there are many
-  std::vector<Cluster> m_clusters; ///< of the nodes of the tree
 };
 
 } // namespace CSCD::internal
 
-#endif // CSCD_MEASURE_RECONSTRUCTION_FIELDS_H
+#endif // CSCD_SRC_MEASURE_RECONSTRUCTION_FIELDS_H

@@ -1,10 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of make_rig.h.
-
-#ifndef CSCD_APPLICATION_MAKE_RIG_IMPL_H
-#define CSCD_APPLICATION_MAKE_RIG_IMPL_H
+// Places joints, and finds which of them move a vertex.
 
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/Measure/Rooted_forest.h>
@@ -13,7 +10,6 @@
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -25,15 +21,16 @@
 #include <utility>
 #include <vector>
 
-namespace CSCD {
-namespace internal {
+namespace CSCD::internal {
+
+namespace {
 
 /// Chooses the nodes of a rooted skeleton at which joints are.
 class Joint_placement
 {
 public:
   /// \param bend_tolerance in radii
-  Joint_placement(const Indexed_skeleton& skeleton, const Rooted_forest& forest, double bend_tolerance)
+  Joint_placement(const Skeleton& skeleton, const Rooted_forest& forest, double bend_tolerance)
       : m_skeleton(skeleton), m_bend_tolerance(bend_tolerance), m_children(skeleton.number_of_nodes()),
         m_is_joint(skeleton.number_of_nodes(), 0)
   {
@@ -125,7 +122,7 @@ private:
     }
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   double m_bend_tolerance;
   std::vector<std::vector<Index>> m_children;
   std::vector<char> m_is_joint;
@@ -136,7 +133,7 @@ private:
 class Joint_weights
 {
 public:
-  Joint_weights(const Indexed_skeleton& skeleton, const std::vector<Index>& roots, double bend_tolerance)
+  Joint_weights(const Skeleton& skeleton, const std::vector<Index>& roots, double bend_tolerance)
       : m_skeleton(skeleton), m_forest(skeleton, roots), m_placement(skeleton, m_forest, bend_tolerance)
   {
     number_joints();
@@ -256,7 +253,7 @@ private:
     return result;
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   Rooted_forest m_forest;
   Joint_placement m_placement;
   std::vector<Rig_joint> m_joints;
@@ -362,8 +359,10 @@ private:
   std::vector<Rig_influence> m_sum;
 };
 
-CSCD_INLINE Rig make_rig(const Indexed_skeleton& skeleton, const Assigned_surface& surface,
-                         const std::vector<Index>& roots, double bend_tolerance)
+} // namespace
+
+Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
+             double bend_tolerance)
 {
   CGAL_precondition(skeleton.number_of_nodes() > 0 && skeleton.has_radii());
   constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
@@ -389,7 +388,4 @@ CSCD_INLINE Rig make_rig(const Indexed_skeleton& skeleton, const Assigned_surfac
   return rig;
 }
 
-} // namespace internal
-} // namespace CSCD
-
-#endif // CSCD_APPLICATION_MAKE_RIG_IMPL_H
+} // namespace CSCD::internal

@@ -1,21 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of simplify_skeleton.h.
+// Prunes, merges, joins, resamples and smooths a skeleton.
 
-#ifndef CSCD_MEASURE_SIMPLIFY_SKELETON_IMPL_H
-#define CSCD_MEASURE_SIMPLIFY_SKELETON_IMPL_H
-
+#include "Measure/count_skeleton.h"
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
-#include <CSCD/Skeleton/Branch_hierarchy_impl.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Box_tree.h>
 #include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/config.h>
 
 #include <algorithm>
 #include <array>
@@ -31,58 +27,7 @@
 
 namespace CSCD::internal {
 
-/// Points in a hierarchy of boxes, each with a label.
-class Labelled_points
-{
-public:
-  explicit Labelled_points(const std::vector<Vector_3>& points, std::vector<Index> chosen)
-      : m_points(points), m_chosen(std::move(chosen))
-  {
-    std::vector<Bounding_box> boxes(m_chosen.size());
-    for (std::size_t i = 0; i < m_chosen.size(); ++i) {
-      boxes[i].extend(points[m_chosen[i]]);
-    }
-    m_tree = Box_tree(boxes);
-  }
-
-  /// The point nearest to `point` of those that are not labelled `label`, nearer than the root of `squared_bound`; or
-  /// `no_index`. Of several, the one with the least coordinates. O(log n) where others are near or the bound is small.
-  std::pair<double, Index> nearest_other(const Vector_3& point, Index label, const std::vector<Index>& labels,
-                                         double squared_bound) const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double least = squared_bound;
-    Index nearest = no_index;
-    const auto position = [this](Index v) {
-      return std::make_tuple(m_points[v].x(), m_points[v].y(), m_points[v].z(), v);
-    };
-    m_tree.minimize(
-        [&](const Bounding_box& box) {
-          // The search enters boxes that are nearer than what it has found: for the sake of ties, those that are as
-          // near are said to be a little nearer.
-          const double square = box.squared_distance(point);
-          return square <= least ? std::nextafter(square, -1.) : infinity;
-        },
-        [&](Index object) {
-          const Index i = m_chosen[object];
-          const double square = (m_points[i] - point).squaredNorm();
-          if (labels[i] == label || square > least) {
-            return infinity;
-          }
-          if (square < least || nearest == no_index || position(i) < position(nearest)) {
-            least = square;
-            nearest = i;
-          }
-          return square;
-        });
-    return {least, nearest};
-  }
-
-private:
-  const std::vector<Vector_3>& m_points;
-  std::vector<Index> m_chosen;
-  Box_tree m_tree;
-};
+namespace {
 
 /// The body, if it is known.
 class Body
@@ -116,7 +61,7 @@ class Branch_resampling
 public:
   /// \param skeleton, body are referred to
   /// \param is_relative whether the spacing is in radii
-  Branch_resampling(const Indexed_skeleton& skeleton, const Body& body, double spacing, bool is_relative)
+  Branch_resampling(const Skeleton& skeleton, const Body& body, double spacing, bool is_relative)
       : m_skeleton(skeleton), m_body(body), m_spacing(spacing), m_is_relative(is_relative),
         m_is_fixed(skeleton.number_of_nodes(), 0), m_heir(skeleton.number_of_nodes(), no_index)
   {
@@ -136,7 +81,7 @@ public:
     }
   }
 
-  const Indexed_skeleton& result() const { return m_result; }
+  const Skeleton& result() const { return m_result; }
   /// For each node of the result the node that it was, or `no_index`.
   const std::vector<Index>& old_nodes() const { return m_old_node; }
   /// For each node that was, the nearest one of the result on its branch.
@@ -316,14 +261,14 @@ private:
     return (1 - t) * m_skeleton.points[branch[edge]] + t * m_skeleton.points[branch[edge + 1]];
   }
 
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   const Body& m_body;
   double m_spacing;
   bool m_is_relative;
   std::vector<char> m_is_fixed;
   std::vector<Index> m_heir;
   std::vector<std::array<Index, 2>> m_ends; ///< of all branches, in order
-  Indexed_skeleton m_result;
+  Skeleton m_result;
   std::vector<Index> m_old_node;
 };
 
@@ -331,7 +276,7 @@ private:
 class Skeleton_simplification
 {
 public:
-  Skeleton_simplification(Indexed_skeleton&& skeleton, const Triangulated_solid* solid)
+  Skeleton_simplification(Skeleton&& skeleton, const Triangulated_solid* solid)
       : m_skeleton(std::move(skeleton)), m_body(solid), m_origin(m_skeleton.number_of_nodes())
   {
     std::iota(m_origin.begin(), m_origin.end(), Index(0));
@@ -365,12 +310,12 @@ public:
   /// Cuts limbs of which the measure is below `threshold`. Their vertices go to the nodes where they are cut.
   void prune(Branch_measure measure, double threshold)
   {
-    const Branch_hierarchy hierarchy(m_skeleton, measure);
+    const Branch_levels limbs = branch_levels(m_skeleton, measure);
     std::vector<char> is_kept(m_skeleton.edges.size());
     std::vector<char> is_node_kept(m_skeleton.number_of_nodes(), 0);
     std::vector<char> has_edge(m_skeleton.number_of_nodes(), 0);
     for (Index e = 0; e < is_kept.size(); ++e) {
-      is_kept[e] = hierarchy.levels()[e] >= threshold || hierarchy.is_last(e) ? 1 : 0;
+      is_kept[e] = limbs.levels[e] >= threshold || limbs.is_last[e] != 0 ? 1 : 0;
       for (const Index v : m_skeleton.edges[e]) {
         has_edge[v] = 1;
         is_node_kept[v] = is_node_kept[v] != 0 || is_kept[e] != 0 ? 1 : 0;
@@ -407,21 +352,10 @@ public:
     }
   }
 
-  /// Joins components by straight edges: Boruvka's algorithm, each round of which joins components to
-  /// their nearest.
-  void join_components()
-  {
-    const Labelled_points nodes(m_skeleton.points, numbers());
-    const std::vector<Index> ends = ends_of_components();
-    const Labelled_points end_tree(m_skeleton.points, ends);
-    std::vector<char> is_end(m_skeleton.number_of_nodes(), 0);
-    for (const Index v : ends) {
-      is_end[v] = 1;
-    }
-    for (std::vector<Index> component = components(); join_round(nodes, end_tree, is_end, component);
-         component = components()) {
-    }
-  }
+  /// Joins components by straight edges, those of the minimum spanning tree of the components, by Prim's algorithm from
+  /// the largest on: O(e n) for n nodes and e ends.
+  /// \throw Input_error if there are too many nodes
+  void join_components();
 
   /// Replaces the nodes of branches by evenly spaced ones.
   /// \param is_relative whether the spacing is in radii
@@ -434,15 +368,11 @@ public:
   {
     m_report.number_of_nodes = m_skeleton.number_of_nodes();
     m_report.number_of_edges = m_skeleton.edges.size();
-    const std::vector<Index> component = components();
-    for (Index v = 0; v < component.size(); ++v) {
-      m_report.number_of_components += component[v] == v ? 1 : 0;
-    }
-    m_report.betti_number = m_report.number_of_edges + m_report.number_of_components - m_report.number_of_nodes;
-    for (const std::vector<Index>& around : node_neighbors(m_skeleton)) {
-      m_report.number_of_tips += around.size() == 1 ? 1 : 0;
-      m_report.number_of_junctions += around.size() > 2 ? 1 : 0;
-    }
+    const Skeleton_counts counts = count_skeleton(m_skeleton);
+    m_report.number_of_components = counts.number_of_components;
+    m_report.betti_number = counts.betti_number;
+    m_report.number_of_tips = counts.number_of_tips;
+    m_report.number_of_junctions = counts.number_of_junctions;
     return {std::move(m_skeleton), std::move(m_origin), std::move(m_heir), m_report};
   }
 
@@ -489,22 +419,20 @@ private:
     return result;
   }
 
-  /// The tips and isolated nodes; all nodes of components that have none.
-  std::vector<Index> ends_of_components() const
+  /// For each node whether edges that join components begin there: tips and isolated nodes, and all nodes of components
+  /// that have none.
+  std::vector<char> ends_of_components(const std::vector<Index>& component) const
   {
     const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
-    const std::vector<Index> component = components();
     std::vector<char> has_tip(component.size(), 0);
     for (Index v = 0; v < component.size(); ++v) {
       has_tip[component[v]] = has_tip[component[v]] != 0 || neighbors[v].size() < 2 ? 1 : 0;
     }
-    std::vector<Index> ends;
+    std::vector<char> is_end(component.size());
     for (Index v = 0; v < component.size(); ++v) {
-      if (neighbors[v].size() < 2 || has_tip[component[v]] == 0) {
-        ends.push_back(v);
-      }
+      is_end[v] = neighbors[v].size() < 2 || has_tip[component[v]] == 0 ? 1 : 0;
     }
-    return ends;
+    return is_end;
   }
 
   /// A straight edge that could join two components; the first is the better one.
@@ -515,53 +443,18 @@ private:
     Index to = no_index;
   };
 
-  /// \return whether there was more than one component
-  bool join_round(const Labelled_points& nodes, const Labelled_points& ends, const std::vector<char>& is_end,
-                  const std::vector<Index>& component)
-  {
-    std::vector<std::size_t> size(component.size(), 0);
-    for (const Index v : component) {
-      ++size[v];
-    }
-    // The largest can wait for the others to find it, which saves most of the time.
-    const auto largest = Index(std::max_element(size.begin(), size.end()) - size.begin());
-    std::vector<Joint> best(component.size());
-    for (Index v = 0; v < component.size(); ++v) {
-      if (component[v] == largest) {
-        continue;
-      }
-      Joint& joint = best[component[v]];
-      const auto [square, other] =
-          (is_end[v] != 0 ? nodes : ends)
-              .nearest_other(m_skeleton.points[v], component[v], component, joint.squared_distance);
-      if (other != no_index && (joint.from == no_index || is_before({square, v, other}, joint))) {
-        joint = {square, v, other};
-      }
-    }
-    Disjoint_sets sets(component.size());
-    bool is_joined = false;
-    for (const Joint& joint : best) {
-      if (joint.from != no_index && sets.join(component[joint.from], component[joint.to])) {
-        m_skeleton.edges.push_back({joint.from, joint.to});
-        m_skeleton.is_joined.push_back(1);
-        ++m_report.number_of_joined_edges;
-        is_joined = true;
-      }
-    }
-    return is_joined;
-  }
-
-  /// By length; of equal ones by position, so that all components prefer the same.
+  /// By length; of equal ones by position, so that the numbering does not matter.
   bool is_before(const Joint& a, const Joint& b) const
   {
+    if (a.squared_distance != b.squared_distance || b.from == no_index) {
+      return a.squared_distance < b.squared_distance;
+    }
     const auto key = [this](const Joint& joint) {
       const auto position = [this](Index v) {
         const Vector_3& p = m_skeleton.points[v];
         return std::make_tuple(p.x(), p.y(), p.z(), v);
       };
-      const auto first = position(joint.from);
-      const auto second = position(joint.to);
-      return std::make_tuple(joint.squared_distance, std::min(first, second), std::max(first, second));
+      return std::minmax({position(joint.from), position(joint.to)});
     };
     return key(a) < key(b);
   }
@@ -571,7 +464,7 @@ private:
   void keep(const std::vector<Index>& heir, const std::vector<char>& is_kept)
   {
     std::vector<Index> number(heir.size(), no_index);
-    Indexed_skeleton result;
+    Skeleton result;
     std::vector<Index> origin;
     for (Index v = 0; v < heir.size(); ++v) {
       if (heir[v] == v) {
@@ -607,16 +500,63 @@ private:
                     const Branch_point& place) const;
   Branch_point point_on_branch(const Branch& branch, double place) const;
 
-  Indexed_skeleton m_skeleton;
+  Skeleton m_skeleton;
   Body m_body;
   std::vector<Index> m_origin;
   std::vector<Index> m_heir;
   Simplification_report m_report;
 };
 
+void Skeleton_simplification::join_components()
+{
+  const std::vector<Index> component = components();
+  const std::vector<char> is_end = ends_of_components(component);
+  std::vector<std::vector<Index>> members(component.size()); // of each component, at the node that stands for it
+  for (Index v = 0; v < component.size(); ++v) {
+    members[component[v]].push_back(v);
+  }
+  std::vector<Index> open; // components that are not joined yet
+  for (Index c = 0; c < component.size(); ++c) {
+    if (!members[c].empty()) {
+      open.push_back(c);
+    }
+  }
+  if (open.size() < 2) {
+    return;
+  }
+  auto next = std::max_element(open.begin(), open.end(),
+                               [&](Index a, Index b) { return members[a].size() < members[b].size(); });
+  std::vector<Joint> best(component.size()); // from what is joined to each open component
+  for (double number_of_pairs = 0; !open.empty();) {
+    const Index joined = *next;
+    open.erase(next);
+    if (best[joined].from != no_index) {
+      m_skeleton.edges.push_back({best[joined].from, best[joined].to});
+      m_skeleton.is_joined.push_back(1);
+      ++m_report.number_of_joined_edges;
+    }
+    for (const Index c : open) {
+      number_of_pairs += double(members[joined].size()) * double(members[c].size());
+      constexpr double max_number_of_pairs = 1ULL << 34; // a minute
+      if (number_of_pairs > max_number_of_pairs) {
+        throw Input_error(
+            "the components have too many nodes to be joined: remove small ones or resample branches first");
+      }
+      for (const Index v : members[joined]) {
+        for (const Index w : members[c]) {
+          if (is_end[v] != 0 || is_end[w] != 0) {
+            const Joint joint{(m_skeleton.points[v] - m_skeleton.points[w]).squaredNorm(), v, w};
+            best[c] = is_before(joint, best[c]) ? joint : best[c];
+          }
+        }
+      }
+    }
+    next = std::min_element(open.begin(), open.end(), [&](Index a, Index b) { return is_before(best[a], best[b]); });
+  }
+}
+
 /// The point of the branch at this length from its begin.
-inline Skeleton_simplification::Branch_point Skeleton_simplification::point_on_branch(const Branch& branch,
-                                                                                      double place) const
+Skeleton_simplification::Branch_point Skeleton_simplification::point_on_branch(const Branch& branch, double place) const
 {
   for (std::size_t i = 1; i < branch.size(); ++i) {
     const double edge = distance(branch[i - 1], branch[i]);
@@ -631,8 +571,7 @@ inline Skeleton_simplification::Branch_point Skeleton_simplification::point_on_b
 }
 
 /// Whether the ends of the branch can become one node without edges that are loops or parallel.
-inline bool Skeleton_simplification::can_merge(const Branch& branch,
-                                               const std::vector<std::vector<Index>>& neighbors) const
+bool Skeleton_simplification::can_merge(const Branch& branch, const std::vector<std::vector<Index>>& neighbors) const
 {
   std::vector<Index> around;
   for (const auto& [end, next] :
@@ -651,9 +590,8 @@ inline bool Skeleton_simplification::can_merge(const Branch& branch,
 }
 
 /// Whether the edges at the ends of the branch that are inside the body are so if the ends move to `place`.
-inline bool Skeleton_simplification::stays_inside(const Branch& branch,
-                                                  const std::vector<std::vector<Index>>& neighbors,
-                                                  const Branch_point& place) const
+bool Skeleton_simplification::stays_inside(const Branch& branch, const std::vector<std::vector<Index>>& neighbors,
+                                           const Branch_point& place) const
 {
   for (const auto& [end, next] :
        {std::pair(branch.front(), branch[1]), std::pair(branch.back(), branch[branch.size() - 2])}) {
@@ -667,7 +605,7 @@ inline bool Skeleton_simplification::stays_inside(const Branch& branch,
 }
 
 /// The branches between junctions that are shorter than `threshold` radii and can be merged, shortest first.
-inline std::vector<Skeleton_simplification::Branch>
+std::vector<Skeleton_simplification::Branch>
 Skeleton_simplification::short_branches(double threshold, const std::vector<std::vector<Index>>& neighbors) const
 {
   std::vector<char> is_at_joint(m_skeleton.number_of_nodes(), 0);
@@ -700,7 +638,7 @@ Skeleton_simplification::short_branches(double threshold, const std::vector<std:
 }
 
 /// Merges short branches, shortest first, that do not touch each other. \return whether there were any
-inline bool Skeleton_simplification::merge_some_junctions(double threshold)
+bool Skeleton_simplification::merge_some_junctions(double threshold)
 {
   const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
   std::vector<char> is_touched(m_skeleton.number_of_nodes(), 0);
@@ -734,7 +672,7 @@ inline bool Skeleton_simplification::merge_some_junctions(double threshold)
 }
 
 /// Leads the edges of nodes to their heirs, and drops those between nodes that have become one.
-inline void Skeleton_simplification::redirect_edges(const std::vector<Index>& heir)
+void Skeleton_simplification::redirect_edges(const std::vector<Index>& heir)
 {
   std::vector<char> is_kept;
   for (auto& [a, b] : m_skeleton.edges) {
@@ -745,7 +683,7 @@ inline void Skeleton_simplification::redirect_edges(const std::vector<Index>& he
   keep(heir, is_kept);
 }
 
-inline void Skeleton_simplification::resample(double spacing, bool is_relative)
+void Skeleton_simplification::resample(double spacing, bool is_relative)
 {
   Branch_resampling resampling(m_skeleton, m_body, spacing, is_relative);
   resampling();
@@ -757,10 +695,10 @@ inline void Skeleton_simplification::resample(double spacing, bool is_relative)
     origin.push_back(v == no_index ? no_index : m_origin[v]);
   }
   m_origin = std::move(origin);
-  m_skeleton = Indexed_skeleton(resampling.result());
+  m_skeleton = Skeleton(resampling.result());
 }
 
-inline void Skeleton_simplification::smooth(std::size_t number_of_steps)
+void Skeleton_simplification::smooth(std::size_t number_of_steps)
 {
   const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
   std::vector<std::array<Index, 2>> guarded;
@@ -791,7 +729,7 @@ inline void Skeleton_simplification::smooth(std::size_t number_of_steps)
 }
 
 /// \throw Input_error if a number is not finite or negative
-inline void check_simplification(const Indexed_skeleton& skeleton, const Simplification_parameters& parameters)
+void check_simplification(const Skeleton& skeleton, const Simplification_parameters& parameters)
 {
   const auto is_length = [](double value) { return value >= 0 && value <= std::numeric_limits<double>::max(); };
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
@@ -826,10 +764,10 @@ inline void check_simplification(const Indexed_skeleton& skeleton, const Simplif
   }
 }
 
-CSCD_INLINE Simplified_skeleton simplify_skeleton(Indexed_skeleton&& skeleton,
-                                                  const std::vector<std::size_t>& number_of_vertices,
-                                                  const Simplification_parameters& parameters,
-                                                  const Triangulated_solid* solid)
+} // namespace
+
+Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
+                                      const Simplification_parameters& parameters, const Triangulated_solid* solid)
 {
   check_simplification(skeleton, parameters);
   Skeleton_simplification simplification(std::move(skeleton), solid);
@@ -859,5 +797,3 @@ CSCD_INLINE Simplified_skeleton simplify_skeleton(Indexed_skeleton&& skeleton,
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_MEASURE_SIMPLIFY_SKELETON_IMPL_H

@@ -1,16 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of compare_segmentations.h.
-
-#ifndef CSCD_MEASURE_COMPARE_SEGMENTATIONS_IMPL_H
-#define CSCD_MEASURE_COMPARE_SEGMENTATIONS_IMPL_H
+// Measures of two segmentations by common faces and by boundaries.
 
 #include <CSCD/Measure/compare_segmentations.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -22,7 +18,7 @@
 
 namespace CSCD::internal {
 
-CSCD_INLINE std::vector<Index> number_labels(const std::vector<long long>& labels)
+std::vector<Index> number_labels(const std::vector<long long>& labels)
 {
   std::vector<long long> different = labels;
   std::sort(different.begin(), different.end());
@@ -34,6 +30,8 @@ CSCD_INLINE std::vector<Index> number_labels(const std::vector<long long>& label
   }
   return numbers;
 }
+
+namespace {
 
 /// How many faces each part of one segmentation shares with each part of another one.
 class Common_faces
@@ -228,10 +226,10 @@ private:
   const Halfedge_pairing& m_pairing;
 };
 
-CSCD_INLINE Segmentation_comparison compare_segmentations(const Indexed_triangles& triangles,
-                                                          const Halfedge_pairing& pairing,
-                                                          const std::vector<Index>& first,
-                                                          const std::vector<Index>& second)
+} // namespace
+
+Segmentation_comparison compare_segmentations(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
+                                              const std::vector<Index>& first, const std::vector<Index>& second)
 {
   CGAL_precondition(first.size() == triangles.faces.size() && second.size() == triangles.faces.size());
   Segmentation_comparison result;
@@ -249,5 +247,3 @@ CSCD_INLINE Segmentation_comparison compare_segmentations(const Indexed_triangle
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_MEASURE_COMPARE_SEGMENTATIONS_IMPL_H

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of evaluate_skeleton.h.
+// Measures a skeleton against a mesh or points.
 
-#ifndef CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
-#define CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H
-
-#include <CSCD/Measure/Isosurface_tracker.h>
-#include <CSCD/Measure/Position_measurement.h>
-#include <CSCD/Measure/Segment_bvh.h>
+#include "Measure/Isosurface_tracker.h"
+#include "Measure/Position_measurement.h"
+#include "Measure/Segment_tree.h"
+#include "Measure/Surface_limbs.h"
+#include "Measure/count_skeleton.h"
+#include "Measure/reconstruction_fields.h"
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/Surface_limbs.h>
 #include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Measure/reconstruction_fields.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
@@ -25,8 +23,6 @@
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -36,12 +32,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+namespace {
 
 /// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
 /// Borders are bridged, so that there is a body; components that face inwards are turned.
@@ -104,7 +103,7 @@ private:
 };
 
 /// The angle by which the path a, b, c turns at b, from 0 to pi; 0 where two of the points are equal.
-inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
+double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
   const Vector_3 before = b - a;
   const Vector_3 after = c - b;
@@ -113,9 +112,9 @@ inline double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3
 
 /// Measures how much the branches turn: the sum of the turning angles at nodes of two edges, over the length of the
 /// edges that touch such nodes, half for each end, in local radii.
-inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<double>& radii,
-                            const std::vector<std::vector<Index>>& neighbors, Skeleton_counts& counts)
+void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
 {
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
   double sum = 0;
   double length = 0; // in radii
   for (std::size_t v = 0; v < neighbors.size(); ++v) {
@@ -127,9 +126,9 @@ inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<
     const Vector_3& c = skeleton.points[neighbors[v][1]];
     const double angle = turning_angle(a, b, c);
     counts.max_turning = std::fmax(counts.max_turning, angle);
-    if (radii[v] > 0) {
+    if (skeleton.radii[v] > 0) {
       sum += angle;
-      length += ((a - b).norm() + (c - b).norm()) / 2 / radii[v];
+      length += ((a - b).norm() + (c - b).norm()) / 2 / skeleton.radii[v];
     }
   }
   if (length > 0) {
@@ -137,36 +136,11 @@ inline void measure_turning(const Indexed_skeleton& skeleton, const std::vector<
   }
 }
 
-/// Counts nodes, edges, components, cycles, tips and junctions, and measures length and turning. Near linear.
-/// \param radii of the nodes, for the unit of the turning
-inline Skeleton_counts count_skeleton(const Indexed_skeleton& skeleton, const std::vector<double>& radii)
-{
-  Skeleton_counts counts;
-  counts.number_of_nodes = skeleton.number_of_nodes();
-  counts.number_of_edges = skeleton.edges.size();
-  counts.number_of_components = skeleton.number_of_nodes();
-  Disjoint_sets sets(skeleton.number_of_nodes());
-  for (const std::array<Index, 2>& edge : skeleton.edges) {
-    counts.number_of_components -= sets.join(edge[0], edge[1]) ? 1 : 0;
-    counts.length += skeleton.length(edge);
-  }
-  counts.betti_number = counts.number_of_edges + counts.number_of_components - counts.number_of_nodes;
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
-  for (const std::vector<Index>& around : neighbors) {
-    counts.number_of_isolated_nodes += around.empty() ? 1 : 0;
-    counts.number_of_tips += around.size() == 1 ? 1 : 0;
-    counts.number_of_junctions += around.size() > 2 ? 1 : 0;
-  }
-  measure_turning(skeleton, radii, neighbors, counts);
-  return counts;
-}
-
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
 /// which the faces of a cell follow each other does not matter.
-template <class Distance>
-void measure_reverse(const Triangulated_surface& surface, const Distance& distance_to_input,
-                     Reconstruction_error& error)
+void measure_reverse(const Triangulated_surface& surface,
+                     const std::function<double(const Vector_3&)>& distance_to_input, Reconstruction_error& error)
 {
   constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
@@ -195,9 +169,8 @@ void measure_reverse(const Triangulated_surface& surface, const Distance& distan
 /// Measures the distances between `points`, those of the input, and the faces of `reconstruction`, both ways.
 /// O((p + f) log f) for p points and f faces.
 /// \param distance_to_input gives the distance of a point from the input
-template <class Distance>
 Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const std::vector<Vector_3>& points,
-                                            const Distance& distance_to_input)
+                                            const std::function<double(const Vector_3&)>& distance_to_input)
 {
   Reconstruction_error error;
   error.unresolved_fraction = reconstruction.unresolved_fraction;
@@ -227,66 +200,63 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   return error;
 }
 
-/// The points of a cloud, and how far a point is from them.
-class Measured_cloud
+/// What a skeleton is measured against, in coordinates in which the diagonal of the bounding box is 1.
+struct Measured_surface
 {
-public:
-  /// \throw Input_error if there are no points, or not finite ones, or all are equal
-  explicit Measured_cloud(std::vector<Vector_3> points) : m_points(std::move(points)), m_tree({})
-  {
-    if (m_points.empty()) {
-      throw Input_error("there are no points to measure the skeleton against: check how the input was read");
-    }
-    for (std::size_t i = 0; i < m_points.size(); ++i) {
-      if (!m_points[i].allFinite()) {
-        throw Input_error("point " + std::to_string(i) +
-                          " has a coordinate that is not finite: correct it or remove the point");
-      }
-    }
-    m_normalization = normalize_diagonal(m_points);
-    std::vector<Segment_bvh::Segment> segments;
-    segments.reserve(m_points.size());
-    for (const Vector_3& point : m_points) {
-      segments.push_back({point, point});
-    }
-    m_tree = Segment_bvh(std::move(segments));
-  }
-
-  const Normalization& normalization() const { return m_normalization; }
-  const std::vector<Vector_3>& points() const { return m_points; }
-  double distance(const Vector_3& point) const { return m_tree.nearest(point).distance; }
-
-private:
-  std::vector<Vector_3> m_points;
-  Normalization m_normalization;
-  Segment_bvh m_tree;
+  Normalization normalization;
+  std::vector<Vector_3> points;
+  /// The distance of a point; neighboring points are answered faster one after the other.
+  std::function<double(const Vector_3&)> distance;
 };
 
-/// The distance of `point` from the input.
-/// \param near what the last call left; neighboring points are answered faster one after the other
-inline double distance_to(const Measured_cloud& cloud, const Vector_3& point, Index& /* near */)
+/// The surface of `body`, which is referred to.
+Measured_surface measured_surface(const Measured_body& body)
 {
-  return cloud.distance(point);
+  return {body.normalization(), body.points(), [&body, near = no_index](const Vector_3& point) mutable {
+            const Surface_point nearest = body.queries().closest_point(point, near);
+            near = nearest.face;
+            return (nearest.point - point).norm();
+          }};
 }
 
-inline double distance_to(const Measured_body& body, const Vector_3& point, Index& near)
+/// The points of a cloud.
+/// \throw Input_error if there are no points, or not finite ones, or all are equal
+Measured_surface measured_cloud(std::vector<Vector_3> points)
 {
-  const Surface_point nearest = body.queries().closest_point(point, near);
-  near = nearest.face;
-  return (nearest.point - point).norm();
+  if (points.empty()) {
+    throw Input_error("there are no points to measure the skeleton against: check how the input was read");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite()) {
+      throw Input_error("point " + std::to_string(i) +
+                        " has a coordinate that is not finite: correct it or remove the point");
+    }
+  }
+  const Normalization normalization = normalize_diagonal(points);
+  std::vector<Segment_tree::Segment> segments;
+  segments.reserve(points.size());
+  for (const Vector_3& point : points) {
+    segments.push_back({point, point});
+  }
+  const auto tree = std::make_shared<const Segment_tree>(std::move(segments));
+  return {normalization, std::move(points),
+          [tree, work = Work_limit()](const Vector_3& point) mutable { return tree->nearest(point, work).distance; }};
 }
 
-/// A skeleton in the coordinates of a `Measured_body` or a `Measured_cloud`, with radii.
-template <class Measured>
+/// A skeleton in the coordinates of a surface, with radii.
 class Skeleton_evaluation
 {
 public:
   /// \param measured is referred to
   /// \throw Input_error if the skeleton has no nodes, a node that is not finite or far from the surface, or if its own
   ///        radii are to be used and it has none
-  Skeleton_evaluation(const Measured& measured, Indexed_skeleton skeleton, const Evaluation_parameters& parameters)
+  Skeleton_evaluation(const Measured_surface& measured, Skeleton skeleton, const Evaluation_parameters& parameters)
       : m_measured(measured), m_skeleton(std::move(skeleton)), m_resolution(parameters.resolution)
   {
+    constexpr std::size_t max_size = std::size_t(1) << 18; // more would take minutes: fields are sums over all edges
+    if (m_skeleton.number_of_nodes() + m_skeleton.edges.size() > max_size) {
+      throw Input_error("the skeleton has more than 2^18 nodes and edges: resample it with a greater spacing first");
+    }
     if (m_resolution == 0 || m_resolution > maximum_resolution) {
       throw Input_error("the resolution is not in [1, 10000]: 200 will do in most cases");
     }
@@ -294,11 +264,11 @@ public:
     if (parameters.uses_skeleton_radii) {
       place_radii();
     } else {
-      m_skeleton.radii = estimate_radii(m_measured.points(), m_skeleton, &m_are_radii_estimates);
+      m_skeleton.radii = estimate_radii(m_measured.points, m_skeleton);
     }
   }
 
-  const Indexed_skeleton& skeleton() const { return m_skeleton; }
+  const Skeleton& skeleton() const { return m_skeleton; }
 
   /// The surface that the skeleton describes, in common coordinates.
   Field_surface reconstruct(Reconstruction_method method) const
@@ -312,23 +282,21 @@ public:
   /// All measures but those of the position.
   Skeleton_measures measure() const
   {
-    Index near = no_index;
-    const auto distance = [this, &near](const Vector_3& point) { return distance_to(m_measured, point, near); };
     Skeleton_measures result;
-    result.number_of_points = m_measured.points().size();
-    result.diagonal = m_measured.normalization().unit;
-    result.are_radii_estimates = m_are_radii_estimates;
-    result.counts = count_skeleton(m_skeleton, m_skeleton.radii);
+    result.number_of_points = m_measured.points.size();
+    result.diagonal = m_measured.normalization.unit;
+    result.counts = count_skeleton(m_skeleton);
+    measure_turning(m_skeleton, result.counts);
     result.convolution =
-        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points(), distance);
+        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points, m_measured.distance);
     result.round_cones =
-        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points(), distance);
+        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points, m_measured.distance);
     const Round_cone_field field(m_skeleton);
     double sum = 0;
-    for (const Vector_3& point : m_measured.points()) {
+    for (const Vector_3& point : m_measured.points) {
       sum += std::abs(field(point));
     }
-    result.mean_distance_from_round_cones = sum / double(m_measured.points().size());
+    result.mean_distance_from_round_cones = sum / double(m_measured.points.size());
     return result;
   }
 
@@ -350,7 +318,7 @@ private:
                           " of the skeleton has a coordinate that is not finite: "
                           "correct it or remove the node");
       }
-      point = m_measured.normalization().from_input(point);
+      point = m_measured.normalization.from_input(point);
       if (!(point.norm() <= max_length)) {
         throw Input_error("node " + std::to_string(v) +
                           " of the skeleton is far from the surface: check that both have the same unit and place");
@@ -366,7 +334,7 @@ private:
     double sum = 0;
     for (std::size_t v = 0; v < m_skeleton.radii.size(); ++v) {
       double& radius = m_skeleton.radii[v];
-      radius /= m_measured.normalization().unit;
+      radius /= m_measured.normalization.unit;
       if (!(radius >= 0 && radius <= max_length)) {
         throw Input_error("node " + std::to_string(v) +
                           " of the skeleton has a radius that is negative, not finite or "
@@ -379,21 +347,35 @@ private:
     }
   }
 
-  const Measured& m_measured;
-  Indexed_skeleton m_skeleton;
+  const Measured_surface& m_measured;
+  Skeleton m_skeleton;
   std::size_t m_resolution;
-  bool m_are_radii_estimates = false;
 };
 
-CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_skeleton&& skeleton,
-                                                const Evaluation_parameters& parameters)
+/// The surface that `skeleton` describes, in the coordinates of the input.
+Indexed_triangles reconstruct(const Measured_surface& measured, Skeleton&& skeleton,
+                              const Evaluation_parameters& parameters, Reconstruction_method method)
+{
+  Indexed_triangles result =
+      Skeleton_evaluation(measured, std::move(skeleton), parameters).reconstruct(method).triangles;
+  for (Vector_3& point : result.points) {
+    point = measured.normalization.to_input(point);
+  }
+  return result;
+}
+
+} // namespace
+
+Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
+                                    const Evaluation_parameters& parameters)
 {
   if (!input.is_mesh) {
-    const Measured_cloud cloud(std::move(input.points));
-    return Skeleton_evaluation<Measured_cloud>(cloud, std::move(skeleton), parameters).measure();
+    const Measured_surface cloud = measured_cloud(std::move(input.points));
+    return Skeleton_evaluation(cloud, std::move(skeleton), parameters).measure();
   }
   const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-  const Skeleton_evaluation<Measured_body> evaluation(body, std::move(skeleton), parameters);
+  const Measured_surface surface = measured_surface(body);
+  const Skeleton_evaluation evaluation(surface, std::move(skeleton), parameters);
   Skeleton_measures result = evaluation.measure();
   result.position = Position_measurement(body.queries(), evaluation.skeleton())();
   result.position.number_of_surface_components = body.number_of_components();
@@ -406,30 +388,14 @@ CSCD_INLINE Skeleton_measures evaluate_skeleton(Measured_input&& input, Indexed_
   return result;
 }
 
-/// Reconstructs a surface in the coordinates of `measured`.
-template <class Measured>
-Indexed_triangles reconstruct_surface(const Measured& measured, Indexed_skeleton&& skeleton,
+Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
                                       const Evaluation_parameters& parameters, Reconstruction_method method)
-{
-  const Skeleton_evaluation<Measured> evaluation(measured, std::move(skeleton), parameters);
-  Indexed_triangles result = evaluation.reconstruct(method).triangles;
-  for (Vector_3& point : result.points) {
-    point = measured.normalization().to_input(point);
-  }
-  return result;
-}
-
-CSCD_INLINE Indexed_triangles reconstruct_surface(Measured_input&& input, Indexed_skeleton&& skeleton,
-                                                  const Evaluation_parameters& parameters, Reconstruction_method method)
 {
   if (input.is_mesh) {
     const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-    return reconstruct_surface(body, std::move(skeleton), parameters, method);
+    return reconstruct(measured_surface(body), std::move(skeleton), parameters, method);
   }
-  const Measured_cloud cloud(std::move(input.points));
-  return reconstruct_surface(cloud, std::move(skeleton), parameters, method);
+  return reconstruct(measured_cloud(std::move(input.points)), std::move(skeleton), parameters, method);
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_MEASURE_EVALUATE_SKELETON_IMPL_H

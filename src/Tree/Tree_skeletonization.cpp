@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of Tree_skeletonization.h.
+// From a scan of trees to slices, sections, nodes and branches.
 
-#ifndef CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
-#define CSCD_TREE_TREE_SKELETONIZATION_IMPL_H
-
+#include "Tree/Gap_bridging.h"
+#include "Tree/Limb_finder.h"
+#include "Tree/Neighbor_graph.h"
+#include "Tree/Section_fitting.h"
+#include "Tree/Slice_growth.h"
+#include "Tree/Tree_limb.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Tree/Gap_bridging.h>
-#include <CSCD/Tree/Limb_finder.h>
-#include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Section_fitting.h>
-#include <CSCD/Tree/Slice_growth.h>
-#include <CSCD/Tree/Tree_limb.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/Tree/Tree_skeletonization.h>
+#include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/config.h>
 #include <CSCD/internal/counted.h>
 
 #include <algorithm>
@@ -33,6 +29,8 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+namespace {
 
 /// Finds for each object the points from which distances are measured. Shortest paths from a single point would go
 /// round a thick trunk; from all around its foot, they go up.
@@ -325,9 +323,7 @@ public:
     for (Index point = 0; point < m_points.size(); ++point) {
       spacings.push_back(m_graph.spacing(point));
     }
-    const auto middle = spacings.begin() + std::ptrdiff_t(spacings.size() / 2);
-    std::nth_element(spacings.begin(), middle, spacings.end());
-    return *middle;
+    return quantile(std::move(spacings), 0.5);
   }
 
 private:
@@ -434,7 +430,7 @@ private:
 };
 
 /// What the user should know of a scan and its skeleton, one sentence each.
-inline std::vector<std::string> tree_warnings(const Tree_report& report)
+std::vector<std::string> tree_warnings(const Tree_report& report)
 {
   std::vector<std::string> result;
   if (report.number_of_duplicates > 0) {
@@ -467,7 +463,7 @@ inline std::vector<std::string> tree_warnings(const Tree_report& report)
 }
 
 /// Everything but number of points, time and warnings.
-inline Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
+Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
 {
   Tree_report report;
   report.number_of_points = cloud.input_point.size();
@@ -501,7 +497,7 @@ inline Tree_report make_tree_report(const Tree_skeletonization& skeletonization,
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
 /// the places where it is least. From those at twigs, they deviate without noise.
-inline double noise_of_bark(const std::vector<Vector_3>& points)
+double noise_of_bark(const std::vector<Vector_3>& points)
 {
   constexpr std::size_t number_of_places = 2000;
   constexpr double noise_quantile = 0.25;
@@ -523,7 +519,9 @@ inline double noise_of_bark(const std::vector<Vector_3>& points)
   return quantile(std::move(deviations), noise_quantile);
 }
 
-CSCD_INLINE Point_cloud thin_to_noise(Point_cloud&& cloud)
+} // namespace
+
+Point_cloud thin_to_noise(Point_cloud&& cloud)
 {
   // In the unit of the noise: of four synthetic trees seen from two sides, with 1.5 there are twice as many superfluous
   // branches, with 2.5 fewer limbs.
@@ -555,12 +553,10 @@ CSCD_INLINE Point_cloud thin_to_noise(Point_cloud&& cloud)
   return std::move(cloud);
 }
 
-CSCD_INLINE Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
+Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
 {
   const Tree_skeletonization skeletonization(cloud.points, root);
   return {skeletonization.nodes(), skeletonization.node_of_points(), make_tree_report(skeletonization, cloud)};
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_TREE_TREE_SKELETONIZATION_IMPL_H

@@ -3,9 +3,10 @@
 //
 // The graph of neighboring points of a scan, and distances from the root in it.
 
-#ifndef CSCD_TREE_NEIGHBOR_GRAPH_H
-#define CSCD_TREE_NEIGHBOR_GRAPH_H
+#ifndef CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
+#define CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 
+#include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Compressed_rows.h>
@@ -86,9 +87,7 @@ private:
       for (Index neighbor : table.neighbors(point)) {
         around.push_back(mean[neighbor]);
       }
-      const auto middle = around.begin() + std::ptrdiff_t(around.size() / 2);
-      std::nth_element(around.begin(), middle, around.end());
-      m_spacing[point] = *middle;
+      m_spacing[point] = quantile(around, 0.5);
     }
   }
 
@@ -167,4 +166,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_NEIGHBOR_GRAPH_H
+#endif // CSCD_SRC_TREE_NEIGHBOR_GRAPH_H

@@ -3,11 +3,11 @@
 //
 // Cuts an object into slices by the distance from its root.
 
-#ifndef CSCD_TREE_SLICE_GROWTH_H
-#define CSCD_TREE_SLICE_GROWTH_H
+#ifndef CSCD_SRC_TREE_SLICE_GROWTH_H
+#define CSCD_SRC_TREE_SLICE_GROWTH_H
 
-#include <CSCD/Tree/Neighbor_graph.h>
-#include <CSCD/Tree/Tree_limb.h>
+#include "Tree/Neighbor_graph.h"
+#include "Tree/Tree_limb.h"
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -235,4 +235,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_SLICE_GROWTH_H
+#endif // CSCD_SRC_TREE_SLICE_GROWTH_H

@@ -3,10 +3,10 @@
 //
 // Finds the limbs of a scanned tree.
 
-#ifndef CSCD_TREE_LIMB_FINDER_H
-#define CSCD_TREE_LIMB_FINDER_H
+#ifndef CSCD_SRC_TREE_LIMB_FINDER_H
+#define CSCD_SRC_TREE_LIMB_FINDER_H
 
-#include <CSCD/Tree/Tree_limb.h>
+#include "Tree/Tree_limb.h"
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -270,4 +270,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_LIMB_FINDER_H
+#endif // CSCD_SRC_TREE_LIMB_FINDER_H

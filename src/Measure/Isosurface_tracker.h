@@ -3,12 +3,12 @@
 //
 // Triangulates the surface on which a field has a given value.
 
-#ifndef CSCD_MEASURE_ISOSURFACE_TRACKER_H
-#define CSCD_MEASURE_ISOSURFACE_TRACKER_H
+#ifndef CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
+#define CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 
-#include <CSCD/Measure/Position_measurement.h>
+#include "Measure/Position_measurement.h"
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
@@ -282,7 +282,7 @@ struct Field_surface
 
 /// The greatest number of cells for a skeleton: what is built on a million of them takes a gigabyte; and the field is
 /// evaluated about twice for each cell, each time over all edges and nodes without any, which should not take minutes.
-inline std::size_t max_number_of_cells(const Indexed_skeleton& skeleton)
+inline std::size_t max_number_of_cells(const Skeleton& skeleton)
 {
   constexpr std::size_t max_cells = std::size_t(1) << 20;
   constexpr std::size_t min_cells = std::size_t(1) << 12;
@@ -296,7 +296,7 @@ inline std::size_t max_number_of_cells(const Indexed_skeleton& skeleton)
 /// \param cell_size of the lattice, positive
 /// \param maximum_number the greatest number of cells
 template <class Field>
-Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size,
+Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size,
                                 std::size_t maximum_number)
 {
   for (;; cell_size *= 2) {
@@ -327,11 +327,11 @@ Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skel
 
 /// The same with as many cells as the skeleton may have.
 template <class Field>
-Field_surface triangulate_field(const Field& field, const Indexed_skeleton& skeleton, double cell_size)
+Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size)
 {
   return triangulate_field(field, skeleton, cell_size, max_number_of_cells(skeleton));
 }
 
 } // namespace CSCD::internal
 
-#endif // CSCD_MEASURE_ISOSURFACE_TRACKER_H
+#endif // CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H

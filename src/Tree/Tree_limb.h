@@ -3,8 +3,8 @@
 //
 // Slices, sections and limbs of a scanned tree.
 
-#ifndef CSCD_TREE_TREE_LIMB_H
-#define CSCD_TREE_TREE_LIMB_H
+#ifndef CSCD_SRC_TREE_TREE_LIMB_H
+#define CSCD_SRC_TREE_TREE_LIMB_H
 
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
@@ -49,4 +49,4 @@ struct Tree_limb
 
 } // namespace CSCD::internal
 
-#endif // CSCD_TREE_TREE_LIMB_H
+#endif // CSCD_SRC_TREE_TREE_LIMB_H

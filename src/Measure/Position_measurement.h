@@ -3,10 +3,11 @@
 //
 // Where a skeleton lies in the body.
 
-#ifndef CSCD_MEASURE_POSITION_MEASUREMENT_H
-#define CSCD_MEASURE_POSITION_MEASUREMENT_H
+#ifndef CSCD_SRC_MEASURE_POSITION_MEASUREMENT_H
+#define CSCD_SRC_MEASURE_POSITION_MEASUREMENT_H
 
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Vector_3.h>
@@ -33,7 +34,7 @@ struct Edge_sample
 /// gets a sample at its middle. So each sample stands for the same length, however the skeleton is cut into edges.
 /// O(e + l / spacing) for e edges of total length l.
 /// \pre `spacing` is positive
-inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, double spacing)
+inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing)
 {
   std::vector<Edge_sample> samples;
   double to_next = spacing / 2;
@@ -55,7 +56,7 @@ inline std::vector<Edge_sample> sample_edges(const Indexed_skeleton& skeleton, d
 
 /// The distance at which samples of the edges of `skeleton` are at least `spacing` apart, and no more than
 /// `max_number`. \pre `spacing` is positive
-inline double bounded_spacing(const Indexed_skeleton& skeleton, double spacing, std::size_t max_number)
+inline double bounded_spacing(const Skeleton& skeleton, double spacing, std::size_t max_number)
 {
   double length = 0;
   for (const std::array<Index, 2>& edge : skeleton.edges) {
@@ -107,7 +108,7 @@ class Position_measurement
 {
 public:
   /// Both are referred to.
-  Position_measurement(const Solid_queries& queries, const Indexed_skeleton& skeleton)
+  Position_measurement(const Solid_queries& queries, const Skeleton& skeleton)
       : m_queries(queries), m_skeleton(skeleton)
   {
     m_result.max_distance_outside = 0;
@@ -211,10 +212,10 @@ private:
   static constexpr std::size_t max_number_of_stars = 1 << 16;
 
   const Solid_queries& m_queries;
-  const Indexed_skeleton& m_skeleton;
+  const Skeleton& m_skeleton;
   Position_measures m_result;
 };
 
 } // namespace CSCD::internal
 
-#endif // CSCD_MEASURE_POSITION_MEASUREMENT_H
+#endif // CSCD_SRC_MEASURE_POSITION_MEASUREMENT_H

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Roots, and forests that grow from them.
+
+#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Disjoint_sets.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace CSCD::internal {
+
+Rooted_forest::Rooted_forest(const Skeleton& skeleton, const std::vector<Index>& roots)
+    : m_parent(skeleton.number_of_nodes(), no_index)
+{
+  m_order.reserve(skeleton.number_of_nodes());
+  const std::vector<std::vector<Index>> neighbors = cut_cycles(skeleton);
+  for (const Index root : roots) {
+    grow_from(root, neighbors);
+  }
+  for (Index node = 0; node < m_parent.size(); ++node) {
+    grow_from(node, neighbors);
+  }
+}
+
+std::vector<std::vector<Index>> Rooted_forest::cut_cycles(const Skeleton& skeleton)
+{
+  std::vector<Index> edges(skeleton.edges.size());
+  std::iota(edges.begin(), edges.end(), Index(0));
+  if (skeleton.has_radii()) {
+    const auto thickness = [&skeleton](Index e) {
+      return skeleton.radii[skeleton.edges[e][0]] + skeleton.radii[skeleton.edges[e][1]];
+    };
+    std::stable_sort(edges.begin(), edges.end(), [&](Index a, Index b) { return thickness(a) > thickness(b); });
+  }
+  Disjoint_sets trees(skeleton.number_of_nodes());
+  std::vector<char> is_loop(skeleton.edges.size(), 0);
+  for (const Index e : edges) {
+    is_loop[e] = trees.join(skeleton.edges[e][0], skeleton.edges[e][1]) ? 0 : 1;
+  }
+  std::vector<std::vector<Index>> neighbors(skeleton.number_of_nodes());
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    const auto& [u, v] = skeleton.edges[e];
+    if (is_loop[e] != 0) {
+      m_loops.push_back({u, v});
+    } else {
+      neighbors[u].push_back(v);
+      neighbors[v].push_back(u);
+    }
+  }
+  return neighbors;
+}
+
+void Rooted_forest::grow_from(Index root, const std::vector<std::vector<Index>>& neighbors)
+{
+  if (m_parent[root] != no_index) {
+    return;
+  }
+  m_parent[root] = root;
+  std::vector<Index> open{root};
+  while (!open.empty()) {
+    const Index node = open.back();
+    open.pop_back();
+    m_order.push_back(node);
+    for (const Index neighbor : neighbors[node]) {
+      if (m_parent[neighbor] == no_index) {
+        m_parent[neighbor] = node;
+        open.push_back(neighbor);
+      }
+    }
+  }
+}
+
+namespace {
+
+/// For each node the root of its tree in a forest.
+std::vector<Index> roots_of_nodes(const Rooted_forest& forest)
+{
+  std::vector<Index> root(forest.order().size());
+  for (const Index node : forest.order()) {
+    root[node] = forest.is_root(node) ? node : root[forest.parent(node)];
+  }
+  return root;
+}
+
+/// Of each component the node for which `cost(node)` is least; the first of several.
+std::vector<Index> least_nodes(const Rooted_forest& forest, const std::function<double(Index)>& cost)
+{
+  const std::vector<Index> root = roots_of_nodes(forest);
+  std::vector<Index> best(root.size(), no_index); // of the component with this root
+  for (Index node = 0; node < root.size(); ++node) {
+    Index& its_best = best[root[node]];
+    if (its_best == no_index || cost(node) < cost(its_best)) {
+      its_best = node;
+    }
+  }
+  best.erase(std::remove(best.begin(), best.end(), no_index), best.end());
+  return best;
+}
+
+/// Of each tree the node that is farthest from its root.
+std::vector<Index> farthest_nodes(const Skeleton& skeleton, const Rooted_forest& forest)
+{
+  std::vector<double> distance(skeleton.number_of_nodes(), 0);
+  for (const Index node : forest.order()) {
+    const Index parent = forest.parent(node);
+    distance[node] = distance[parent] + skeleton.length({parent, node});
+  }
+  return least_nodes(forest, [&](Index node) { return -distance[node]; });
+}
+
+} // namespace
+
+std::vector<Index> find_roots(const Skeleton& skeleton, Root_rule rule)
+{
+  if (rule == Root_rule::thickest && !skeleton.has_radii()) {
+    throw Input_error("the skeleton has no radii, so that no node is the thickest: choose another root");
+  }
+  const Rooted_forest forest(skeleton);
+  if (rule != Root_rule::longest) {
+    return least_nodes(forest, [&](Index node) {
+      return rule == Root_rule::lowest ? skeleton.points[node].z() : -skeleton.radii[node];
+    });
+  }
+  std::vector<Index> one_end = farthest_nodes(skeleton, forest);
+  const Rooted_forest forest_from_end(skeleton, one_end);
+  const std::vector<Index> root = roots_of_nodes(forest_from_end);
+  std::vector<Index> result;
+  result.reserve(one_end.size());
+  for (const Index other_end : farthest_nodes(skeleton, forest_from_end)) {
+    const Index end = root[other_end];
+    const bool is_thicker = skeleton.has_radii() && skeleton.radii[other_end] > skeleton.radii[end];
+    result.push_back(is_thicker ? other_end : end);
+  }
+  return result;
+}
+
+std::vector<Index> find_roots(const Skeleton& skeleton, const Vector_3& point)
+{
+  return least_nodes(Rooted_forest(skeleton),
+                     [&](Index node) { return (skeleton.points[node] - point).squaredNorm(); });
+}
+
+} // namespace CSCD::internal
