@@ -10,7 +10,7 @@
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/IO/write_json.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>

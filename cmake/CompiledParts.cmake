@@ -23,7 +23,28 @@ set(cscd_tree_links measure)
 set(cscd_application_sources Application/estimate_shape_diameters.cpp Application/find_surface_loops.cpp
                              Application/make_rig.cpp Application/segment_mesh.cpp)
 set(cscd_application_links measure)
-set(cscd_io_sources input_output.cpp)
+set(cscd_io_sources
+    IO/decompress.cpp
+    IO/formats.cpp
+    IO/parse_gltf.cpp
+    IO/parse_obj.cpp
+    IO/parse_off.cpp
+    IO/parse_ply.cpp
+    IO/parse_point_table.cpp
+    IO/parse_scans.cpp
+    IO/parse_skeletons.cpp
+    IO/parse_stl.cpp
+    IO/parse_vtk.cpp
+    IO/read_files.cpp
+    IO/read_volume.cpp
+    IO/repair_mesh.cpp
+    IO/write_correspondence.cpp
+    IO/write_file.cpp
+    IO/write_nrrd.cpp
+    IO/write_rig.cpp
+    IO/write_skeleton.cpp
+    IO/write_tables.cpp
+    html_page.cpp)
 set(cscd_io_links tree application)
 
 # cscd_add_parts(<prefix> [STATIC])
@@ -42,7 +63,9 @@ function(cscd_add_parts prefix)
     target_compile_definitions(${target} PUBLIC CSCD_COMPILED)
     target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/src")
     set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
-    if(NOT part MATCHES "^(core|io)$")
+    if(part STREQUAL "io")
+      set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8) # one for each of some processors
+    elseif(NOT part STREQUAL "core")
       set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
     endif()
   endforeach()

@@ -43,7 +43,7 @@ endif()
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/CSCDConfig.cmake.in" "${PROJECT_BINARY_DIR}/CSCDConfig.cmake"
                               INSTALL_DESTINATION "${cscd_package_dir}")
 write_basic_package_version_file(
-  "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake" COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+  "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/CSCDConfig.cmake" "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake"
         DESTINATION "${cscd_package_dir}" COMPONENT library)
 

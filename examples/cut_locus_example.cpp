@@ -9,7 +9,7 @@
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_html_page.h>
-#include <CSCD/IO/write_polylines.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_cut_locus.h>

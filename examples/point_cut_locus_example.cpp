@@ -7,7 +7,7 @@
 
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_polylines.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/extract_cut_locus_from_points.h>
 
 #include <CGAL/Simple_cartesian.h>

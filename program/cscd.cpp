@@ -111,22 +111,20 @@ public:
 };
 
 /// The values of `--format`: endings without their dots.
-template <class Endings>
-std::vector<std::string> formats_of(const Endings& endings)
+std::vector<std::string> formats_of(std::vector<std::string> endings)
 {
-  std::vector<std::string> result;
-  for (const auto& [ending, format] : endings) {
-    result.emplace_back(ending + 1);
+  for (std::string& ending : endings) {
+    ending.erase(0, 1);
   }
-  return result;
+  return endings;
 }
 
 /// Those of meshes and points, each once, and `others`.
 std::vector<std::string> formats_of_inputs(const std::vector<std::string>& others = {})
 {
-  std::vector<std::string> result = formats_of(CSCD::internal::mesh_endings);
+  std::vector<std::string> result = formats_of(CSCD::mesh_endings());
   result.insert(result.end(), others.begin(), others.end());
-  for (const std::string& format : formats_of(CSCD::internal::point_endings)) {
+  for (const std::string& format : formats_of(CSCD::point_endings())) {
     if (std::find(result.begin(), result.end(), format) == result.end()) {
       result.push_back(format);
     }
@@ -139,7 +137,7 @@ void check_format(CLI::Option* option, const std::vector<std::string>& formats)
 {
   const CLI::IsMember is_known(formats);
   const auto check = [is_known](const std::string& format) {
-    return is_known(CSCD::internal::without_compression_ending(format));
+    return is_known(CSCD::without_compression_ending(format));
   };
   option->check(check, is_known.get_description());
 }
@@ -381,7 +379,7 @@ void add_simplify(CLI::App& app, cscd::Simplify_options& options)
       "the mesh of the skeleton: what is inside stays inside, and radii are estimated if there are none");
   check_format(
       command->add_option("--format", options.format, "format of the mesh instead of that of its ending, needed for -"),
-      formats_of(CSCD::internal::mesh_endings));
+      formats_of(CSCD::mesh_endings()));
   const auto add_length = [&](const std::string& name, double& value, const std::string& description) {
     command->add_option(name, value, description)
         ->check([](const std::string& text) { return check_length(text, false); })
@@ -422,7 +420,7 @@ CLI::App* add_application(CLI::App& app, const std::string& name, const std::str
   command->add_option("-o,--output", options.output, output)->type_name("OUT")->check(check_name)->required();
   check_format(
       command->add_option("--format", options.format, "format of INPUT instead of that of its ending, needed for -"),
-      formats_of(CSCD::internal::mesh_endings));
+      formats_of(CSCD::mesh_endings()));
   command->add_option("--report", options.report, "file for counts and measures as JSON, or -")
       ->check(check_name)
       ->type_name("FILE");

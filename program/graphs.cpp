@@ -5,8 +5,8 @@
 
 #include "types.h"
 #include <CSCD/Graph/Spatial_graph.h>
-#include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Scanner.h>
+#include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
@@ -32,35 +32,8 @@ namespace {
 
 using Graph = CSCD::internal::Indexed_skeleton;
 
-/// Reads lines of six coordinates, those of the ends of an edge. Ends at one place become one vertex later.
-Graph parse_edge_list(const std::string& content, const std::string& name)
-{
-  CSCD::internal::Text_scanner scanner(content, name);
-  Graph graph;
-  while (scanner.skip_blanks('#')) {
-    for (int end = 0; end < 2; ++end) {
-      CSCD::Vector_3 point;
-      for (double& coordinate : point) {
-        if (!scanner.skip_blanks_in_line()) {
-          scanner.fail("an edge needs six coordinates, those of its ends", "correct or remove this line");
-        }
-        coordinate = scanner.coordinate();
-      }
-      graph.points.push_back(point);
-    }
-    const auto size = CSCD::Index(graph.points.size());
-    graph.edges.push_back({size - 2, size - 1});
-    scanner.skip_line();
-  }
-  if (graph.points.empty()) {
-    throw CSCD::File_error(name + ": the file has no edges; fetch or write it again");
-  }
-  CSCD::internal::check_number_of_points(graph.points.size(), name);
-  return graph;
-}
-
 /// Adds the sides of the polygons of `soup`.
-void add_sides(const CSCD::internal::Polygon_soup& soup, Graph& graph)
+void add_sides(const CSCD::Shape_file& soup, Graph& graph)
 {
   graph.edges.reserve(graph.edges.size() + soup.corners.size());
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
@@ -88,8 +61,7 @@ bool has_edges(const std::string& content, const std::string& ending)
 
 } // namespace
 
-CSCD::internal::Indexed_skeleton make_graph(const CSCD::internal::Polygon_soup& soup,
-                                            std::vector<std::array<CSCD::Index, 2>> edges,
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
                                             unsigned int number_of_neighbors)
 {
   Graph graph;
@@ -129,23 +101,21 @@ Input read_graph(const Skeletonize_options& options)
   const std::string content = options.input == standard_stream
                                   ? CSCD::internal::read_content(std::cin, name, "." + options.format)
                                   : CSCD::internal::read_content(options.input);
-  const std::string lower = CSCD::internal::without_compression_ending(boost::algorithm::to_lower_copy(
+  const std::string lower = CSCD::without_compression_ending(boost::algorithm::to_lower_copy(
       options.format.empty() ? options.input : "." + options.format, std::locale::classic()));
   const auto ends_with = [&lower](const char* ending) { return boost::algorithm::ends_with(lower, ending); };
   const std::string ending = lower.substr(std::min(lower.find_last_of('.'), lower.size()));
   Graph graph;
   // Streams on the content, without a copy of it.
   using Stream = boost::iostreams::stream<boost::iostreams::array_source>;
-  if (ending == ".edges") {
-    graph = parse_edge_list(content, name);
-  } else if (ends_with(".graph") || ends_with(".json") || ends_with(".swc") || ends_with(".polylines.txt") ||
-             has_edges(content, ending)) {
+  if (ends_with(".edges") || ends_with(".graph") || ends_with(".json") || ends_with(".swc") ||
+      ends_with(".polylines.txt") || has_edges(content, ending)) {
     Stream in(content.data(), content.size());
     graph = CSCD::internal::read_indexed_skeleton(in, lower, name);
   }
   if (graph.points.empty() || (ending == ".obj" && has_statement(content, "f "))) {
     Stream in(content.data(), content.size());
-    CSCD::internal::Polygon_soup soup = CSCD::internal::read_polygons_or_points(in, lower, name);
+    CSCD::Shape_file soup = CSCD::internal::read_polygons_or_points(in, lower, name);
     graph = make_graph(soup, std::move(graph.edges), options.number_of_neighbors);
     Input input = make_input(std::move(graph));
     input.as_read = std::move(soup);

@@ -9,9 +9,7 @@
 #include "commands.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_gel_graph.h>
 #include <CSCD/IO/write_skeleton.h>
-#include <CSCD/IO/write_swc.h>
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Vector_3.h>
 

@@ -268,7 +268,7 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format)
+CSCD::Shape_file read_soup(const std::string& name, const std::string& format)
 {
   if (name == standard_stream) {
     if (format.empty()) {
@@ -288,7 +288,7 @@ CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::strin
   return CSCD::internal::read_polygons_or_points(in, format.empty() ? name : "." + format, name);
 }
 
-Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
                bool makes_mesh, unsigned number_of_threads)
 {
   Input input;

@@ -8,7 +8,7 @@
 
 #include "commands.h"
 #include "write_report.h"
-#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_measures.h>
@@ -51,7 +51,7 @@ struct Input
   std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
   bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
-  CSCD::internal::Polygon_soup as_read;                  ///< what the file has, if it was to be kept
+  CSCD::Shape_file as_read;                  ///< what the file has, if it was to be kept
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -72,10 +72,10 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
                  bool makes_mesh = true, unsigned number_of_threads = 1);
 
 /// Reads the polygons or points of a file or of standard input, as `read_input()` does.
-CSCD::internal::Polygon_soup read_soup(const std::string& name, const std::string& format);
+CSCD::Shape_file read_soup(const std::string& name, const std::string& format);
 
 /// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
-Input to_input(CSCD::internal::Polygon_soup&& soup, const std::string& name, bool is_quiet, bool keeps_file,
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
                bool makes_mesh, unsigned number_of_threads);
 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
@@ -84,7 +84,7 @@ Input read_graph(const Skeletonize_options& options);
 
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
-CSCD::internal::Indexed_skeleton make_graph(const CSCD::internal::Polygon_soup& soup,
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup,
                                             std::vector<std::array<CSCD::Index, 2>> edges,
                                             unsigned int number_of_neighbors);
 

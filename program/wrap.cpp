@@ -29,9 +29,9 @@ double diagonal(const CGAL::Bbox_3& box)
   return std::hypot(box.x_span(), box.y_span(), box.z_span());
 }
 
-CSCD::internal::Polygon_soup to_soup(const Wrap& wrap)
+CSCD::Shape_file to_soup(const Wrap& wrap)
 {
-  CSCD::internal::Polygon_soup soup;
+  CSCD::Shape_file soup;
   for (const auto vertex : wrap.vertices()) {
     const Exact_kernel::Point_3& p = wrap.point(vertex);
     soup.points.emplace_back(p.x(), p.y(), p.z());

@@ -6,7 +6,7 @@
 #include "write_report.h"
 
 #include "dump_json.h"
-#include <CSCD/IO/write_json.h>
+#include <CSCD/IO/internal/json_branches.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>

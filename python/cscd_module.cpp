@@ -13,7 +13,7 @@
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>
-#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -104,9 +104,9 @@ void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t n
   }
 }
 
-CSCD::internal::Polygon_soup to_soup(const Coordinates& points, const std::optional<Corners>& corners)
+CSCD::Shape_file to_soup(const Coordinates& points, const std::optional<Corners>& corners)
 {
-  CSCD::internal::Polygon_soup result;
+  CSCD::Shape_file result;
   result.points = to_points(points, "V");
   if (corners) {
     result.corners.reserve(std::size_t(corners->size()));
@@ -135,7 +135,7 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
 }
 
 /// Makes the mesh of `source` from polygons, repaired as the program repairs them.
-void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_options& options, Source& source)
+void make_mesh(CSCD::Shape_file&& soup, const cscd::Skeletonize_options& options, Source& source)
 {
   constexpr bool keeps_file = false; // only its points are needed
   constexpr bool makes_mesh = true;
@@ -148,7 +148,7 @@ void make_mesh(CSCD::internal::Polygon_soup&& soup, const cscd::Skeletonize_opti
 void make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals, Source& source)
 {
   source.input.is_point_set = true;
-  CSCD::internal::Polygon_soup soup;
+  CSCD::Shape_file soup;
   soup.points = to_points(points, "V");
   if (normals) {
     soup.normals = to_points(*normals, "normals");
@@ -208,7 +208,7 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
     throw cscd::Usage_error("root: " + fault);
   }
   const auto source = std::make_shared<Source>();
-  std::optional<CSCD::internal::Polygon_soup> soup;
+  std::optional<CSCD::Shape_file> soup;
   if (options.domain == cscd::graph_domain) {
     source->input = make_graph(points, corners, edges, options.number_of_neighbors);
   } else if (corners) {
@@ -295,7 +295,7 @@ std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t nu
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
   Source source;
-  CSCD::internal::Polygon_soup soup = to_soup(points, corners);
+  CSCD::Shape_file soup = to_soup(points, corners);
   std::vector<CSCD::Surface_loop<cscd::Point>> loops;
   {
     const py::gil_scoped_release release;

@@ -212,6 +212,24 @@ inline std::vector<std::size_t> corners(const Mesh_file_content& mesh, bool has_
   return result;
 }
 
+/// The bytes of text in Base64.
+inline std::string from_base64(const std::string& text)
+{
+  static const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  unsigned bits = 0;
+  unsigned number_of_bits = 0;
+  for (const char c : text.substr(0, text.find('='))) {
+    bits = bits << 6U | unsigned(digits.find(c));
+    number_of_bits += 6;
+    if (number_of_bits >= 8) {
+      number_of_bits -= 8;
+      result.push_back(char(bits >> number_of_bits & 0xffU));
+    }
+  }
+  return result;
+}
+
 /// Where the polygons end among their corners.
 inline std::vector<std::size_t> ends(const Mesh_file_content& mesh)
 {
@@ -322,7 +340,9 @@ inline std::string ngmesh(const Mesh_file_content& mesh)
 
 /// The JSON of glTF of a mesh of triangles whose node mirrors, turns and moves it.
 /// \param uri what the buffer has besides its length
-inline std::string gltf_json(const Mesh_file_content& mesh, const std::string& uri)
+/// \param other_buffers behind the first one
+inline std::string gltf_json(const Mesh_file_content& mesh, const std::string& uri,
+                             const std::string& other_buffers = "")
 {
   const std::size_t size_of_points = 12 * mesh.points.size();
   const std::size_t number_of_corners = 3 * mesh.polygons.size();
@@ -334,7 +354,7 @@ inline std::string gltf_json(const Mesh_file_content& mesh, const std::string& u
          std::to_string(number_of_corners) + R"(}],"bufferViews":[{"buffer":0,"byteLength":)" +
          std::to_string(size_of_points) + R"(},{"buffer":0,"byteOffset":)" + std::to_string(size_of_points) +
          R"(,"byteLength":)" + std::to_string(4 * number_of_corners) + R"(}],"buffers":[{)" + uri + R"("byteLength":)" +
-         std::to_string(size_of_points + 4 * number_of_corners) + "}]}";
+         std::to_string(size_of_points + 4 * number_of_corners) + "}" + other_buffers + "]}";
 }
 
 inline std::string gltf(const Mesh_file_content& mesh)
@@ -343,10 +363,12 @@ inline std::string gltf(const Mesh_file_content& mesh)
   return gltf_json(mesh, R"("uri":"data:application/octet-stream;base64,)" + base64(data) + R"(",)");
 }
 
-inline std::string glb(const Mesh_file_content& mesh)
+/// \param more_data at the end of the binary chunk
+inline std::string glb(const Mesh_file_content& mesh, const std::string& more_data = "",
+                       const std::string& other_buffers = "")
 {
-  const std::string data = bytes_of<float>(coordinates(mesh)) + bytes_of<std::uint32_t>(corners(mesh));
-  std::string json = gltf_json(mesh, "");
+  const std::string data = bytes_of<float>(coordinates(mesh)) + bytes_of<std::uint32_t>(corners(mesh)) + more_data;
+  std::string json = gltf_json(mesh, "", other_buffers);
   json.resize((json.size() + 3) / 4 * 4, ' ');
   return "glTF" + bytes_of<std::uint32_t>(std::vector<std::size_t>{2, 28 + json.size() + data.size(), json.size()}) +
          "JSON" + json + bytes_of<std::uint32_t>(std::vector<std::size_t>{data.size()}) + std::string("BIN\0", 4) +

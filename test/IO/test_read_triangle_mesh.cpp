@@ -8,7 +8,6 @@
 #include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
 #include <CSCD/Application/make_rig.h>
-#include <CSCD/IO/internal/decode_bytes.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/exceptions.h>
@@ -730,11 +729,8 @@ TEST(Read_triangle_mesh, reads_compressed_vtp)
 TEST(Read_triangle_mesh, reads_what_gzip_has_compressed)
 {
   // A tetrahedron in OFF, as two members of a file.
-  const std::string gzipped =
-      CSCD::internal::Encoded_bytes("H4sIAAAAAAACA/N3c+MyUTBRMOAyUABCLkMwaaBgCBUx5DIGkkZAGgBSzT"
-                                    "+iKgAAAB+LCAAAAAAAAgMzVjBQMFQw5jIGkkZg2ggoYswFAHwgM/EYAAAA",
-                                    true, "input")
-          .take_all();
+  const std::string gzipped = from_base64("H4sIAAAAAAACA/N3c+MyUTBRMOAyUABCLkMwaaBgCBUx5DIGkkZAGgBSzT"
+                                          "+iKgAAAB+LCAAAAAAAAgMzVjBQMFQw5jIGkkZg2ggoYswFAHwgM/EYAAAA");
   const test_support::Temporary_folder folder;
   const auto read_part = [&](std::size_t size) {
     Mesh mesh;
@@ -755,11 +751,8 @@ TEST(Read_triangle_mesh, reads_what_zstd_has_compressed)
 {
   // The same tetrahedron, as two frames of a file.
   const std::string compressed =
-      CSCD::internal::Encoded_bytes(
-          "KLUv/SQyHQEAQgIGCtDnEbxExJpHHgMTIVwZgG8Xtvt2nBFVAgAr2VTZHAMXp1eGKLUv/SQQgQAAMyAxIDIgMw"
-          "ozIDAgMyAyCiUr4ac=",
-          true, "input")
-          .take_all();
+      from_base64("KLUv/SQyHQEAQgIGCtDnEbxExJpHHgMTIVwZgG8Xtvt2nBFVAgAr2VTZHAMXp1eGKLUv/SQQgQAAMyAxIDIgMw"
+                  "ozIDAgMyAyCiUr4ac=");
   const test_support::Temporary_folder folder;
   const auto read_bytes = [&](const std::string& bytes) {
     Mesh mesh;
@@ -809,7 +802,7 @@ TEST(Read_triangle_mesh, reads_gltf_with_its_data_beside)
 TEST(Read_triangle_mesh, faces_of_a_repaired_mesh_are_found_in_the_file)
 {
   // A face of two vertices, squares, and a corner of its own for one of them.
-  CSCD::internal::Polygon_soup file;
+  CSCD::Shape_file file;
   Mesh_file_content content = cube_of_squares();
   content.points.push_back(content.points[6]);
   content.polygons[3][2] = 8;
@@ -821,7 +814,7 @@ TEST(Read_triangle_mesh, faces_of_a_repaired_mesh_are_found_in_the_file)
     file.corners.insert(file.corners.end(), polygon.begin(), polygon.end());
     file.end_polygon();
   }
-  const auto manifold = CSCD::internal::make_manifold(CSCD::internal::Polygon_soup(file), "input");
+  const auto manifold = CSCD::internal::make_manifold(CSCD::Shape_file(file), "input");
   EXPECT_EQ(1u, manifold.report.number_of_merged_points);
   const auto& triangles = manifold.triangles;
   const auto [polygon_of_face, face_of_polygon] = CSCD::internal::match_faces(file, triangles.points, triangles.faces);
@@ -950,6 +943,35 @@ TEST(Read_triangle_mesh, refuses_malformed_files_of_vtk_and_others)
         "glTF\1" + chunks.substr(5)}) {
     refusal(content, F::gltf);
   }
+}
+
+TEST(Read_triangle_mesh, comments_may_follow_a_face_of_obj)
+{
+  const std::string content = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 # the only face\n";
+  EXPECT_EQ(1u, num_faces(read(content, CSCD::Mesh_format::obj).mesh));
+}
+
+TEST(Read_triangle_mesh, arrays_of_vtp_that_share_data_are_counted)
+{
+  std::string content = "<VTKFile type='PolyData'><PolyData><Piece><Points>";
+  for (int i = 0; i < 100; ++i) {
+    content += "<DataArray type='Float32' format='appended' offset='0'/>";
+  }
+  const std::vector<std::size_t> size{12 * 10000};
+  content += "</Points></Piece></PolyData><AppendedData encoding='raw'>_" + bytes_of<std::uint32_t>(size) +
+             std::string(size.front(), '\0') + "</AppendedData></VTKFile>";
+  EXPECT_EQ("input: the arrays are larger than the file can hold; correct or write the file again",
+            refusal(content, CSCD::Mesh_format::vtk));
+}
+
+TEST(Read_triangle_mesh, buffers_of_gltf_without_uri_share_the_chunk)
+{
+  // As copies of the chunk, these buffers would take 100 GB.
+  std::string buffers;
+  for (int i = 0; i < 100000; ++i) {
+    buffers += ",{}";
+  }
+  expect_cube(read(glb(cube(), std::string(1 << 20, '\0'), buffers), CSCD::Mesh_format::gltf).mesh);
 }
 
 TEST(Read_triangle_mesh, refuses_noise)

@@ -179,7 +179,7 @@ TEST(Write_labelled_ply, has_the_labels_behind_the_coordinates)
 
 TEST(Write_labelled_ply, keeps_polygons_and_normals_of_a_file)
 {
-  CSCD::internal::Polygon_soup soup;
+  CSCD::Shape_file soup;
   constexpr Index size = 300; // more than a byte can count
   for (Index i = 0; i < size; ++i) {
     soup.points.emplace_back(std::cos(0.02 * i), std::sin(0.02 * i), 0);
@@ -191,7 +191,7 @@ TEST(Write_labelled_ply, keeps_polygons_and_normals_of_a_file)
   std::ostringstream out;
   CSCD::internal::write_labelled_ply(out, soup, numbered_labels(size));
   std::istringstream in(out.str());
-  const CSCD::internal::Polygon_soup read = CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, "polygon.ply");
+  const CSCD::Shape_file read = CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, "polygon.ply");
   EXPECT_EQ(soup.corners, read.corners);
   EXPECT_EQ(soup.points, read.points);
   std::istringstream as_points(out.str());

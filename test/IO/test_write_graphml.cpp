@@ -6,7 +6,7 @@
 #include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
-#include <CSCD/IO/write_graphml.h>
+#include <CSCD/IO/write_skeleton.h>
 
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>

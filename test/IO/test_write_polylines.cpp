@@ -6,7 +6,7 @@
 #include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
-#include <CSCD/IO/write_polylines.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
 #include "write_in_foreign_locale.h"
-#include <CSCD/IO/write_vtp.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 
 #include <boost/property_tree/ptree.hpp>
@@ -97,6 +97,7 @@ TYPED_TEST(Write_vtp, reads_back_exactly)
   EXPECT_EQ(parsed.points.size(), tree.get<std::size_t>("<xmlattr>.NumberOfPoints"));
   if (tree.get_child_optional("PointData")) {
     parsed.radii = numbers<double>(array(tree.get_child("PointData"), "Radius"));
+    EXPECT_EQ(parsed.radii, numbers<double>(array(tree.get_child("PointData"), "MaximumInscribedSphereRadius")));
   }
   for (const auto& line : cells(tree.get_child("Lines"))) {
     append_path(line, parsed.edges);

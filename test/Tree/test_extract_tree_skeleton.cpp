@@ -13,7 +13,7 @@
 #include "support/point_skeletons.h"
 #include "support/sampling.h"
 #include "support/shape_operations.h"
-#include <CSCD/IO/write_swc.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/exceptions.h>

@@ -9,7 +9,7 @@
 
 #include "Bytes.h"
 #include <CSCD/IO/read_skeleton.h>
-#include <CSCD/IO/write_json.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_IO_READ_MESH_OR_POINTS_H
 #define CSCD_IO_READ_MESH_OR_POINTS_H
 
-#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 
@@ -34,12 +34,12 @@ std::optional<Mesh_repair_report> read_mesh_or_points(std::istream& in, const st
                                                       const std::string& name, TriangleMesh& mesh,
                                                       std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  internal::Polygon_soup soup = internal::read_polygons_or_points(in, format, name);
-  if (soup.number_of_polygons() == 0) {
-    internal::convert_to_points(soup, points, normals);
+  Shape_file file = internal::read_polygons_or_points(in, format, name);
+  if (file.number_of_polygons() == 0) {
+    internal::convert_to_points(file, points, normals);
     return std::nullopt;
   }
-  return internal::convert_to_triangle_mesh(std::move(soup), name, mesh);
+  return internal::convert_to_triangle_mesh(std::move(file), name, mesh);
 }
 
 } // namespace CSCD

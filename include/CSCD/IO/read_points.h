@@ -7,7 +7,7 @@
 #define CSCD_IO_READ_POINTS_H
 
 #include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
 
 #include <istream>
@@ -21,21 +21,21 @@ namespace internal {
 
 /// Reads the points of a file, and its faces, if it has any.
 /// \throw File_error if it cannot be read, is malformed or has no points
-Polygon_soup read_point_soup(const std::string& filename);
-Polygon_soup read_point_soup(std::istream& in, Point_format format, const std::string& name);
+Shape_file read_point_file(const std::string& filename);
+Shape_file read_point_file(std::istream& in, Point_format format, const std::string& name);
 
 /// Writes points and normals to ranges of any type.
 template <class Point, class Vector>
-void convert_to_points(const Polygon_soup& soup, std::vector<Point>& points, std::vector<Vector>& normals)
+void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::vector<Vector>& normals)
 {
   std::vector<Point> new_points;
   std::vector<Vector> new_normals;
-  new_points.reserve(soup.points.size());
-  new_normals.reserve(soup.normals.size());
-  for (const Vector_3& point : soup.points) {
+  new_points.reserve(file.points.size());
+  new_normals.reserve(file.normals.size());
+  for (const Vector_3& point : file.points) {
     new_points.emplace_back(point.x(), point.y(), point.z());
   }
-  for (const Vector_3& normal : soup.normals) {
+  for (const Vector_3& normal : file.normals) {
     new_normals.emplace_back(normal.x(), normal.y(), normal.z());
   }
   points = std::move(new_points);
@@ -51,7 +51,7 @@ void convert_to_points(const Polygon_soup& soup, std::vector<Point>& points, std
 template <class Point, class Vector>
 void read_points(const std::string& filename, std::vector<Point>& points, std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::read_point_soup(filename), points, normals);
+  internal::convert_to_points(internal::read_point_file(filename), points, normals);
 }
 
 /// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
@@ -60,13 +60,9 @@ template <class Point, class Vector>
 void read_points(std::istream& in, Point_format format, const std::string& name, std::vector<Point>& points,
                  std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::read_point_soup(in, format, name), points, normals);
+  internal::convert_to_points(internal::read_point_file(in, format, name), points, normals);
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/IO/read_points_impl.h>
-#endif
 
 #endif // CSCD_IO_READ_POINTS_H

@@ -67,7 +67,7 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
 /// - `.polylines.txt`, as CGAL's examples write it: points with equal coordinates are one node;
 /// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges;
 /// - `.vtp`: points and poly-lines of VTK's PolyData, and perhaps the point arrays `Radius` and `IsOpening`, of any
-///   encoding; what zlib has compressed only if this was built with it (`CSCD_WITH_ZLIB`).
+///   encoding; what zlib has compressed only if CSCD was built with zlib.
 ///
 /// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
 /// are 0 where the file holds none. Significances are computed; which edges are `is_joined`, only `.json` tells, and
@@ -101,9 +101,5 @@ bool read_skeleton(std::istream& in, const std::string& ending, const std::strin
 void check_readable_skeleton_filename(const std::string& filename);
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/IO/read_skeleton_impl.h>
-#endif
 
 #endif // CSCD_IO_READ_SKELETON_H

@@ -7,10 +7,9 @@
 #define CSCD_IO_READ_TRIANGLE_MESH_H
 
 #include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/internal/Polygon_soup.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/counted.h>
 
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
@@ -43,27 +42,7 @@ struct Mesh_repair_report
   bool is_empty() const { return sentences().empty(); }
 
   /// What was done, a sentence each, without a full stop.
-  std::vector<std::string> sentences() const
-  {
-    std::vector<std::string> result;
-    const auto add = [&result](std::size_t count, const char* one, const char* many) {
-      if (count > 0) {
-        result.push_back(internal::counted(count, one, many));
-      }
-    };
-    add(number_of_triangulated_polygons, "polygon triangulated", "polygons triangulated");
-    add(number_of_merged_points, "duplicate point merged", "duplicate points merged");
-    add(number_of_removed_faces, "degenerate or duplicate face removed", "degenerate or duplicate faces removed");
-    add(number_of_removed_flap_faces, "face that hung on the surface removed",
-        "faces that hung on the surface removed");
-    add(number_of_removed_points, "point without faces removed", "points without faces removed");
-    add(number_of_turned_faces, "face turned to agree with its neighbors",
-        "faces turned to agree with their neighbors");
-    add(number_of_duplicated_points, "point duplicated where the surface is not a manifold",
-        "points duplicated where the surface is not a manifold");
-    add(number_of_turned_components, "component turned outwards", "components turned outwards");
-    return result;
-  }
+  std::vector<std::string> sentences() const;
 };
 
 namespace internal {
@@ -78,18 +57,18 @@ struct Manifold_triangles
 
 /// Reads the polygons of a file.
 /// \throw File_error if it cannot be read, is malformed or has no polygons
-Polygon_soup read_polygons(const std::string& filename);
-Polygon_soup read_polygons(std::istream& in, Mesh_format format, const std::string& name);
+Shape_file read_polygons(const std::string& filename);
+Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string& name);
 
 /// Reads the polygons or the points of a stream in the format that `ending` names.
 /// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
-Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name);
+Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Cuts polygons into triangles and repairs these.
 /// \param filename for messages
 /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
 /// \throw Input_error if they are too many or cannot be made a surface
-Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename, unsigned number_of_threads = 1);
+Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filename, unsigned number_of_threads = 1);
 
 /// Which faces of a mesh come from which polygons of the file that it was made of.
 struct Faces_of_file
@@ -103,7 +82,7 @@ struct Faces_of_file
 /// Finds them by the places of their corners, as repairs never move a point. O(n log n).
 /// \param file what `make_manifold()` was given
 /// \param points, faces those of the mesh
-Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,
+Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
                           const std::vector<std::array<Index, 3>>& faces);
 
 /// Builds a mesh from triangles whose neighbors are known, in linear time; `CGAL::Euler::add_faces()` looks for them
@@ -215,7 +194,7 @@ private:
 
 /// Makes a mesh of the polygons of a file.
 template <class TriangleMesh>
-Mesh_repair_report convert_to_triangle_mesh(Polygon_soup&& polygons, const std::string& filename, TriangleMesh& mesh,
+Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::string& filename, TriangleMesh& mesh,
                                             unsigned number_of_threads = 1)
 {
   const Manifold_triangles manifold = make_manifold(std::move(polygons), filename, number_of_threads);
@@ -253,9 +232,5 @@ Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, cons
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/IO/read_triangle_mesh_impl.h>
-#endif
 
 #endif // CSCD_IO_READ_TRIANGLE_MESH_H

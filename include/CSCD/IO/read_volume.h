@@ -81,8 +81,4 @@ std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, cons
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/IO/read_volume_impl.h>
-#endif
-
 #endif // CSCD_IO_READ_VOLUME_H

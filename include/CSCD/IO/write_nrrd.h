@@ -7,102 +7,17 @@
 #define CSCD_IO_WRITE_NRRD_H
 
 #include <CSCD/IO/read_volume.h>
-#include <CSCD/Vector_3.h>
 #include <CSCD/Volume/Voxel_surface.h>
-#include <CSCD/internal/Box_tree.h>
 
-#include <CGAL/assertions.h>
-
-#include <boost/endian/conversion.hpp>
-
-#include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <locale>
-#include <map>
 #include <ostream>
-#include <sstream>
-#include <string>
 #include <vector>
 
 namespace CSCD {
-namespace internal {
-
-/// The header of NRRD for labels of 32 bits that follow raw.
-inline std::string nrrd_header(const Volume_grid& grid)
-{
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(std::numeric_limits<double>::max_digits10);
-  const auto vector = [&out](const Vector_3& v) -> std::ostream& {
-    return out << '(' << v.x() << ',' << v.y() << ',' << v.z() << ')';
-  };
-  out << "NRRD0004\ntype: uint32\ndimension: 3\nspace dimension: 3\nsizes: " << grid.size[0] << ' ' << grid.size[1]
-      << ' ' << grid.size[2] << "\nspace directions: ";
-  vector(grid.axes[0]) << ' ';
-  vector(grid.axes[1]) << ' ';
-  vector(grid.axes[2]) << "\nkinds: domain domain domain\nendian: little\nencoding: raw\nspace origin: ";
-  vector(grid.origin) << "\n\n";
-  return out.str();
-}
-
-inline void write_nrrd_labels(std::ostream& out, std::vector<std::uint32_t> labels)
-{
-  for (std::uint32_t& label : labels) {
-    boost::endian::native_to_little_inplace(label);
-  }
-  out.write(reinterpret_cast<const char*>(labels.data()), std::streamsize(labels.size() * sizeof(std::uint32_t)));
-}
-
-/// Finds the vertices of a surface next to points.
-class Nearest_vertex_search
-{
-public:
-  /// \param points of the surface, which outlive the search
-  explicit Nearest_vertex_search(const std::vector<Vector_3>& points) : m_points(points)
-  {
-    std::vector<Bounding_box> boxes(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      boxes[i].extend(points[i]);
-    }
-    m_tree = Box_tree(boxes);
-  }
-
-  /// The vertex nearest to `point`; fast if it is near the one of the call before.
-  Index nearest(const Vector_3& point)
-  {
-    double least = (m_points[m_last] - point).squaredNorm();
-    const auto bound = [&](const Bounding_box& box) {
-      const double distance = box.squared_distance(point);
-      return distance < least ? distance : std::numeric_limits<double>::infinity();
-    };
-    m_tree.minimize(bound, [&](Index vertex) {
-      const double distance = (m_points[vertex] - point).squaredNorm();
-      if (distance < least) {
-        least = distance;
-        m_last = vertex;
-      }
-      return distance;
-    });
-    return m_last;
-  }
-
-private:
-  const std::vector<Vector_3>& m_points;
-  Box_tree m_tree;
-  Index m_last = 0;
-};
-
-} // namespace internal
 
 /// writes `volume` as NRRD, raw, with labels of 32 bits. Linear.
 /// \pre there is a label for each voxel
-inline void write_nrrd(std::ostream& out, const Volume& volume)
-{
-  CGAL_precondition(volume.labels.size() == volume.grid.number_of_voxels());
-  out << internal::nrrd_header(volume.grid);
-  internal::write_nrrd_labels(out, volume.labels);
-}
+void write_nrrd(std::ostream& out, const Volume& volume);
 
 /// writes as NRRD what node each voxel of a volume belongs to: that of the nearest vertex of the surface of its label.
 /// The segment to this vertex is inside the body, so that a voxel gets no node of another limb beside its own. The
@@ -111,32 +26,8 @@ inline void write_nrrd(std::ostream& out, const Volume& volume)
 /// \param surfaces those of the labels; voxels of labels that have none get 0
 /// \param node_of_vertex for each surface and each of its points, the number that its voxels get
 /// \throw File_error if the volume cannot be read to its end
-inline void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vector<Voxel_surface>& surfaces,
-                              const std::vector<std::vector<std::uint32_t>>& node_of_vertex)
-{
-  CGAL_precondition(surfaces.size() == node_of_vertex.size());
-  std::map<std::uint32_t, std::size_t> surface_of_label;
-  std::vector<internal::Nearest_vertex_search> searches;
-  searches.reserve(surfaces.size());
-  for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    surface_of_label.emplace(surfaces[i].label, i);
-    searches.emplace_back(surfaces[i].triangles.points);
-  }
-  const Volume_grid& grid = reader.grid();
-  out << internal::nrrd_header(grid);
-  std::vector<std::uint32_t> labels;
-  for (std::size_t z = 0; z < grid.size[2]; ++z) {
-    reader.read_slice(labels);
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-      const auto found = labels[i] == 0 ? surface_of_label.end() : surface_of_label.find(labels[i]);
-      const bool has_node = found != surface_of_label.end();
-      const std::size_t y = i / grid.size[0];
-      const Vector_3 point = grid.point({double(i % grid.size[0]), double(y), double(z)});
-      labels[i] = has_node ? node_of_vertex[found->second][searches[found->second].nearest(point)] : 0;
-    }
-    internal::write_nrrd_labels(out, labels);
-  }
-}
+void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vector<Voxel_surface>& surfaces,
+                       const std::vector<std::vector<std::uint32_t>>& node_of_vertex);
 
 } // namespace CSCD
 

@@ -46,8 +46,4 @@ void write_glb(std::ostream& out, const TriangleMesh& mesh, const Rig& rig, cons
 
 } // namespace CSCD
 
-#ifndef CSCD_COMPILED
-#include <CSCD/IO/write_rig_impl.h>
-#endif
-
 #endif // CSCD_IO_WRITE_RIG_H

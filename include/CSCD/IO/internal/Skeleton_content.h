@@ -6,10 +6,8 @@
 #ifndef CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 #define CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 
-#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
-#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/detection.h>
 
@@ -62,12 +60,6 @@ struct Skeleton_content : Indexed_skeleton
   std::vector<std::size_t> number_of_vertices; ///< of the input, that belong to each node; empty if no node has any
 };
 
-/// `significance` as formats write it that cannot hold infinity: the greatest number.
-inline double finite_significance(double significance)
-{
-  return std::min(significance, std::numeric_limits<double>::max());
-}
-
 /// Copies what files hold of `skeleton`, a model of `CurveSkeletonGraph` or a graph of points, such as a
 /// `Cut_locus_graph`; expectedly linear.
 template <class Skeleton>
@@ -85,12 +77,6 @@ Skeleton_content skeleton_content(const Skeleton& skeleton)
     }
   }
   return result;
-}
-
-/// Writes a position as `x y z`.
-inline void write_coordinates(std::ostream& out, const Vector_3& point)
-{
-  out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
 
 } // namespace CSCD::internal

@@ -1,20 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of read_triangle_mesh.h.
+// Makes manifold triangle meshes of the polygons of a file.
 
-#ifndef CSCD_IO_READ_TRIANGLE_MESH_IMPL_H
-#define CSCD_IO_READ_TRIANGLE_MESH_IMPL_H
-
-#include <CSCD/IO/Mesh_format.h>
-#include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Scanner.h>
-#include <CSCD/IO/internal/find_flaps.h>
-#include <CSCD/IO/internal/parse_gltf.h>
-#include <CSCD/IO/internal/parse_mesh.h>
-#include <CSCD/IO/internal/parse_ply.h>
-#include <CSCD/IO/internal/parse_vtk.h>
-#include <CSCD/IO/read_points_impl.h>
+#include "Point_merger.h"
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
@@ -22,7 +12,8 @@
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/config.h>
+#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/counted.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -34,21 +25,97 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <istream>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
 
+namespace {
+
+/// The sides of triangles, sorted so that those at one edge are together.
+class Sides_of_edges
+{
+public:
+  /// O(n log n).
+  explicit Sides_of_edges(const std::vector<std::array<Index, 3>>& faces)
+  {
+    m_sides.reserve(3 * faces.size());
+    for (Index face = 0; face < faces.size(); ++face) {
+      const auto [a, b, c] = faces[face];
+      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+        m_sides.push_back({std::min(from, to), std::max(from, to), face});
+      }
+    }
+    std::sort(m_sides.begin(), m_sides.end());
+  }
+
+  /// Calls `function(faces)` for each edge with the faces at it. The argument is reused.
+  template <class Function>
+  void for_each_edge(const Function& function) const
+  {
+    std::vector<Index> faces;
+    for (std::size_t i = 0; i < m_sides.size(); ++i) {
+      const auto& [first, second, face] = m_sides[i];
+      faces.push_back(face);
+      if (i + 1 == m_sides.size() || m_sides[i + 1][0] != first || m_sides[i + 1][1] != second) {
+        function(std::as_const(faces));
+        faces.clear();
+      }
+    }
+  }
+
+private:
+  std::vector<std::array<Index, 3>> m_sides; ///< the two vertices, the smaller one first, and the face
+};
+
+/// Finds the faces of flaps: parts of the surface, joined by edges of two faces, that meet a part of a hundred times
+/// their area at an edge of three faces or more. Without them, that edge joins the two faces of the larger part, which
+/// would be slit there. O(n log n). \return for each face, whether it is of a flap
+/// \pre no face names a vertex twice, and no two faces have the same vertices
+std::vector<char> find_flaps(const Indexed_triangles& triangles)
+{
+  constexpr double max_area = 0.01; // relative to that of the larger part
+  const std::size_t number_of_faces = triangles.faces.size();
+  const Sides_of_edges sides(triangles.faces);
+  Disjoint_sets sets(number_of_faces);
+  sides.for_each_edge([&](const std::vector<Index>& faces) {
+    if (faces.size() == 2) {
+      sets.join(faces[0], faces[1]);
+    }
+  });
+  Index number_of_parts = 0;
+  const std::vector<Index> part = sets.numbers(number_of_parts);
+  const std::vector<double> face_area = face_areas(triangles);
+  std::vector<double> area(number_of_parts, 0.);
+  for (Index face = 0; face < number_of_faces; ++face) {
+    area[part[face]] += face_area[face];
+  }
+  std::vector<char> is_flap(number_of_parts, 0);
+  sides.for_each_edge([&](const std::vector<Index>& faces) {
+    if (faces.size() > 2) {
+      double largest = 0;
+      for (const Index face : faces) {
+        largest = std::max(largest, area[part[face]]);
+      }
+      for (const Index face : faces) {
+        is_flap[part[face]] = is_flap[part[face]] != 0 || area[part[face]] < max_area * largest ? 1 : 0;
+      }
+    }
+  });
+  std::vector<char> result(number_of_faces);
+  std::transform(part.begin(), part.end(), result.begin(), [&is_flap](Index p) { return is_flap[p]; });
+  return result;
+}
+
 /// Cuts one polygon after the other into triangles.
 class Polygon_triangulator
 {
 public:
-  Polygon_triangulator(const Polygon_soup& soup, std::vector<std::array<Index, 3>>& triangles)
+  Polygon_triangulator(const Shape_file& soup, std::vector<std::array<Index, 3>>& triangles)
       : m_soup(soup), m_triangles(triangles)
   {
   }
@@ -150,7 +217,7 @@ private:
 
   const Vector_3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
 
-  const Polygon_soup& m_soup;
+  const Shape_file& m_soup;
   std::vector<std::array<Index, 3>>& m_triangles;
   const Index* m_corners = nullptr;
   std::size_t m_size = 0;
@@ -158,9 +225,9 @@ private:
 
 /// Cuts all polygons into triangles, whose order is that of the polygons: two fewer than each has corners, and none of
 /// those of fewer than three. The points stay.
-inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& polygons)
+Indexed_triangles triangulate_polygon_soup(Shape_file&& polygons)
 {
-  Polygon_soup soup = std::move(polygons); // its memory is free when the triangles are there
+  Shape_file soup = std::move(polygons); // its memory is free when the triangles are there
   Indexed_triangles result;
   std::size_t number_of_triangles = 0;
   for (std::size_t polygon = 0; polygon < soup.number_of_polygons(); ++polygon) {
@@ -177,7 +244,7 @@ inline Indexed_triangles triangulate_polygon_soup(Polygon_soup&& polygons)
 }
 
 /// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
-inline std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
+std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
 {
   const auto is_degenerate = [](const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
   if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
@@ -228,7 +295,7 @@ struct Cgal_soup
 };
 
 /// Merges points of equal coordinates. \return their number
-inline std::size_t merge_equal_points(Indexed_triangles& soup)
+std::size_t merge_points(Indexed_triangles& soup)
 {
   std::vector<Index> new_index;
   const std::size_t number_of_merged_points = merge_equal_points(soup.points, new_index);
@@ -240,8 +307,8 @@ inline std::size_t merge_equal_points(Indexed_triangles& soup)
   return number_of_merged_points;
 }
 
-/// Removes the triangles of flaps, of which the points stay. \return their number
-inline std::size_t remove_flaps(Cgal_soup& soup)
+/// Removes the triangles of flaps. Their points stay. \return their number
+std::size_t remove_flaps(Cgal_soup& soup)
 {
   const std::vector<char> is_flap = find_flaps(soup.triangles());
   std::size_t kept = 0;
@@ -257,7 +324,7 @@ inline std::size_t remove_flaps(Cgal_soup& soup)
 
 /// Removes triangles that name a vertex twice, all but one of those of the same vertices, flaps, and points without
 /// triangle.
-inline void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
+void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
   const auto is_degenerate = [](const Cgal_soup::Polygon& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
@@ -269,8 +336,8 @@ inline void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
   report.number_of_removed_points += PMP::remove_isolated_points_in_polygon_soup(soup.points, soup.polygons);
 }
 
-/// Turns triangles so that neighbors agree, and duplicates points where the surface is no manifold.
-inline void orient(Cgal_soup& soup, Mesh_repair_report& report)
+/// Turns triangles so that neighbors agree, and duplicates points where the surface is not a manifold.
+void orient(Cgal_soup& soup, Mesh_repair_report& report)
 {
   const std::size_t number_of_points = soup.points.size();
   const std::vector<Cgal_soup::Polygon> old_polygons = soup.polygons;
@@ -287,9 +354,9 @@ inline void orient(Cgal_soup& soup, Mesh_repair_report& report)
 /// Makes the triangles an oriented manifold, with or without borders: merges points of equal coordinates; if that is
 /// not enough, removes useless faces and points and flaps, turns faces, and duplicates points where the surface is no
 /// manifold. \return the pairing of the halfedges, or nothing if it failed
-inline std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
+std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& soup, Mesh_repair_report& report)
 {
-  report.number_of_merged_points += merge_equal_points(soup);
+  report.number_of_merged_points += merge_points(soup);
   std::optional<Halfedge_pairing> pairing = pair_manifold(soup);
   if (!pairing) {
     Cgal_soup cgal_soup(soup);
@@ -301,56 +368,9 @@ inline std::optional<Halfedge_pairing> repair_triangle_soup(Indexed_triangles& s
   return pairing;
 }
 
-/// Reads the polygons of a file of which `content` is the content.
-/// \throw File_error if it is malformed or has no polygons
-inline Polygon_soup parse_polygon_soup(std::string_view content, Mesh_format format, const std::string& filename)
-{
-  if (content.empty()) {
-    throw File_error(filename + ": the file is empty; fetch or write it again");
-  }
-  // In the order of `Mesh_format`.
-  constexpr std::array<Polygon_soup (*)(std::string_view, const std::string&), 7> parsers{
-      parse_off, parse_obj, parse_ply, parse_stl, parse_vtk, parse_gltf, parse_neuroglancer};
-  Polygon_soup soup = parsers[std::size_t(format)](content, filename);
-  if (soup.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
-    throw File_error(filename + ": the file has no faces; a triangle mesh is needed");
-  }
-  return soup;
-}
+} // namespace
 
-/// The format of a mesh that `ending` names. \throw File_error if it names none; the message names all that can be read
-inline Mesh_format mesh_format_among_all(const std::string& ending)
-{
-  try {
-    return mesh_format(ending);
-  } catch (const File_error&) {
-    throw File_error(ending + ": the ending names no known format; use one of " + list_of_endings(mesh_endings) +
-                     " for meshes, " + list_of_endings(point_endings) + " for points");
-  }
-}
-
-CSCD_INLINE Polygon_soup read_polygons(const std::string& filename)
-{
-  const Mesh_format format = mesh_format(filename);
-  return parse_polygon_soup(read_content(filename), format, filename);
-}
-
-CSCD_INLINE Polygon_soup read_polygons(std::istream& in, Mesh_format format, const std::string& name)
-{
-  return parse_polygon_soup(read_content(in, name), format, name);
-}
-
-CSCD_INLINE Polygon_soup read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
-{
-  const std::string content = read_content(in, name, ending);
-  if (const std::optional<Point_format> points_only = find_point_format(ending)) {
-    return parse_points(content, *points_only, name);
-  }
-  return parse_polygon_soup(content, mesh_format_among_all(ending), name);
-}
-
-CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std::string& filename,
-                                             unsigned number_of_threads)
+Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filename, unsigned number_of_threads)
 {
   Manifold_triangles result;
   result.report.number_of_triangulated_polygons =
@@ -377,8 +397,8 @@ CSCD_INLINE Manifold_triangles make_manifold(Polygon_soup&& polygons, const std:
   return result;
 }
 
-CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vector<Vector_3>& points,
-                                      const std::vector<std::array<Index, 3>>& faces)
+Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
+                          const std::vector<std::array<Index, 3>>& faces)
 {
   std::vector<Vector_3> places = file.points;
   places.insert(places.end(), points.begin(), points.end());
@@ -405,7 +425,7 @@ CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vecto
   Faces_of_file result;
   result.polygon_of_face.assign(faces.size(), no_index);
   result.face_of_polygon.assign(file.number_of_polygons(), no_index);
-  const std::vector<Corners> triangles = triangulate_polygon_soup(Polygon_soup(file)).faces;
+  const std::vector<Corners> triangles = triangulate_polygon_soup(Shape_file(file)).faces;
   auto triangle = triangles.begin();
   for (std::size_t polygon = 0; polygon < file.number_of_polygons(); ++polygon) {
     Index& largest = result.face_of_polygon[polygon];
@@ -432,4 +452,26 @@ CSCD_INLINE Faces_of_file match_faces(const Polygon_soup& file, const std::vecto
 
 } // namespace CSCD::internal
 
-#endif // CSCD_IO_READ_TRIANGLE_MESH_IMPL_H
+namespace CSCD {
+
+std::vector<std::string> Mesh_repair_report::sentences() const
+{
+  std::vector<std::string> result;
+  const auto add = [&result](std::size_t count, const char* one, const char* many) {
+    if (count > 0) {
+      result.push_back(internal::counted(count, one, many));
+    }
+  };
+  add(number_of_triangulated_polygons, "polygon triangulated", "polygons triangulated");
+  add(number_of_merged_points, "duplicate point merged", "duplicate points merged");
+  add(number_of_removed_faces, "degenerate or duplicate face removed", "degenerate or duplicate faces removed");
+  add(number_of_removed_flap_faces, "face that hung on the surface removed", "faces that hung on the surface removed");
+  add(number_of_removed_points, "point without faces removed", "points without faces removed");
+  add(number_of_turned_faces, "face turned to agree with its neighbors", "faces turned to agree with their neighbors");
+  add(number_of_duplicated_points, "point duplicated where the surface is not a manifold",
+      "points duplicated where the surface is not a manifold");
+  add(number_of_turned_components, "component turned outwards", "components turned outwards");
+  return result;
+}
+
+} // namespace CSCD

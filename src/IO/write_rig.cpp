@@ -1,36 +1,32 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of write_rig.h.
+// Writes rigs as binary glTF.
 
-#ifndef CSCD_IO_WRITE_RIG_IMPL_H
-#define CSCD_IO_WRITE_RIG_IMPL_H
-
+#include "write_little_endian.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
-#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/config.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace CSCD::internal {
+
+namespace {
 
 /// Writes a mesh and its rig as binary glTF 2.0. Layout and constants: the specification of Khronos, 3.6, 3.7 and 4.
 class Glb_writer
@@ -250,11 +246,11 @@ private:
   std::ostringstream m_binary;
 };
 
-CSCD_INLINE void write_glb(std::ostream& out, const Assigned_surface& surface, const Rig& rig, const std::string& name)
+} // namespace
+
+void write_glb(std::ostream& out, const Assigned_surface& surface, const Rig& rig, const std::string& name)
 {
   Glb_writer(surface, rig).write(out, name);
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_IO_WRITE_RIG_IMPL_H

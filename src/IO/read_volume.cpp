@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of read_volume.h.
+// Reads image volumes slice by slice.
 
-#ifndef CSCD_IO_READ_VOLUME_IMPL_H
-#define CSCD_IO_READ_VOLUME_IMPL_H
-
-#include <CSCD/IO/internal/Inflating_stream.h>
-#include <CSCD/IO/internal/Scanner.h>
-#include <CSCD/IO/internal/decode_bytes.h>
+#include "Number_view.h"
+#include "Text_scanner.h"
+#include "decompress.h"
+#include "parse.h"
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/config.h>
 
 #include <CGAL/assertions.h>
 
@@ -21,7 +18,6 @@
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <boost/endian/conversion.hpp>
 
 #ifdef CSCD_WITH_TIFF
 #include <tiffio.h>
@@ -32,7 +28,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
@@ -55,8 +50,8 @@ struct Volume_header
 {
   Volume_grid grid;
   Number_type type;
-  boost::endian::order order = boost::endian::order::little;
-  double slope = 1; ///< by which values are multiplied, before `intercept` is added
+  Byte_order order = Byte_order::little;
+  double slope = 1; ///< factor of values, before `intercept` is added
   double intercept = 0;
   bool is_compressed = false;
   std::string data_filename;     ///< of the file with the data
@@ -65,24 +60,18 @@ struct Volume_header
   std::size_t skipped_bytes = 0; ///< at the beginning of the data, when they are decompressed
 };
 
-[[noreturn]] inline void fail_in_volume(const std::string& filename, const std::string& fault,
-                                        const std::string& remedy)
-{
-  throw File_error(filename + ": " + fault + "; " + remedy);
-}
-
 /// The product of positive numbers.
 /// \throw File_error if it is more than a quarter of the greatest number, so that sums with others do not overflow
-inline std::size_t checked_product(const std::string& filename, std::initializer_list<std::size_t> factors)
+std::size_t checked_product(const std::string& filename, std::initializer_list<std::size_t> factors)
 {
   constexpr std::size_t max_product = std::numeric_limits<std::size_t>::max() / 4;
   std::size_t product = 1;
   for (const std::size_t factor : factors) {
     if (factor == 0) {
-      fail_in_volume(filename, "a size in the header is 0", "correct it");
+      fail_in_file(filename, "a size in the header is 0", "correct it");
     }
     if (factor > max_product / product) {
-      fail_in_volume(filename, "the sizes in the header are too large for any memory", "correct them");
+      fail_in_file(filename, "the sizes in the header are too large for any memory", "correct them");
     }
     product *= factor;
   }
@@ -100,46 +89,6 @@ struct Volume_file
   Volume_grid grid;
 };
 
-/// Calls `use` with each of `count` numbers in `bytes`, of type `Number`.
-template <class Number, class Use>
-void decode_numbers(const char* bytes, std::size_t count, boost::endian::order order, const Use& use)
-{
-  const bool is_native = order == boost::endian::order::native;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::array<char, sizeof(Number)> raw;
-    std::copy_n(bytes + i * sizeof(Number), sizeof(Number), raw.begin());
-    if (!is_native) {
-      std::reverse(raw.begin(), raw.end());
-    }
-    Number number;
-    std::memcpy(&number, raw.data(), sizeof(Number));
-    use(i, double(number));
-  }
-}
-
-template <class Use>
-void decode_numbers(const char* bytes, std::size_t count, const Number_type& type, boost::endian::order order,
-                    const Use& use)
-{
-  const bool has_sign = type.kind == 'i';
-  if (type.kind == 'f') {
-    type.size == sizeof(float) ? decode_numbers<float>(bytes, count, order, use)
-                               : decode_numbers<double>(bytes, count, order, use);
-  } else if (type.size == 1) {
-    has_sign ? decode_numbers<std::int8_t>(bytes, count, order, use)
-             : decode_numbers<std::uint8_t>(bytes, count, order, use);
-  } else if (type.size == 2) {
-    has_sign ? decode_numbers<std::int16_t>(bytes, count, order, use)
-             : decode_numbers<std::uint16_t>(bytes, count, order, use);
-  } else if (type.size == 4) {
-    has_sign ? decode_numbers<std::int32_t>(bytes, count, order, use)
-             : decode_numbers<std::uint32_t>(bytes, count, order, use);
-  } else {
-    has_sign ? decode_numbers<std::int64_t>(bytes, count, order, use)
-             : decode_numbers<std::uint64_t>(bytes, count, order, use);
-  }
-}
-
 /// A volume whose data are raw bytes, compressed or not.
 class Byte_volume_file : public Volume_file
 {
@@ -153,64 +102,54 @@ public:
     std::error_code error;
     const std::size_t file_size = std::size_t(std::filesystem::file_size(header.data_filename, error));
     if (!m_in || error) {
-      fail_in_volume(filename, "the data file " + header.data_filename + " cannot be opened",
-                     "put it there or correct its name");
+      fail_in_file(filename, "the data file " + header.data_filename + " cannot be opened",
+                   "put it there or correct its name");
     }
     const std::size_t size = checked_product(filename, {grid.size[0], grid.size[1], grid.size[2], header.type.size});
     std::size_t begin = header.data_begin;
     if (header.is_data_at_end) {
       begin = file_size >= size ? file_size - size : file_size;
     }
-    constexpr std::size_t max_ratio = 1032; // of deflate: 258 bytes of 2 bits
     const std::size_t available = begin < file_size ? file_size - begin : 0;
-    const std::size_t needed = header.is_compressed ? size / max_ratio : size;
+    const std::size_t needed = header.is_compressed ? size / max_deflate_ratio : size;
     if (needed > available || available == 0) {
-      fail_in_volume(filename,
-                     "the header promises " + std::to_string(size) + " bytes of voxels, the data have " +
-                         std::to_string(available) + (header.is_compressed ? " compressed ones" : ""),
-                     "the file seems truncated, fetch or write it again");
+      fail_in_file(filename,
+                   "the header promises " + std::to_string(size) + " bytes of voxels, the data have " +
+                       std::to_string(available) + (header.is_compressed ? " compressed ones" : ""),
+                   "the file seems truncated, fetch or write it again");
     }
     m_in.seekg(std::streamoff(begin));
     if (header.is_compressed) {
-#ifdef CSCD_WITH_ZLIB
-      m_stream.emplace(m_in, filename);
+      m_stream = std::make_unique<Inflating_stream>(m_in, filename);
       std::array<char, 4096> skipped{};
       for (std::size_t left = header.skipped_bytes; left > 0;) {
         const std::size_t part = std::min(left, skipped.size());
         m_stream->read(skipped.data(), part);
         left -= part;
       }
-#else
-      fail_without_zlib(filename);
-#endif
     }
     m_bytes.resize(grid.slice_size() * header.type.size);
   }
 
   void read_slice(std::vector<double>& values) override
   {
-#ifdef CSCD_WITH_ZLIB
     if (m_stream) {
       m_stream->read(m_bytes.data(), m_bytes.size());
-    } else
-#endif
-    {
+    } else {
       m_in.read(m_bytes.data(), std::streamsize(m_bytes.size()));
       if (std::size_t(m_in.gcount()) != m_bytes.size()) {
-        fail_in_volume(filename, "cannot be read to the end of its data", "check the disk or the connection");
+        fail_in_file(filename, "cannot be read to the end of its data", "check the disk or the connection");
       }
     }
     values.resize(grid.slice_size());
-    decode_numbers(m_bytes.data(), values.size(), m_header.type, m_header.order,
-                   [&](std::size_t i, double value) { values[i] = m_header.slope * value + m_header.intercept; });
+    const Number_view view{m_bytes.data(), m_header.type, m_header.order, m_header.type.size, values.size()};
+    view.for_each([&](std::size_t i, double value) { values[i] = m_header.slope * value + m_header.intercept; });
   }
 
 private:
   Volume_header m_header;
   std::ifstream m_in;
-#ifdef CSCD_WITH_ZLIB
-  std::optional<Inflating_stream> m_stream;
-#endif
+  std::unique_ptr<Inflating_stream> m_stream; ///< null if the data are not compressed
   std::vector<char> m_bytes;
 };
 
@@ -225,7 +164,7 @@ public:
   {
     std::ifstream in(filename, std::ios::binary);
     if (!in) {
-      fail_in_volume(filename, "cannot be opened", "check the name and the permissions");
+      fail_in_file(filename, "cannot be opened", "check the name and the permissions");
     }
     m_text.resize(max_size);
     in.read(m_text.data(), std::streamsize(max_size));
@@ -248,12 +187,12 @@ public:
   /// The first byte behind the lines that were read.
   std::size_t position() const { return m_at; }
 
-  /// Keeps the value of a line, in which names do not depend on case and blanks. \return the name
+  /// Keeps the value of a line. Names do not depend on case and blanks. \return the name
   std::string add(const std::string& line)
   {
     const std::size_t separator = line.find(m_separator);
     if (separator == std::string::npos) {
-      fail_in_volume(m_filename, "the header has a line that is no field", "correct it: " + line.substr(0, 40));
+      fail_in_file(m_filename, "the header has a line that is not a field", "correct it: " + line.substr(0, 40));
     }
     std::string name = boost::algorithm::to_lower_copy(line.substr(0, separator), std::locale::classic());
     name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
@@ -327,7 +266,7 @@ public:
     return result;
   }
 
-  /// A single number, or the default where there is no such field.
+  /// A single number, or the default where the field is missing.
   std::size_t count(const std::string& name, std::size_t its_default) const
   {
     const std::string text = value({name.c_str()});
@@ -336,10 +275,10 @@ public:
 
   [[noreturn]] void fail(const std::string& name, std::size_t count) const
   {
-    fail_in_volume(m_filename,
-                   "the field '" + name + "' of the header is not " + std::to_string(count) +
-                       (count == 1 ? " finite number" : " finite numbers") + " as they may be",
-                   "correct it or write the file again");
+    fail_in_file(m_filename,
+                 "the field '" + name + "' of the header is not " + std::to_string(count) +
+                     (count == 1 ? " finite number" : " finite numbers"),
+                 "correct it or write the file again");
   }
 
 private:
@@ -353,10 +292,10 @@ private:
 /// Finds the data that a header names.
 /// \param position of the data in the file with the header, if they are there
 /// \param name of the file with the data, relative to that of the header, or empty
-inline void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
+void find_data(const std::string& filename, const std::string& name, std::size_t position, Volume_header& header)
 {
   if (name.find('%') != std::string::npos || boost::algorithm::starts_with(name, "LIST")) {
-    fail_in_volume(filename, "the data are in several files, which is not read", "write them into one");
+    fail_in_file(filename, "the data are in several files, which is not read", "write them into one");
   }
   header.data_filename =
       name.empty() ? filename : (std::filesystem::path(filename).parent_path() / name).string(); // absolute ones stay
@@ -364,7 +303,7 @@ inline void find_data(const std::string& filename, const std::string& name, std:
 }
 
 /// Reads the byte skip, line skip and the rest that NRRD says of where data are.
-inline void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
+void find_nrrd_data(const std::string& filename, const Line_header& lines, Volume_header& header)
 {
   find_data(filename, lines.value({"datafile"}), lines.position(), header);
   std::size_t number_of_lines = lines.count("lineskip", 0);
@@ -384,7 +323,7 @@ inline void find_nrrd_data(const std::string& filename, const Line_header& lines
 }
 
 /// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
-inline Number_type nrrd_type(const std::string& filename, const std::string& its_name)
+Number_type nrrd_type(const std::string& filename, const std::string& its_name)
 {
   std::string name = boost::algorithm::to_lower_copy(its_name, std::locale::classic());
   boost::algorithm::erase_all(name, " ");
@@ -402,13 +341,13 @@ inline Number_type nrrd_type(const std::string& filename, const std::string& its
     return {has_no_sign ? 'u' : 'i', found->second};
   }
   if (name != "float" && name != "double") {
-    fail_in_volume(filename, "'" + its_name.substr(0, 40) + "' is no type of numbers that volumes have",
-                   "write the volume with one from int8 to uint64, float or double");
+    fail_in_file(filename, "'" + its_name.substr(0, 40) + "' is not a type of numbers that volumes have",
+                 "write the volume with one from int8 to uint64, float or double");
   }
   return {'f', name == "float" ? sizeof(float) : sizeof(double)};
 }
 
-inline void scale_axes(Volume_grid& grid, const Vector_3& spacing)
+void scale_axes(Volume_grid& grid, const Vector_3& spacing)
 {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     grid.axes[axis] *= spacing[axis];
@@ -416,7 +355,7 @@ inline void scale_axes(Volume_grid& grid, const Vector_3& spacing)
 }
 
 /// Reads the axes of NRRD: directions in space or spacings.
-inline void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
+void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
 {
   const std::string directions = lines.value({"spacedirections"});
   if (const std::string spacings = lines.value({"spacings"}); directions.empty() && !spacings.empty()) {
@@ -429,17 +368,17 @@ inline void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
   }
 }
 
-inline std::array<std::size_t, 3> three_sizes(const std::vector<std::size_t>& sizes)
+std::array<std::size_t, 3> three_sizes(const std::vector<std::size_t>& sizes)
 {
   return {sizes[0], sizes[1], sizes[2]};
 }
 
-inline Volume_header read_nrrd_header(const std::string& filename)
+Volume_header read_nrrd_header(const std::string& filename)
 {
   Line_header lines(filename, ':');
   const std::optional<std::string> magic = lines.next_line();
   if (!magic || !boost::algorithm::starts_with(*magic, "NRRD000")) {
-    fail_in_volume(filename, "does not begin with NRRD and its version", "check what the file is");
+    fail_in_file(filename, "does not begin with NRRD and its version", "check what the file is");
   }
   while (const std::optional<std::string> line = lines.next_line()) {
     if (line->empty()) {
@@ -453,23 +392,23 @@ inline Volume_header read_nrrd_header(const std::string& filename)
   }
   Volume_header header;
   if (lines.count("dimension", 0) != 3) {
-    fail_in_volume(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
+    fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
   header.grid.size = three_sizes(lines.counts(lines.value({"sizes"}), "sizes", 3));
   header.type = nrrd_type(filename, lines.value({"type"}));
-  header.order = lines.value({"endian"}) == "big" ? boost::endian::order::big : boost::endian::order::little;
+  header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
   const std::string encoding = boost::algorithm::to_lower_copy(lines.value({"encoding"}), std::locale::classic());
   header.is_compressed = encoding == "gzip" || encoding == "gz";
   if (!header.is_compressed && encoding != "raw") {
-    fail_in_volume(filename, "'encoding: " + encoding.substr(0, 40) + "' is not read",
-                   "write it with the encoding raw or gzip");
+    fail_in_file(filename, "'encoding: " + encoding.substr(0, 40) + "' is not read",
+                 "write it with the encoding raw or gzip");
   }
   read_nrrd_axes(lines, header.grid);
   find_nrrd_data(filename, lines, header);
   return header;
 }
 
-inline Number_type meta_image_type(const std::string& filename, const std::string& name)
+Number_type meta_image_type(const std::string& filename, const std::string& name)
 {
   // MET_LONG has 4 bytes in files, whatever it has in memory.
   static const std::map<std::string, Number_type> types{
@@ -478,13 +417,13 @@ inline Number_type meta_image_type(const std::string& filename, const std::strin
       {"MET_FLOAT", {'f', 4}}, {"MET_DOUBLE", {'f', 8}}, {"MET_LONG_LONG", {'i', 8}}, {"MET_ULONG_LONG", {'u', 8}}};
   const auto found = types.find(name);
   if (found == types.end()) {
-    fail_in_volume(filename, "'" + name.substr(0, 40) + "' is no ElementType of one number a voxel",
-                   "write the volume with one from MET_CHAR to MET_DOUBLE");
+    fail_in_file(filename, "'" + name.substr(0, 40) + "' is not an ElementType of one number a voxel",
+                 "write the volume with one from MET_CHAR to MET_DOUBLE");
   }
   return found->second;
 }
 
-inline Volume_header read_meta_image_header(const std::string& filename)
+Volume_header read_meta_image_header(const std::string& filename)
 {
   Line_header lines(filename, '=');
   bool has_data = false;
@@ -495,16 +434,15 @@ inline Volume_header read_meta_image_header(const std::string& filename)
     return boost::algorithm::istarts_with(lines.value(names), "t", std::locale::classic());
   };
   if (!has_data) {
-    fail_in_volume(filename, "the header has no ElementDataFile", "check what the file is");
+    fail_in_file(filename, "the header has no ElementDataFile", "check what the file is");
   }
   if (lines.count("ndims", 0) != 3 || lines.count("elementnumberofchannels", 1) != 1) {
-    fail_in_volume(filename, "is not of three dimensions with one number a voxel", "write such a volume");
+    fail_in_file(filename, "is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
   header.grid.size = three_sizes(lines.counts(lines.value({"dimsize"}), "DimSize", 3));
   header.type = meta_image_type(filename, lines.value({"elementtype"}));
-  header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? boost::endian::order::big
-                                                                            : boost::endian::order::little;
+  header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
   if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {
     header.grid.axes = lines.axes(matrix, "TransformMatrix");
@@ -535,12 +473,12 @@ public:
   Nifti_header(std::string bytes, const std::string& filename) : m_bytes(std::move(bytes)), m_filename(filename)
   {
     if (number<std::int32_t>(0) != std::int32_t(size)) {
-      m_order = boost::endian::order::big;
+      m_order = Byte_order::big;
     }
     const std::string magic = m_bytes.substr(344, 3);
     if (number<std::int32_t>(0) != std::int32_t(size) || magic != "n+1") {
-      fail_in_volume(filename, "has no header of NIfTI-1 with its data in the same file",
-                     "check what the file is, or write it as NIfTI-1");
+      fail_in_file(filename, "has no header of NIfTI-1 with its data in the same file",
+                   "check what the file is, or write it as NIfTI-1");
     }
   }
 
@@ -552,8 +490,8 @@ public:
     for (std::size_t axis = 0; axis < 7; ++axis) {
       const int extent = int(axis) < dimension ? number<std::int16_t>(42 + 2 * axis) : 1;
       if (dimension < 1 || extent < 1 || (axis >= 3 && extent > 1)) {
-        fail_in_volume(m_filename, "'dim' in the header tells no volume of one value a voxel",
-                       "write it as one of three dimensions");
+        fail_in_file(m_filename, "'dim' in the header tells no volume of one value a voxel",
+                     "write it as one of three dimensions");
       }
       if (axis < 3) {
         result.grid.size[axis] = std::size_t(extent);
@@ -569,7 +507,7 @@ public:
     const double begin = number<float>(108);
     constexpr double max_begin = 1e9; // bytes of extensions
     if (!(begin >= double(size)) || begin > max_begin) {
-      fail_in_volume(m_filename, "'vox_offset' in the header is inside the header or too large", "correct it");
+      fail_in_file(m_filename, "'vox_offset' in the header is inside the header or too large", "correct it");
     }
     result.data_begin = std::size_t(begin);
     read_axes(result.grid);
@@ -609,8 +547,8 @@ private:
     case 1280:
       return {'u', 8};
     default:
-      fail_in_volume(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
-                     "write the volume with integers, float or double");
+      fail_in_file(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
+                   "write the volume with integers, float or double");
     }
   }
 
@@ -642,25 +580,21 @@ private:
 
   std::string m_bytes;
   std::string m_filename;
-  boost::endian::order m_order = boost::endian::order::little;
+  Byte_order m_order = Byte_order::little;
 };
 
-inline Volume_header read_nifti_header(const std::string& filename)
+Volume_header read_nifti_header(const std::string& filename)
 {
   std::ifstream in(filename, std::ios::binary);
   if (!in) {
-    fail_in_volume(filename, "cannot be opened", "check the name and the permissions");
+    fail_in_file(filename, "cannot be opened", "check the name and the permissions");
   }
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
   std::string bytes(Nifti_header::size, '\0');
   if (is_compressed) {
-#ifdef CSCD_WITH_ZLIB
     Inflating_stream(in, filename).read(bytes.data(), bytes.size());
-#else
-    fail_without_zlib(filename);
-#endif
   } else if (!in.read(bytes.data(), std::streamsize(bytes.size()))) {
-    fail_in_volume(filename, "is shorter than a header of NIfTI-1", "check what the file is");
+    fail_in_file(filename, "is shorter than a header of NIfTI-1", "check what the file is");
   }
   Volume_header header = Nifti_header(std::move(bytes), filename).header();
   header.data_filename = filename;
@@ -681,17 +615,16 @@ enum class Volume_format
   tiff
 };
 
-inline constexpr std::array<std::pair<const char*, Volume_format>, 8> volume_endings{
-    {{".nrrd", Volume_format::nrrd},
-     {".nhdr", Volume_format::nrrd},
-     {".nii", Volume_format::nifti},
-     {".nii.gz", Volume_format::nifti},
-     {".mha", Volume_format::meta_image},
-     {".mhd", Volume_format::meta_image},
-     {".tif", Volume_format::tiff},
-     {".tiff", Volume_format::tiff}}};
+constexpr std::array<std::pair<const char*, Volume_format>, 8> volume_endings{{{".nrrd", Volume_format::nrrd},
+                                                                               {".nhdr", Volume_format::nrrd},
+                                                                               {".nii", Volume_format::nifti},
+                                                                               {".nii.gz", Volume_format::nifti},
+                                                                               {".mha", Volume_format::meta_image},
+                                                                               {".mhd", Volume_format::meta_image},
+                                                                               {".tif", Volume_format::tiff},
+                                                                               {".tiff", Volume_format::tiff}}};
 
-inline std::optional<Volume_format> find_volume_format(const std::string& filename)
+std::optional<Volume_format> find_volume_format(const std::string& filename)
 {
   for (const auto& [ending, format] : volume_endings) {
     if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
@@ -713,7 +646,7 @@ public:
     TIFFSetWarningHandler(nullptr);
     m_tiff.reset(TIFFOpen(filename.c_str(), "rm"));
     if (!m_tiff) {
-      fail_in_volume(filename, "cannot be opened as TIFF", "check the name, the permissions and what the file is");
+      fail_in_file(filename, "cannot be opened as TIFF", "check the name, the permissions and what the file is");
     }
     m_page = read_page();
     grid.size = {m_page.width, m_page.height, 0};
@@ -732,9 +665,8 @@ public:
     const Page page = read_page();
     if (page.width != m_page.width || page.height != m_page.height || page.type.kind != m_page.type.kind ||
         page.type.size != m_page.type.size) {
-      fail_in_volume(filename,
-                     "page " + std::to_string(m_number_of_slices) + " has another size or type than the first",
-                     "write all slices alike");
+      fail_in_file(filename, "page " + std::to_string(m_number_of_slices) + " has another size or type than the first",
+                   "write all slices alike");
     }
     values.resize(grid.slice_size());
     const std::size_t row_size = grid.size[0] * page.type.size;
@@ -746,8 +678,8 @@ public:
       if (TIFFReadScanline(m_tiff.get(), m_row.data(), std::uint32_t(y), 0) != 1) {
         fail();
       }
-      decode_numbers(m_row.data(), grid.size[0], page.type, boost::endian::order::native,
-                     [&](std::size_t x, double value) { values[y * grid.size[0] + x] = value; });
+      const Number_view view{m_row.data(), page.type, Byte_order::native, page.type.size, grid.size[0]};
+      view.for_each([&](std::size_t x, double value) { values[y * grid.size[0] + x] = value; });
     }
     ++m_number_of_slices;
     if (m_number_of_slices < grid.size[2] && TIFFReadDirectory(m_tiff.get()) == 0) {
@@ -769,8 +701,8 @@ private:
 
   [[noreturn]] void fail() const
   {
-    fail_in_volume(filename, "page " + std::to_string(m_number_of_slices) + " is damaged or cannot be decoded",
-                   "write the file again, without compression");
+    fail_in_file(filename, "page " + std::to_string(m_number_of_slices) + " is damaged or cannot be decoded",
+                 "write the file again, without compression");
   }
 
   template <class Value>
@@ -791,20 +723,20 @@ private:
                            std::size_t(bits / 8)};
     if (TIFFIsTiled(m_tiff.get()) != 0 || field<std::uint16_t>(TIFFTAG_SAMPLESPERPIXEL) != 1 || bits % 8 != 0 ||
         !type.is_valid()) {
-      fail_in_volume(filename, "is tiled, in color, or of numbers that are not 8 to 64 bits long",
-                     "write slices of one number a pixel, in strips");
+      fail_in_file(filename, "is tiled, in color, or of numbers that are not 8 to 64 bits long",
+                   "write slices of one number a pixel, in strips");
     }
     return {field<std::uint32_t>(TIFFTAG_IMAGEWIDTH), field<std::uint32_t>(TIFFTAG_IMAGELENGTH), type};
   }
 
-  /// Nothing compresses to less than a four thousandth, but for pages that say less than they are.
+  /// Nothing compresses to less than a four thousandth, except pages that understate their size.
   void check_size() const
   {
     constexpr std::size_t max_ratio = 4096;
     std::error_code error;
     const std::size_t file_size = std::size_t(std::filesystem::file_size(filename, error));
     if (error || grid.slice_size() / max_ratio > file_size) {
-      fail_in_volume(filename, "the pages are larger than the file can hold", "fetch or write the file again");
+      fail_in_file(filename, "the pages are larger than the file can hold", "fetch or write the file again");
     }
   }
 
@@ -815,26 +747,26 @@ private:
 };
 #endif
 
-inline std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
+std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
 {
 #ifdef CSCD_WITH_TIFF
   return std::make_unique<Tiff_volume_file>(filename);
 #else
-  fail_in_volume(filename, "is a TIFF, and this was built without libtiff",
-                 "install libtiff-dev and build again, or write the volume as .nrrd, .nii or .mha");
+  fail_in_file(filename, "is a TIFF, and this was built without libtiff",
+               "install libtiff-dev and build again, or write the volume as .nrrd, .nii or .mha");
 #endif
 }
 
-inline std::unique_ptr<Volume_file> open_volume(const std::string& filename)
+std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
   std::error_code error;
   if (std::filesystem::is_directory(filename, error)) {
-    fail_in_volume(filename, "is a folder", "name a file in it");
+    fail_in_file(filename, "is a folder", "name a file in it");
   }
   const std::optional<Volume_format> format = find_volume_format(filename);
   if (!format) {
-    fail_in_volume(filename, "the ending names no known format of volumes",
-                   "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
+    fail_in_file(filename, "the ending names no known format of volumes",
+                 "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
   if (*format == Volume_format::tiff) {
     return open_tiff(filename);
@@ -847,12 +779,12 @@ inline std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 
 } // namespace internal
 
-CSCD_INLINE bool is_volume_filename(const std::string& filename)
+bool is_volume_filename(const std::string& filename)
 {
   return internal::find_volume_format(filename).has_value();
 }
 
-CSCD_INLINE Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
+Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
     : m_file(internal::open_volume(filename)), m_selection(selection)
 {
   const Volume_grid& its_grid = m_file->grid;
@@ -860,19 +792,19 @@ CSCD_INLINE Volume_reader::Volume_reader(const std::string& filename, const Voxe
   const double product = its_grid.axes[0].norm() * its_grid.axes[1].norm() * its_grid.axes[2].norm();
   constexpr double min_angle = 1e-6; // of a voxel's volume to that of a box with the same sides
   if (!(volume > min_angle * product) || !std::isfinite(product) || !its_grid.origin.allFinite()) {
-    internal::fail_in_volume(filename, "the axes in the header do not span the space, or are not finite",
-                             "correct spacing, directions and origin");
+    internal::fail_in_file(filename, "the axes in the header do not span the space, or are not finite",
+                           "correct spacing, directions and origin");
   }
 }
-CSCD_INLINE Volume_reader::Volume_reader(Volume_reader&& other) noexcept = default;
-CSCD_INLINE Volume_reader::~Volume_reader() = default;
+Volume_reader::Volume_reader(Volume_reader&& other) noexcept = default;
+Volume_reader::~Volume_reader() = default;
 
-CSCD_INLINE const Volume_grid& Volume_reader::grid() const
+const Volume_grid& Volume_reader::grid() const
 {
   return m_file->grid;
 }
 
-CSCD_INLINE void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
+void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
 {
   m_file->read_slice(m_values);
   labels.resize(m_values.size());
@@ -889,17 +821,17 @@ CSCD_INLINE void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
     for (std::size_t i = 0; i < m_values.size(); ++i) {
       const double value = std::isnan(m_values[i]) ? 0 : m_values[i];
       if (!(value >= 0) || value > double(std::numeric_limits<std::uint32_t>::max()) || value != std::floor(value)) {
-        internal::fail_in_volume(m_file->filename,
-                                 "a voxel has the value " + std::to_string(value) +
-                                     ", which is no label from 0 to 2^32 - 1",
-                                 "choose a threshold");
+        internal::fail_in_file(m_file->filename,
+                               "a voxel has the value " + std::to_string(value) +
+                                   ", which is not a label from 0 to 2^32 - 1",
+                               "choose a threshold");
       }
       labels[i] = std::uint32_t(value);
     }
   }
 }
 
-CSCD_INLINE Volume read_volume(const std::string& filename, const Voxel_selection& selection)
+Volume read_volume(const std::string& filename, const Voxel_selection& selection)
 {
   Volume_reader reader(filename, selection);
   Volume result{reader.grid(), {}};
@@ -911,9 +843,8 @@ CSCD_INLINE Volume read_volume(const std::string& filename, const Voxel_selectio
   return result;
 }
 
-CSCD_INLINE std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename,
-                                                           const Voxel_selection& selection,
-                                                           const Voxel_surface_settings& settings)
+std::vector<Voxel_surface> read_voxel_surfaces(const std::string& filename, const Voxel_selection& selection,
+                                               const Voxel_surface_settings& settings)
 {
   Volume_reader reader(filename, selection);
   try {
@@ -930,5 +861,3 @@ CSCD_INLINE std::vector<Voxel_surface> read_voxel_surfaces(const std::string& fi
 }
 
 } // namespace CSCD
-
-#endif // CSCD_IO_READ_VOLUME_IMPL_H

@@ -3,10 +3,9 @@
 //
 // Goes through the elements of XML.
 
-#ifndef CSCD_IO_INTERNAL_XML_SCANNER_H
-#define CSCD_IO_INTERNAL_XML_SCANNER_H
+#ifndef CSCD_SRC_IO_XML_SCANNER_H
+#define CSCD_SRC_IO_XML_SCANNER_H
 
-#include <CSCD/IO/internal/Scanner.h>
 #include <CSCD/exceptions.h>
 
 #include <cstddef>
@@ -78,7 +77,7 @@ public:
     return {};
   }
 
-  /// What follows up to the next tag.
+  /// The text up to the next tag.
   std::string_view content() const { return m_text.substr(m_end, m_text.find('<', m_end) - m_end); }
   /// All that follows.
   std::string_view rest() const { return m_text.substr(m_end); }
@@ -117,4 +116,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_IO_INTERNAL_XML_SCANNER_H
+#endif // CSCD_SRC_IO_XML_SCANNER_H

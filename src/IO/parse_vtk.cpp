@@ -3,18 +3,15 @@
 //
 // Reads PolyData of VTK, as XML (.vtp) or in the legacy format (.vtk).
 
-#ifndef CSCD_IO_INTERNAL_PARSE_VTK_H
-#define CSCD_IO_INTERNAL_PARSE_VTK_H
-
-#include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Scanner.h>
-#include <CSCD/IO/internal/Xml_scanner.h>
-#include <CSCD/IO/internal/decode_bytes.h>
+#include "Number_view.h"
+#include "Text_scanner.h"
+#include "Xml_scanner.h"
+#include "decompress.h"
+#include "parse.h"
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
-#include <boost/endian/conversion.hpp>
 
 #include <algorithm>
 #include <array>
@@ -31,107 +28,173 @@
 
 namespace CSCD::internal {
 
-/// What a file of VTK holds. Of arrays at the points, those are kept that have a name that is asked for.
-struct Vtk_poly_data
+namespace {
+
+using Numbers = std::vector<double>;
+
+std::string lower_case(std::string_view text)
 {
-  std::vector<Vector_3> points;
-  /// Cells of all kinds, each a sequence of points: `verts`, `lines`, `polys` and `strips`, as in the file.
-  std::map<std::string, Polygon_soup> cells{};
-  /// Arrays at the points, by their names in lower case, if there is a value for each.
-  std::map<std::string, std::vector<double>> arrays{};
-};
+  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
+}
+
+Numbers to_vector(const Number_view& view)
+{
+  Numbers result(view.count);
+  view.for_each([&result](std::size_t i, double number) { result[i] = number; });
+  return result;
+}
+
+/// Reads `number` numbers. \throw File_error if there are fewer
+Numbers next_numbers(Text_scanner& scanner, std::size_t number)
+{
+  Numbers result;
+  result.reserve(number);
+  while (result.size() < number) {
+    if (!scanner.skip_blanks()) {
+      scanner.fail_at_end("all numbers of an array");
+    }
+    result.push_back(scanner.number());
+  }
+  return result;
+}
 
 /// Collects PolyData and checks them.
 class Vtk_collector
 {
 public:
-  explicit Vtk_collector(std::string filename) : m_filename(std::move(filename)) {}
+  Vtk_collector(std::string filename, Wanted wanted) : m_filename(std::move(filename)), m_wanted(wanted) {}
 
-  /// Whether an array at the points is of use.
+  /// Whether an array at the points is of use. \param name in lower case
   static bool is_wanted(const std::string& name) { return name == radius || name == is_opening || name == normals; }
 
   static constexpr const char* radius = "radius";
   static constexpr const char* is_opening = "isopening";
   static constexpr const char* normals = "normals";
 
-  void add_points(const std::vector<double>& coordinates)
+  void add_points(const Numbers& coordinates)
   {
     if (coordinates.size() % 3 != 0) {
       fail("a point has fewer than three coordinates");
     }
+    m_shape.points.reserve(number_of_points() + coordinates.size() / 3);
     for (std::size_t i = 0; i < coordinates.size(); i += 3) {
-      m_data.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
-      if (!m_data.points.back().allFinite()) {
-        fail("point " + std::to_string(m_data.points.size() - 1) +
-             " (counted from 0) has a coordinate that is not "
-             "finite");
+      m_shape.points.emplace_back(coordinates[i], coordinates[i + 1], coordinates[i + 2]);
+      if (!m_shape.points.back().allFinite()) {
+        fail("point " + std::to_string(number_of_points() - 1) +
+             " (counted from 0) has a coordinate that is not finite");
       }
     }
-    check_number_of_points(m_data.points.size(), m_filename);
+    check_number_of_points(number_of_points(), m_filename);
   }
 
+  /// \param kind of cells: `verts`, `lines`, `polys` or `strips`
   /// \param ends of the cells in `corners`
-  /// \param first_point of those that the corners count from
-  void add_cells(const std::string& kind, const std::vector<double>& corners, const std::vector<double>& ends,
-                 std::size_t first_point)
+  /// \param first_point the point that the corners count from
+  void add_cells(const std::string& kind, const Numbers& corners, const Numbers& ends, std::size_t first_point)
   {
-    Polygon_soup& cells = m_data.cells[kind];
-    const double number_of_points = double(m_data.points.size() - first_point);
     std::size_t begin = 0;
+    std::vector<Index> cell;
     for (const double end : ends) {
       if (!(end >= double(begin) && end <= double(corners.size()))) {
         fail("a cell ends before it begins, or behind the last corner");
       }
+      cell.clear();
       for (; begin < std::size_t(end); ++begin) {
-        const double corner = corners[begin];
-        if (!(corner >= 0 && corner < number_of_points && corner == double(std::uint64_t(corner)))) {
-          fail("a cell names a point that is not there");
-        }
-        cells.corners.push_back(Index(first_point + std::size_t(corner)));
+        cell.push_back(to_index(corners[begin], first_point));
       }
-      cells.end_polygon();
+      add_cell(kind, cell);
     }
+    m_has_faces = m_has_faces || kind == "polys" || kind == "strips";
   }
 
-  void add_array(const std::string& name, const std::vector<double>& values)
+  void add_array(const std::string& name, const Numbers& values)
   {
-    std::vector<double>& array = m_data.arrays[name];
+    Numbers& array = m_arrays[name];
     array.insert(array.end(), values.begin(), values.end());
   }
 
-  std::size_t number_of_points() const { return m_data.points.size(); }
+  std::size_t number_of_points() const { return m_shape.points.size(); }
 
-  Vtk_poly_data finish()
+  Shape_file finish()
   {
-    for (auto array = m_data.arrays.begin(); array != m_data.arrays.end();) {
-      const std::size_t number_of_components = array->first == normals ? 3 : 1;
-      const bool is_complete = array->second.size() == number_of_components * m_data.points.size();
-      array = is_complete ? std::next(array) : m_data.arrays.erase(array);
+    if (m_wanted == Wanted::skeleton && m_has_faces && !m_has_lines) {
+      fail_without_lines(m_filename);
     }
-    return std::move(m_data);
+    m_shape.corners.insert(m_shape.corners.end(), m_strip_corners.begin(), m_strip_corners.end());
+    for (std::size_t i = 0; i < m_strip_corners.size(); i += 3) {
+      m_shape.first_corner.push_back(m_shape.first_corner.back() + 3);
+    }
+    m_shape.radii = complete_array(radius, 1);
+    for (const double value : complete_array(is_opening, 1)) {
+      m_shape.openings.push_back(value != 0 ? 1 : 0);
+    }
+    const Numbers n = complete_array(normals, 3);
+    for (std::size_t i = 0; i < n.size(); i += 3) {
+      m_shape.normals.emplace_back(n[i], n[i + 1], n[i + 2]);
+    }
+    return std::move(m_shape);
   }
 
   /// \throw File_error naming the file and `fault`
   [[noreturn]] void fail(const std::string& fault) const
   {
-    throw File_error(m_filename + ": " + fault + "; correct or write the file again");
+    fail_in_file(m_filename, fault, "correct or write the file again");
   }
 
 private:
+  Index to_index(double corner, std::size_t first_point) const
+  {
+    const double size = double(number_of_points() - first_point);
+    if (!(corner >= 0 && corner < size && corner == double(std::uint64_t(corner)))) {
+      fail("a cell names a point that is not there");
+    }
+    return Index(first_point + std::size_t(corner));
+  }
+
+  void add_cell(const std::string& kind, const std::vector<Index>& cell)
+  {
+    const bool is_surface = m_wanted == Wanted::surface;
+    m_has_lines = m_has_lines || kind == "lines";
+    if (kind == "polys" && is_surface) {
+      m_shape.corners.insert(m_shape.corners.end(), cell.begin(), cell.end());
+      m_shape.end_polygon();
+    } else if (kind == "strips" && is_surface) {
+      for (std::size_t i = 0; i + 2 < cell.size(); ++i) { // every other triangle is turned
+        m_strip_corners.insert(m_strip_corners.end(), {cell[i], cell[i + 1 + i % 2], cell[i + 2 - i % 2]});
+      }
+    } else if (kind == "lines" && !is_surface) {
+      for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
+        m_shape.lines.push_back({cell[i], cell[i + 1]});
+      }
+    }
+  }
+
+  /// An array at the points; empty if it has not `number_of_components` values for each.
+  Numbers complete_array(const char* name, std::size_t number_of_components)
+  {
+    Numbers& array = m_arrays[name];
+    return array.size() == number_of_components * number_of_points() ? std::move(array) : Numbers();
+  }
+
   std::string m_filename;
-  Vtk_poly_data m_data;
+  Wanted m_wanted;
+  Shape_file m_shape;
+  std::map<std::string, Numbers> m_arrays;
+  std::vector<Index> m_strip_corners; ///< of their triangles, which come behind all polygons
+  bool m_has_faces = false;
+  bool m_has_lines = false;
 };
 
 /// Reads XML PolyData, whose arrays may be text, Base64, or bytes appended to the XML, compressed by zlib or not.
 class Vtp_parser
 {
 public:
-  Vtp_parser(std::string_view text, std::string filename)
-      : m_text(text), m_filename(std::move(filename)), m_xml(text, m_filename), m_collector(m_filename)
+  Vtp_parser(std::string_view text, const std::string& filename, Wanted wanted)
+      : m_text(text), m_filename(filename), m_xml(text, filename), m_collector(filename, wanted)
   {
   }
 
-  Vtk_poly_data parse()
+  Shape_file parse()
   {
     read_file_tag();
     find_appended_data();
@@ -155,17 +218,20 @@ private:
   void read_file_tag()
   {
     if (!m_xml.next() || m_xml.name() != "VTKFile") {
-      m_collector.fail("it is no file of VTK: neither its first line nor its first tag says so");
+      m_collector.fail("this is not a file of VTK: neither its first line nor its first tag says so");
     }
     if (m_xml.attribute("type") != "PolyData") {
-      m_collector.fail("it holds no PolyData, the only kind that is read");
+      m_collector.fail("the file does not hold PolyData, the only kind that is read");
     }
-    m_order = m_xml.attribute("byte_order") == "BigEndian" ? boost::endian::order::big : boost::endian::order::little;
-    m_header_size = m_xml.attribute("header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
+    m_order = m_xml.attribute("byte_order") == "BigEndian" ? Byte_order::big : Byte_order::little;
+    m_size_type.size = m_xml.attribute("header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
     m_is_compressed = !m_xml.attribute("compressor").empty();
     if (m_is_compressed && m_xml.attribute("compressor") != "vtkZLibDataCompressor") {
-      m_collector.fail("it is compressed by another compressor than vtkZLibDataCompressor, the only one that is read");
+      m_collector.fail("only vtkZLibDataCompressor is read, but the file names another compressor");
     }
+    // Arrays may share data, but not so often that a small file fills the memory.
+    constexpr std::size_t max_number_of_uses = 4;
+    m_max_size = m_text.size() * (m_is_compressed ? max_deflate_ratio : max_number_of_uses);
   }
 
   void find_appended_data()
@@ -183,47 +249,47 @@ private:
   void close(const std::string& name)
   {
     if (!m_corners.empty() || !m_ends.empty()) {
-      m_collector.add_cells(boost::algorithm::to_lower_copy(name, std::locale::classic()), m_corners, m_ends,
-                            m_first_point);
+      m_collector.add_cells(lower_case(name), m_corners, m_ends, m_first_point);
     }
     m_corners.clear();
     m_ends.clear();
   }
 
-  /// Whether arrays stand in elements of this name; those in arrays tell nothing that is of use here.
+  static bool is_section_of_cells(const std::string& name)
+  {
+    return name == "Verts" || name == "Lines" || name == "Strips" || name == "Polys";
+  }
+
+  /// Whether arrays stand in elements of this name. Elements within arrays are of no use here.
   static bool is_section(const std::string& name)
   {
-    constexpr std::array<std::string_view, 8> sections{"Piece", "PointData", "CellData", "Points",
-                                                       "Verts", "Lines",     "Strips",   "Polys"};
-    return std::find(sections.begin(), sections.end(), name) != sections.end();
+    return is_section_of_cells(name) || name == "Piece" || name == "PointData" || name == "CellData" ||
+           name == "Points";
   }
 
   void read_array()
   {
-    const std::string name =
-        boost::algorithm::to_lower_copy(std::string(m_xml.attribute("Name")), std::locale::classic());
+    const std::string name = lower_case(m_xml.attribute("Name"));
     if (m_section == "Points") {
       m_collector.add_points(numbers());
     } else if (m_section == "PointData" && Vtk_collector::is_wanted(name)) {
       m_collector.add_array(name, numbers());
-    } else if (m_section == "Verts" || m_section == "Lines" || m_section == "Strips" || m_section == "Polys") {
-      if (name == "connectivity") {
-        m_corners = numbers();
-      } else if (name == "offsets") {
-        m_ends = numbers();
-      }
+    } else if (is_section_of_cells(m_section) && name == "connectivity") {
+      m_corners = numbers();
+    } else if (is_section_of_cells(m_section) && name == "offsets") {
+      m_ends = numbers();
     }
   }
 
   /// The numbers of the array whose tag was read last.
-  std::vector<double> numbers() const
+  Numbers numbers()
   {
     const std::string_view format = m_xml.attribute("format");
-    if (m_xml.is_empty() && format != "appended") {
-      return {};
-    }
     if (format == "appended") {
       return binary_numbers(appended_bytes());
+    }
+    if (m_xml.is_empty()) {
+      return {};
     }
     return format == "binary" ? binary_numbers(Encoded_bytes(m_xml.content(), true, m_filename)) : text_numbers();
   }
@@ -239,13 +305,13 @@ private:
     return {m_appended.substr(offset), m_is_appended_base64, m_filename};
   }
 
-  std::vector<double> text_numbers() const
+  Numbers text_numbers() const
   {
     const std::string_view content = m_xml.content();
     const std::size_t begin = std::size_t(content.data() - m_text.data());
     Text_scanner scanner(m_text.substr(0, begin + content.size()), m_filename);
     scanner.skip(begin); // so that it counts lines from the beginning of the file
-    std::vector<double> result;
+    Numbers result;
     while (scanner.skip_blanks()) {
       result.push_back(scanner.number());
     }
@@ -267,34 +333,44 @@ private:
     return result;
   }
 
-  std::vector<double> binary_numbers(Encoded_bytes bytes) const
+  Numbers binary_numbers(Encoded_bytes bytes)
   {
     const Number_type its_type = type();
-    const std::string content = m_is_compressed ? decompress(bytes) : bytes.take(next_size(bytes));
-    Byte_scanner scanner(content, m_order, m_filename);
-    std::vector<double> result;
-    result.reserve(content.size() / its_type.size);
-    while (scanner.remaining() >= its_type.size) {
-      result.push_back(next_number(scanner, its_type));
+    const std::string content = m_is_compressed ? decompress(bytes) : take(bytes);
+    return to_vector({content.data(), its_type, m_order, its_type.size, content.size() / its_type.size});
+  }
+
+  /// Counts bytes of arrays. \throw File_error if they are more than the file can hold
+  void count_bytes(std::size_t size)
+  {
+    m_size += size;
+    if (size > m_max_size || m_size > m_max_size) {
+      m_collector.fail("the arrays are larger than the file can hold");
     }
-    return result;
+  }
+
+  std::string take(Encoded_bytes& bytes)
+  {
+    const std::size_t size = next_size(bytes);
+    count_bytes(std::min(size, bytes.max_remaining()));
+    return bytes.take(size);
   }
 
   /// Reads a number of the header of an array.
   std::size_t next_size(Encoded_bytes& bytes) const
   {
-    const std::string number = bytes.take(m_header_size);
-    Byte_scanner scanner(number, m_order, m_filename);
-    return m_header_size == sizeof(std::uint64_t) ? scanner.number<std::uint64_t>() : scanner.number<std::uint32_t>();
+    const std::string number = bytes.take(m_size_type.size);
+    return m_size_type.size == sizeof(std::uint64_t) ? stored_number<std::uint64_t>(number.data(), m_order)
+                                                     : stored_number<std::uint32_t>(number.data(), m_order);
   }
 
   /// The header: the number of blocks, their size, that of the last one if it differs, and what each is compressed to.
-  std::string decompress(Encoded_bytes& bytes) const
+  std::string decompress(Encoded_bytes& bytes)
   {
     const std::size_t number_of_blocks = next_size(bytes);
     const std::size_t size_of_block = next_size(bytes);
     const std::size_t size_of_last_block = next_size(bytes);
-    if (number_of_blocks > bytes.max_remaining() / m_header_size) {
+    if (number_of_blocks > bytes.max_remaining() / m_size_type.size) {
       m_collector.fail("an array has more blocks than there is room for");
     }
     std::vector<std::size_t> sizes;
@@ -305,7 +381,9 @@ private:
     std::string result;
     for (std::size_t i = 0; i < number_of_blocks; ++i) {
       const bool is_partial = i + 1 == number_of_blocks && size_of_last_block > 0;
-      result += inflate(bytes.take(sizes[i]), is_partial ? size_of_last_block : size_of_block, m_filename);
+      const std::size_t size = is_partial ? size_of_last_block : size_of_block;
+      count_bytes(size);
+      result += inflate(bytes.take(sizes[i]), size, m_filename);
     }
     return result;
   }
@@ -314,27 +392,29 @@ private:
   std::string m_filename;
   Xml_scanner m_xml;
   Vtk_collector m_collector;
-  boost::endian::order m_order = boost::endian::order::little;
-  std::size_t m_header_size = sizeof(std::uint32_t);
+  Byte_order m_order = Byte_order::little;
+  Number_type m_size_type{'u', sizeof(std::uint32_t)}; ///< of the headers of arrays
   bool m_is_compressed = false;
+  std::size_t m_max_size = 0;  ///< of all arrays that are read, in bytes
+  std::size_t m_size = 0;      ///< of the arrays that were read
   std::string_view m_appended; ///< from the first byte of data on
   bool m_is_appended_base64 = false;
   std::string m_section;         ///< the element whose arrays are read
   std::size_t m_first_point = 0; ///< of the piece
-  std::vector<double> m_corners; ///< of the cells of this section
-  std::vector<double> m_ends;
+  Numbers m_corners;             ///< of the cells of this section
+  Numbers m_ends;
 };
 
 /// Reads legacy PolyData, ASCII or binary, of the versions to 4 and from 5.
 class Vtk_legacy_parser
 {
 public:
-  Vtk_legacy_parser(std::string_view text, std::string filename)
-      : m_filename(std::move(filename)), m_scanner(text, m_filename), m_collector(m_filename)
+  Vtk_legacy_parser(std::string_view text, const std::string& filename, Wanted wanted)
+      : m_filename(filename), m_scanner(text, filename), m_collector(filename, wanted)
   {
   }
 
-  Vtk_poly_data parse()
+  Shape_file parse()
   {
     m_scanner.skip_line(); // the version
     m_scanner.skip_line(); // the title
@@ -371,7 +451,7 @@ private:
 
   void read_section(const std::string& keyword)
   {
-    const std::map<std::string, const char*> kinds{
+    static const std::map<std::string, const char*> kinds{
         {"VERTICES", "verts"}, {"LINES", "lines"}, {"POLYGONS", "polys"}, {"TRIANGLE_STRIPS", "strips"}};
     const auto kind = kinds.find(keyword);
     if (keyword == "POINTS") {
@@ -391,35 +471,39 @@ private:
 
   void read_cells(const char* kind)
   {
-    std::size_t number = count();
+    const std::size_t number = count();
     const std::size_t size = count();
-    std::vector<double> corners;
-    std::vector<double> ends;
-    Text_scanner ahead = m_scanner;
-    if (ahead.skip_blanks() && ahead.word() == "OFFSETS") {
+    Numbers corners;
+    Numbers ends;
+    if (is_next("OFFSETS")) {
       word("the keyword OFFSETS");
       ends = numbers(number, 1, word("a type"));
       ends.erase(ends.begin(), ends.begin() + (ends.empty() ? 0 : 1)); // the first one is 0
       word("the keyword CONNECTIVITY");
       corners = numbers(size, 1, word("a type"));
-    } else { // before each cell its size
-      const std::vector<double> all = numbers(size, 1, "int");
-      std::size_t at = 0;
-      for (; number > 0; --number) {
-        const double its_size = at < all.size() ? all[at++] : -1;
-        if (!(its_size >= 0 && its_size <= double(all.size() - at))) {
-          m_collector.fail("the cells do not fill the room that their keyword promises");
-        }
-        corners.insert(corners.end(), all.begin() + std::ptrdiff_t(at),
-                       all.begin() + std::ptrdiff_t(at) + std::ptrdiff_t(its_size));
-        at += std::size_t(its_size);
-        ends.push_back(double(corners.size()));
-      }
-      if (at != all.size()) {
-        m_collector.fail("the cells do not fill the room that their keyword promises");
-      }
+    } else {
+      split_cells(numbers(size, 1, "int"), number, corners, ends);
     }
     m_collector.add_cells(kind, corners, ends, 0);
+  }
+
+  /// \param all corners of `number` cells, before each cell its size
+  void split_cells(const Numbers& all, std::size_t number, Numbers& corners, Numbers& ends) const
+  {
+    std::size_t at = 0;
+    for (; number > 0; --number) {
+      const double size = at < all.size() ? all[at++] : -1;
+      if (!(size >= 0 && size <= double(all.size() - at))) {
+        break;
+      }
+      const auto begin = all.begin() + std::ptrdiff_t(at);
+      corners.insert(corners.end(), begin, begin + std::ptrdiff_t(size));
+      at += std::size_t(size);
+      ends.push_back(double(corners.size()));
+    }
+    if (number > 0 || at != all.size()) {
+      m_collector.fail("the cells do not fill the room that their keyword promises");
+    }
   }
 
   /// Up to an empty line.
@@ -434,38 +518,30 @@ private:
   void read_attribute(const std::string& keyword)
   {
     if (keyword == "FIELD") {
-      word("the name of a field");
-      for (std::size_t number = count(); number > 0; --number) {
-        const std::string name = word("the name of an array");
-        const std::size_t number_of_components = count();
-        const std::size_t number_of_tuples = count();
-        add_array(name, numbers(number_of_tuples, number_of_components, word("a type")));
-        skip_metadata_behind_array();
-      }
+      read_field();
       return;
     }
     const std::string name = word("the name of an array");
+    const std::string type_of_color = m_is_binary ? "unsigned_char" : "float";
     if (keyword == "SCALARS") {
       const std::string type = word("a type");
       const std::size_t number_of_components = m_scanner.skip_blanks_in_line() ? count() : 1;
-      Text_scanner ahead = m_scanner;
-      if (ahead.skip_blanks() && ahead.word() == "LOOKUP_TABLE") {
+      if (is_next("LOOKUP_TABLE")) {
         word("the keyword LOOKUP_TABLE");
         word("the name of a table");
       }
       add_array(name, numbers(m_number_of_tuples, number_of_components, type));
     } else if (keyword == "COLOR_SCALARS") {
-      numbers(m_number_of_tuples, count(), m_is_binary ? "unsigned_char" : "float");
+      numbers(m_number_of_tuples, count(), type_of_color);
     } else if (keyword == "LOOKUP_TABLE") {
-      numbers(count(), 4, m_is_binary ? "unsigned_char" : "float");
+      numbers(count(), 4, type_of_color);
     } else if (keyword == "NORMALS") {
-      const std::vector<double> normals = numbers(m_number_of_tuples, 3, word("a type"));
-      add_array(Vtk_collector::normals, normals);
+      add_array(Vtk_collector::normals, numbers(m_number_of_tuples, 3, word("a type")));
     } else if (keyword == "TEXTURE_COORDINATES") {
       const std::size_t number_of_components = count();
       numbers(m_number_of_tuples, number_of_components, word("a type"));
     } else {
-      const std::map<std::string, std::size_t> others{
+      static const std::map<std::string, std::size_t> others{
           {"VECTORS", 3}, {"TENSORS", 9}, {"TENSORS6", 6}, {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}};
       const auto other = others.find(keyword);
       if (other == others.end()) {
@@ -475,13 +551,26 @@ private:
     }
   }
 
-  void skip_metadata_behind_array()
+  void read_field()
+  {
+    word("the name of a field");
+    for (std::size_t number = count(); number > 0; --number) {
+      const std::string name = word("the name of an array");
+      const std::size_t number_of_components = count();
+      const std::size_t number_of_tuples = count();
+      add_array(name, numbers(number_of_tuples, number_of_components, word("a type")));
+      if (is_next("METADATA")) {
+        word("the keyword METADATA");
+        skip_metadata();
+      }
+    }
+  }
+
+  /// Whether `keyword` is the next word.
+  bool is_next(std::string_view keyword) const
   {
     Text_scanner ahead = m_scanner;
-    if (ahead.skip_blanks() && ahead.word() == "METADATA") {
-      word("the keyword METADATA");
-      skip_metadata();
-    }
+    return ahead.skip_blanks() && ahead.word() == keyword;
   }
 
   /// What stands in place of a keyword may be anything.
@@ -494,41 +583,28 @@ private:
     return result;
   }
 
-  void add_array(const std::string& name, const std::vector<double>& values)
+  void add_array(const std::string& name, const Numbers& values)
   {
-    const std::string lower = boost::algorithm::to_lower_copy(name, std::locale::classic());
+    const std::string lower = lower_case(name);
     if (m_is_at_points && Vtk_collector::is_wanted(lower)) {
       m_collector.add_array(lower, values);
     }
   }
 
   /// Reads an array. In binary it begins behind the line of its type.
-  std::vector<double> numbers(std::size_t number_of_tuples, std::size_t number_of_components, const std::string& type)
+  Numbers numbers(std::size_t number_of_tuples, std::size_t number_of_components, const std::string& type)
   {
     // A number takes at least a byte.
     if (number_of_components > 0 && number_of_tuples > m_scanner.remaining() / number_of_components) {
       m_scanner.fail_at_end("all numbers of an array");
     }
     const std::size_t number = number_of_tuples * number_of_components;
-    return m_is_binary ? binary_numbers(number, type) : text_numbers(number);
+    return m_is_binary ? binary_numbers(number, type) : next_numbers(m_scanner, number);
   }
 
-  std::vector<double> text_numbers(std::size_t number)
+  Numbers binary_numbers(std::size_t number, const std::string& type)
   {
-    std::vector<double> result;
-    result.reserve(number);
-    while (result.size() < number) {
-      if (!m_scanner.skip_blanks()) {
-        m_scanner.fail_at_end("all numbers of an array");
-      }
-      result.push_back(m_scanner.number());
-    }
-    return result;
-  }
-
-  std::vector<double> binary_numbers(std::size_t number, const std::string& type)
-  {
-    const std::map<std::string, Number_type> types{
+    static const std::map<std::string, Number_type> types{
         {"char", {'i', 1}},          {"signed_char", {'i', 1}},    {"unsigned_char", {'u', 1}},
         {"short", {'i', 2}},         {"unsigned_short", {'u', 2}}, {"int", {'i', 4}},
         {"unsigned_int", {'u', 4}},  {"vtkIdType", {'i', 4}},      {"long", {'i', 8}},
@@ -539,17 +615,12 @@ private:
       m_scanner.fail("an array has the unknown type " + printable_keyword(type), "write the file again");
     }
     m_scanner.skip_line();
-    Byte_scanner bytes(m_scanner.rest(), boost::endian::order::big, m_filename);
-    if (number > bytes.remaining() / its_type->second.size) {
+    if (number > m_scanner.remaining() / its_type->second.size) {
       m_scanner.fail_at_end("all numbers of an array");
     }
-    std::vector<double> result;
-    result.reserve(number);
-    while (result.size() < number) {
-      result.push_back(next_number(bytes, its_type->second));
-    }
+    Byte_scanner bytes(m_scanner.rest(), Byte_order::big, m_filename);
     m_scanner.skip(number * its_type->second.size);
-    return result;
+    return to_vector(bytes.numbers(its_type->second, number));
   }
 
   std::string m_filename;
@@ -560,37 +631,13 @@ private:
   std::size_t m_number_of_tuples = 0;
 };
 
-/// Reads `content`, that of a file of VTK, whichever its ending.
-/// \throw File_error if it is malformed
-inline Vtk_poly_data parse_vtk_data(std::string_view content, const std::string& filename)
+} // namespace
+
+Shape_file parse_vtk(std::string_view content, const std::string& filename, Wanted wanted)
 {
   constexpr std::string_view legacy = "# vtk DataFile";
-  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, filename).parse()
-                                                    : Vtp_parser(content, filename).parse();
-}
-
-/// Reads points, their normals, polygons and triangle strips.
-/// \throw File_error if the file is malformed
-inline Polygon_soup parse_vtk(std::string_view content, const std::string& filename)
-{
-  Vtk_poly_data data = parse_vtk_data(content, filename);
-  Polygon_soup soup = std::move(data.cells["polys"]);
-  soup.points = std::move(data.points);
-  const std::vector<double>& normals = data.arrays[Vtk_collector::normals];
-  for (std::size_t i = 0; i + 2 < normals.size(); i += 3) {
-    soup.normals.emplace_back(normals[i], normals[i + 1], normals[i + 2]);
-  }
-  const Polygon_soup& strips = data.cells["strips"];
-  for (std::size_t strip = 0; strip < strips.number_of_polygons(); ++strip) {
-    const Index* const corners = strips.corners.data() + strips.first_corner[strip];
-    for (std::size_t i = 0; i + 2 < strips.size_of_polygon(strip); ++i) { // every other one is turned
-      soup.corners.insert(soup.corners.end(), {corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
-      soup.end_polygon();
-    }
-  }
-  return soup;
+  return content.substr(0, legacy.size()) == legacy ? Vtk_legacy_parser(content, filename, wanted).parse()
+                                                    : Vtp_parser(content, filename, wanted).parse();
 }
 
 } // namespace CSCD::internal
-
-#endif // CSCD_IO_INTERNAL_PARSE_VTK_H

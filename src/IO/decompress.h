@@ -1,20 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes from Base64, and from compressed bytes.
+// Bytes from Base64, and from what zlib, gzip or zstd has compressed.
 
-#ifndef CSCD_IO_INTERNAL_DECODE_BYTES_H
-#define CSCD_IO_INTERNAL_DECODE_BYTES_H
+#ifndef CSCD_SRC_IO_DECOMPRESS_H
+#define CSCD_SRC_IO_DECOMPRESS_H
 
 #include <CSCD/exceptions.h>
 
-#ifdef CSCD_WITH_ZLIB
-#include <zlib.h>
-#endif
-
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <istream>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -60,7 +57,7 @@ public:
     return result;
   }
 
-  /// All bytes that are left, up to what is no Base64.
+  /// All bytes that are left, up to the end of the Base64.
   std::string take_all()
   {
     std::string result = m_is_base64 ? std::move(m_decoded) : std::string(m_text);
@@ -118,8 +115,9 @@ private:
 
   [[noreturn]] void fail() const
   {
-    throw File_error(m_filename + ": binary data are no Base64, or end before all that their header promises; fetch or "
-                                  "write the file again");
+    throw File_error(m_filename +
+                     ": binary data are not Base64, or end before all that their header promises; fetch or "
+                     "write the file again");
   }
 
   std::string_view m_text;
@@ -128,62 +126,38 @@ private:
   std::string m_decoded; ///< and not taken
 };
 
-/// \throw File_error telling that compressed data are damaged
-[[noreturn]] inline void fail_to_decompress(const std::string& filename)
-{
-  throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
-}
+/// The greatest ratio of sizes to which deflate compresses: 258 bytes to 2 bits.
+inline constexpr std::size_t max_deflate_ratio = 1032;
 
-/// \throw File_error telling that this was built without `library`, that of Debian's `package`
-[[noreturn]] inline void fail_without_library(const std::string& filename, const char* library, const char* package)
-{
-  throw File_error(filename + ": is compressed, and this was built without " + library + "; install " + package +
-                   " and build again, or write the file without compression");
-}
-
-/// \throw File_error telling that this was built without zlib
-[[noreturn]] inline void fail_without_zlib(const std::string& filename)
-{
-  fail_without_library(filename, "zlib", "zlib1g-dev");
-}
-
-/// \throw File_error telling that compressed data end too early
-[[noreturn]] inline void fail_at_end_of_compressed(const std::string& filename)
-{
-  throw File_error(filename + ": compressed data end too early; fetch or write the file again");
-}
-
-/// Decompresses what zlib has compressed.
+/// Decompresses zlib.
 /// \param size of the result
 /// \throw File_error if the result has another size, if the data are damaged, or if this is built without zlib
-inline std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename)
+std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename);
+
+/// Decompresses zlib or gzip, piece by piece.
+class Inflating_stream
 {
-  constexpr std::size_t max_ratio = 1032; // of deflate: 258 bytes of 2 bits
-  if (size / max_ratio > bytes.size()) {
-    fail_to_decompress(filename);
-  }
-#ifdef CSCD_WITH_ZLIB
-  std::string result(size, '\0');
-  z_stream stream{};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = uInt(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(result.data());
-  stream.avail_out = uInt(result.size());
-  const bool fits = bytes.size() == stream.avail_in && result.size() == stream.avail_out;
-  if (!fits || inflateInit(&stream) != Z_OK) {
-    fail_to_decompress(filename);
-  }
-  const int status = ::inflate(&stream, Z_FINISH);
-  inflateEnd(&stream);
-  if (status != Z_STREAM_END || stream.total_out != size) {
-    fail_to_decompress(filename);
-  }
-  return result;
-#else
-  fail_without_zlib(filename);
-#endif
-}
+public:
+  /// \param in must outlive this object
+  /// \param filename for messages
+  /// \throw File_error if this is built without zlib
+  Inflating_stream(std::istream& in, const std::string& filename);
+  ~Inflating_stream();
+
+  /// \throw File_error if there are not `size` bytes left, or they are damaged
+  void read(char* bytes, std::size_t size);
+  /// All that is left. \throw File_error if it is damaged, or ends within a stream
+  std::string read_all();
+
+private:
+  struct State;
+  std::unique_ptr<State> m_state;
+};
+
+/// Decompresses the rest of `in`, which is zstd.
+/// \throw File_error if it is damaged, or if this is built without zstd
+std::string read_zstd(std::istream& in, const std::string& filename);
 
 } // namespace CSCD::internal
 
-#endif // CSCD_IO_INTERNAL_DECODE_BYTES_H
+#endif // CSCD_SRC_IO_DECOMPRESS_H

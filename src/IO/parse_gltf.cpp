@@ -3,16 +3,13 @@
 //
 // Reads the triangles of glTF.
 
-#ifndef CSCD_IO_INTERNAL_PARSE_GLTF_H
-#define CSCD_IO_INTERNAL_PARSE_GLTF_H
-
-#include <CSCD/IO/internal/Polygon_soup.h>
-#include <CSCD/IO/internal/Scanner.h>
-#include <CSCD/IO/internal/decode_bytes.h>
+#include "Number_view.h"
+#include "decompress.h"
+#include "parse.h"
+#include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-
-#include <boost/endian/conversion.hpp>
 
 #ifdef CSCD_WITH_GLTF
 #include <nlohmann/json.hpp>
@@ -25,6 +22,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -32,6 +31,10 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+#ifdef CSCD_WITH_GLTF
+
+namespace {
 
 /// A linear map and a translation.
 struct Affine_map
@@ -48,31 +51,30 @@ struct Affine_map
   }
 };
 
-/// Appends a mesh to `soup`; where it would be mirrored, its polygons are turned.
-inline void append_mapped(Polygon_soup& soup, const std::vector<Vector_3>& points,
-                          const std::vector<std::array<Index, 3>>& triangles, const Affine_map& map)
+/// Appends a mesh to `shape`; where it would be mirrored, its polygons are turned.
+void append_mapped(Shape_file& shape, const std::vector<Vector_3>& points,
+                   const std::vector<std::array<Index, 3>>& triangles, const Affine_map& map)
 {
   const bool is_mirrored = map.columns[0].cross(map.columns[1]).dot(map.columns[2]) < 0;
-  const Index first = Index(soup.points.size());
+  const Index first = Index(shape.points.size());
   for (const Vector_3& point : points) {
-    soup.points.push_back(map(point));
+    shape.points.push_back(map(point));
   }
   for (const auto& [a, b, c] : triangles) {
-    soup.corners.insert(soup.corners.end(), {first + a, first + (is_mirrored ? c : b), first + (is_mirrored ? b : c)});
-    soup.end_polygon();
+    shape.corners.insert(shape.corners.end(),
+                         {first + a, first + (is_mirrored ? c : b), first + (is_mirrored ? b : c)});
+    shape.end_polygon();
   }
 }
 
-#ifdef CSCD_WITH_GLTF
-
 /// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
-/// chunk, in the JSON in Base64, or in files beside. Whatever the JSON says is checked before it is used.
+/// chunk, in the JSON in Base64, or in files next to it. Whatever the JSON says is checked before it is used.
 class Gltf_parser
 {
 public:
   Gltf_parser(std::string_view content, const std::string& filename) : m_content(content), m_filename(filename) {}
 
-  Polygon_soup parse()
+  Shape_file parse()
   {
     constexpr bool has_exceptions = false;
     const std::string_view text = split();
@@ -89,8 +91,13 @@ public:
       m_buffers.push_back(buffer_bytes(buffer));
     }
     add_scene();
-    check_number_of_points(m_soup.points.size(), m_filename);
-    return std::move(m_soup);
+    check_number_of_points(m_shape.points.size(), m_filename);
+    for (const Vector_3& point : m_shape.points) {
+      if (!point.allFinite()) {
+        fail("a node moves a vertex out of the range of numbers");
+      }
+    }
+    return std::move(m_shape);
   }
 
 private:
@@ -99,19 +106,9 @@ private:
   /// Instances could multiply a small file without end.
   static constexpr std::size_t max_number_of_elements = std::size_t(1) << 26U;
 
-  /// What an accessor tells.
-  struct Accessor
-  {
-    std::size_t count = 0;
-    std::size_t number_of_components = 0;
-    Number_type type;
-    std::size_t stride = 0; ///< in bytes
-    std::string_view bytes; ///< from the first element on
-  };
-
   [[noreturn]] void fail(const std::string& fault) const
   {
-    throw File_error(m_filename + ": " + fault + "; write the file again as .glb, or as another format");
+    fail_in_file(m_filename, fault, "write the file again as .glb, or as another format");
   }
 
   /// \return the JSON; the rest of a binary file becomes the first buffer
@@ -122,7 +119,7 @@ private:
     if (m_content.substr(0, 4) != "glTF") {
       return m_content;
     }
-    Byte_scanner header(m_content.substr(4), boost::endian::order::little, m_filename);
+    Byte_scanner header(m_content.substr(4), Byte_order::little, m_filename);
     if (header.number<std::uint32_t>() != version) {
       fail("only version 2 of glTF is read");
     }
@@ -135,7 +132,7 @@ private:
   std::string_view next_chunk(std::string_view& rest) const
   {
     constexpr std::size_t chunk_header_size = 8;
-    const std::size_t size = Byte_scanner(rest, boost::endian::order::little, m_filename).number<std::uint32_t>();
+    const std::size_t size = Byte_scanner(rest, Byte_order::little, m_filename).number<std::uint32_t>();
     if (rest.size() < chunk_header_size || size > rest.size() - chunk_header_size) {
       fail("the file ends before all that its header promises");
     }
@@ -155,7 +152,7 @@ private:
       return empty;
     }
     if (!place->is_array()) {
-      fail(std::string(name) + " is no array");
+      fail(std::string(name) + " is not an array");
     }
     return *place;
   }
@@ -164,14 +161,14 @@ private:
   std::size_t number(const Json& object, const char* name, std::size_t by_default) const
   {
     if (!object.is_object()) {
-      fail("an element is no object");
+      fail("an element is not an object");
     }
     const auto place = object.find(name);
     if (place == object.end()) {
       return by_default;
     }
     if (!place->is_number_unsigned()) {
-      fail(std::string(name) + " is no number from 0 on");
+      fail(std::string(name) + " is not an integer from 0 on");
     }
     return place->get<std::size_t>();
   }
@@ -179,25 +176,32 @@ private:
   const Json& element(const char* name, std::size_t i) const
   {
     if (i >= list(name).size() || !list(name)[i].is_object()) {
-      fail("there is no element " + std::to_string(i) + " in " + name);
+      fail("the list " + std::string(name) + " does not have an element " + std::to_string(i));
     }
     return list(name)[i];
   }
 
-  std::string buffer_bytes(const Json& buffer) const
+  std::string_view buffer_bytes(const Json& buffer)
   {
     number(buffer, "byteLength", 0);
     const auto uri = buffer.find("uri");
     if (uri == buffer.end()) {
-      return std::string(m_binary_chunk);
+      return m_binary_chunk;
     }
-    constexpr std::string_view base64 = ";base64,";
-    const std::string text = uri->is_string() ? uri->get<std::string>() : std::string();
-    const std::size_t begin = text.find(base64);
-    if (text.substr(0, 5) != "data:" || begin == std::string::npos) {
-      return content_beside(text);
+    if (!uri->is_string()) {
+      fail("a URI is not a string");
     }
-    return Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true, m_filename).take_all();
+    const std::string& text = uri->get_ref<const std::string&>();
+    const auto [place, is_new] = m_content_of_uri.try_emplace(text);
+    if (is_new) {
+      constexpr std::string_view base64 = ";base64,";
+      const std::size_t begin = text.find(base64);
+      const bool is_here = text.substr(0, 5) == "data:" && begin != std::string::npos;
+      place->second =
+          is_here ? Encoded_bytes(std::string_view(text).substr(begin + base64.size()), true, m_filename).take_all()
+                  : content_beside(text);
+    }
+    return place->second;
   }
 
   /// The content of a file in the folder of this one, or below: a file from elsewhere must not reach others.
@@ -250,54 +254,49 @@ private:
     }
   }
 
-  Accessor accessor(std::size_t i) const
+  /// The numbers of an accessor.
+  /// \param number_of_components that each of its elements must have, or else are refused with `fault`
+  Number_view accessor(std::size_t i, std::size_t number_of_components, char kind, const char* fault) const
   {
     const Json& its = element("accessors", i);
     const auto type = its.find("type");
     if (its.find("sparse") != its.end() || its.find("bufferView") == its.end()) {
       fail("sparse accessors are not read");
     }
-    Accessor result;
-    result.number_of_components = type != its.end() && *type == "VEC3" ? 3 : 1;
+    Number_view result;
     result.type = component_type(its);
     result.count = number(its, "count", 0);
+    const std::size_t size = (type != its.end() && *type == "VEC3" ? 3 : 1) * result.type.size;
     const Json& view = element("bufferViews", number(its, "bufferView", 0));
     const std::size_t buffer = number(view, "buffer", 0);
     const std::size_t offset_in_view = number(its, "byteOffset", 0);
     const std::size_t offset = number(view, "byteOffset", 0);
-    const std::size_t size_of_element = result.number_of_components * result.type.size;
-    result.stride = number(view, "byteStride", size_of_element);
+    result.stride = number(view, "byteStride", size);
     if (buffer >= m_buffers.size() || offset > m_buffers[buffer].size() ||
         offset_in_view > m_buffers[buffer].size() - offset) {
       fail("a view begins behind the end of its buffer");
     }
-    result.bytes = std::string_view(m_buffers[buffer]).substr(offset + offset_in_view);
-    const std::size_t room = result.bytes.size() < size_of_element ? 0 : result.bytes.size() - size_of_element;
-    if (result.count > 0 &&
-        (result.bytes.size() < size_of_element || result.stride == 0 || result.count - 1 > room / result.stride)) {
+    const std::string_view bytes = m_buffers[buffer].substr(offset + offset_in_view);
+    const std::size_t room = bytes.size() < size ? 0 : bytes.size() - size;
+    if (result.count > 0 && (bytes.size() < size || result.stride == 0 || result.count - 1 > room / result.stride)) {
       fail("an accessor has more elements than there is room for");
     }
+    if (result.type.kind != kind || size != number_of_components * result.type.size) {
+      fail(fault);
+    }
+    result.bytes = bytes.data();
     return result;
-  }
-
-  Byte_scanner scanner_at(const Accessor& accessor, std::size_t i) const
-  {
-    return {accessor.bytes.substr(i * accessor.stride), boost::endian::order::little, m_filename};
   }
 
   std::vector<Vector_3> points(std::size_t i) const
   {
-    const Accessor its = accessor(i);
-    if (its.type.kind != 'f' || its.number_of_components != 3) {
-      fail("positions are no vectors of floating-point numbers");
+    Number_view coordinates = accessor(i, 3, 'f', "positions are not vectors of floating-point numbers");
+    std::vector<Vector_3> result(coordinates.count);
+    for (int axis = 0; axis < 3; ++axis, coordinates.bytes += coordinates.type.size) {
+      coordinates.for_each([&result, axis](std::size_t v, double coordinate) { result[v][axis] = coordinate; });
     }
-    std::vector<Vector_3> result(its.count);
-    for (std::size_t v = 0; v < its.count; ++v) {
-      Byte_scanner scanner = scanner_at(its, v);
-      for (double& coordinate : result[v]) {
-        coordinate = next_number(scanner, its.type);
-      }
-      if (!result[v].allFinite()) {
+    for (const Vector_3& point : result) {
+      if (!point.allFinite()) {
         fail("a position is not finite");
       }
     }
@@ -310,24 +309,17 @@ private:
     const std::size_t i = number(primitive, "indices", none);
     if (i == none) {
       result.resize(number_of_points);
-      for (std::size_t v = 0; v < number_of_points; ++v) {
-        result[v] = Index(v);
-      }
+      std::iota(result.begin(), result.end(), Index(0));
       return result;
     }
-    const Accessor its = accessor(i);
-    if (its.type.kind != 'u' || its.number_of_components != 1) {
-      fail("indices are no numbers from 0 on");
-    }
-    result.reserve(its.count);
-    for (std::size_t k = 0; k < its.count; ++k) {
-      Byte_scanner scanner = scanner_at(its, k);
-      const double index = next_number(scanner, its.type);
+    const Number_view numbers = accessor(i, 1, 'u', "indices are not integers from 0 on");
+    result.resize(numbers.count);
+    numbers.for_each([&](std::size_t k, double index) {
       if (index >= double(number_of_points)) {
         fail("a triangle names a vertex that is not there");
       }
-      result.push_back(Index(index));
-    }
+      result[k] = Index(index);
+    });
     return result;
   }
 
@@ -353,11 +345,11 @@ private:
       const std::size_t turn = mode == triangle_strip ? i % 2 : 0; // every other one
       triangles.push_back({corners[mode == triangle_fan ? 0 : i], corners[i + 1 + turn], corners[i + 2 - turn]});
     }
-    if (m_soup.points.size() + its_points.size() + m_soup.corners.size() / 3 + triangles.size() >
+    if (m_shape.points.size() + its_points.size() + m_shape.corners.size() / 3 + triangles.size() >
         max_number_of_elements) {
       fail("its meshes have more than 2^26 vertices and triangles in all");
     }
-    append_mapped(m_soup, its_points, triangles, map);
+    append_mapped(m_shape, its_points, triangles, map);
   }
 
   /// Reads up to `size` numbers of an array.
@@ -432,7 +424,7 @@ private:
   std::size_t to_index(const Json& json) const
   {
     if (!json.is_number_unsigned()) {
-      fail("the number of a node is none");
+      fail("a node index is not an integer from 0 on");
     }
     return json.get<std::size_t>();
   }
@@ -441,32 +433,25 @@ private:
   std::string m_filename;
   Json m_json;
   std::string_view m_binary_chunk;
-  std::vector<std::string> m_buffers;
-  Polygon_soup m_soup;
+  std::map<std::string_view, std::string> m_content_of_uri; ///< by the URIs in `m_json`
+  std::vector<std::string_view> m_buffers;                  ///< in the binary chunk or in `m_content_of_uri`
+  Shape_file m_shape;
 };
 
-#endif // CSCD_WITH_GLTF
+} // namespace
 
-/// Reads `content`, that of a file of glTF, binary or JSON.
-/// \throw File_error if it is malformed, needs what is not read, or if this is built without glTF: those who include
-///        readers as headers shall not have to compile JSON
-inline Polygon_soup parse_gltf([[maybe_unused]] std::string_view content, const std::string& filename)
+Shape_file parse_gltf(std::string_view content, const std::string& filename, Wanted /* wanted */)
 {
-#ifdef CSCD_WITH_GLTF
-  Polygon_soup soup = Gltf_parser(content, filename).parse();
-  for (const Vector_3& point : soup.points) {
-    if (!point.allFinite()) {
-      throw File_error(filename + ": a node moves a vertex out of the range of numbers; write the file again");
-    }
-  }
-  return soup;
-#else
-  throw File_error(filename +
-                   ": this was built without glTF; link CSCD::compiled, or define CSCD_WITH_GLTF, which needs "
-                   "nlohmann-json");
-#endif
+  return Gltf_parser(content, filename).parse();
 }
 
-} // namespace CSCD::internal
+#else
 
-#endif // CSCD_IO_INTERNAL_PARSE_GLTF_H
+Shape_file parse_gltf(std::string_view, const std::string& filename, Wanted)
+{
+  fail_in_file(filename, "this was built without glTF", "build CSCD with nlohmann-json, or name another format");
+}
+
+#endif
+
+} // namespace CSCD::internal

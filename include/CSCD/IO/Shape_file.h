@@ -1,31 +1,36 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Polygons as they stand in a file.
+// The content of a file of a mesh, of points or of a skeleton, whatever its format.
 
-#ifndef CSCD_IO_INTERNAL_POLYGON_SOUP_H
-#define CSCD_IO_INTERNAL_POLYGON_SOUP_H
+#ifndef CSCD_IO_SHAPE_FILE_H
+#define CSCD_IO_SHAPE_FILE_H
 
 #include <CSCD/Vector_3.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-namespace CSCD::internal {
+namespace CSCD {
 
 /// Where the corners of each polygon begin, and at last their number: a vector that takes no memory as long as all
-/// polygons are triangles: it would be a quarter of the soup.
+/// polygons are triangles: it would be a quarter of the file.
 class Corner_offsets
 {
 public:
   Corner_offsets() = default;
-  /// Those of triangles.
+  /// The offsets of triangles.
   explicit Corner_offsets(std::size_t number_of_triangles) : m_size(number_of_triangles + 1) {}
 
   /// One more than there are polygons.
   std::size_t size() const { return m_size; }
+  /// Where the corners of a polygon begin.
   std::size_t operator[](std::size_t polygon) const { return are_triangles() ? 3 * polygon : m_offsets[polygon]; }
+  /// Where the corners of the last polygon end.
   std::size_t back() const { return (*this)[m_size - 1]; }
+  /// Whether all polygons are triangles.
   bool are_triangles() const { return m_offsets.empty(); }
 
   /// Ends a polygon whose corners end at `offset`.
@@ -47,20 +52,30 @@ private:
   std::vector<std::size_t> m_offsets; // empty if all are triangles
 };
 
-/// Points and polygons in flat arrays.
-struct Polygon_soup
+/// Points, polygons and lines as they stand in a file, in flat arrays.
+struct Shape_file
 {
   std::vector<Vector_3> points;
   /// The normals at the points, if the file has them, else empty.
   std::vector<Vector_3> normals;
-  /// Whether the file has three further numbers for each point, which are no normals: colors or the like.
+  /// Whether the file has three further numbers for each point, which are not normals: colors or the like.
   bool has_other_columns = false;
   /// The corners of all polygons, one polygon after the other, as indices into `points`.
   std::vector<Index> corners;
   /// Where each polygon's corners begin in `corners`, and at last their number.
   Corner_offsets first_corner;
+  /// The ends of segments, as indices into `points`; not checked yet.
+  std::vector<std::array<std::int64_t, 2>> lines;
+  /// Those of `lines` that were added to join components, in any order and direction.
+  std::vector<std::array<std::int64_t, 2>> joined_lines;
+  /// The radii at the points, if the file has them, else empty.
+  std::vector<double> radii;
+  /// For each point, whether a limb ends there at a border; empty where nothing is known.
+  std::vector<char> openings;
 
+  /// How many polygons there are.
   std::size_t number_of_polygons() const { return first_corner.size() - 1; }
+  /// How many corners a polygon has.
   std::size_t size_of_polygon(std::size_t polygon) const { return first_corner[polygon + 1] - first_corner[polygon]; }
   /// The number of polygons whose number of corners `is_counted` says to count.
   template <class Predicate>
@@ -76,6 +91,6 @@ struct Polygon_soup
   void end_polygon() { first_corner.push_back(corners.size()); }
 };
 
-} // namespace CSCD::internal
+} // namespace CSCD
 
-#endif // CSCD_IO_INTERNAL_POLYGON_SOUP_H
+#endif // CSCD_IO_SHAPE_FILE_H

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of decompress.h.
+
+#include "decompress.h"
+
+#include <CSCD/exceptions.h>
+
+#ifdef CSCD_WITH_ZLIB
+#include <zlib.h>
+#endif
+#ifdef CSCD_WITH_ZSTD
+#include <zstd.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <istream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CSCD::internal {
+
+namespace {
+
+[[noreturn, maybe_unused]] void fail_to_decompress(const std::string& filename)
+{
+  throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
+}
+
+[[noreturn, maybe_unused]] void fail_at_end(const std::string& filename)
+{
+  throw File_error(filename + ": compressed data end too early; fetch or write the file again");
+}
+
+/// \param package of Debian that has `library`
+[[noreturn, maybe_unused]] void fail_without(const std::string& filename, const char* library, const char* package)
+{
+  throw File_error(filename + ": is compressed, and this was built without " + library + "; install " + package +
+                   " and build again, or write the file without compression");
+}
+
+} // namespace
+
+#ifdef CSCD_WITH_ZLIB
+
+std::string inflate(std::string_view bytes, std::size_t size, const std::string& filename)
+{
+  if (size / max_deflate_ratio > bytes.size()) {
+    fail_to_decompress(filename);
+  }
+  std::string result(size, '\0');
+  z_stream stream{};
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.avail_in = uInt(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(result.data());
+  stream.avail_out = uInt(result.size());
+  const bool fits = bytes.size() == stream.avail_in && result.size() == stream.avail_out;
+  if (!fits || inflateInit(&stream) != Z_OK) {
+    fail_to_decompress(filename);
+  }
+  const int status = ::inflate(&stream, Z_FINISH);
+  inflateEnd(&stream);
+  if (status != Z_STREAM_END || stream.total_out != size) {
+    fail_to_decompress(filename);
+  }
+  return result;
+}
+
+struct Inflating_stream::State
+{
+  static constexpr std::size_t buffer_size = std::size_t(1) << 16U; // bytes
+
+  State(std::istream& its_in, const std::string& its_filename) : in(its_in), filename(its_filename)
+  {
+    constexpr int recognizes_header = 32;
+    if (inflateInit2(&stream, MAX_WBITS + recognizes_header) != Z_OK) {
+      fail_to_decompress(filename);
+    }
+  }
+  State(State&&) = delete;
+  ~State() { inflateEnd(&stream); }
+
+  /// Reads `size` bytes, or fewer at the end of the data. \return how many
+  std::size_t read_some(char* bytes, std::size_t size)
+  {
+    stream.next_out = reinterpret_cast<Bytef*>(bytes);
+    stream.avail_out = uInt(size);
+    while (stream.avail_out > 0 && inflate_some()) {
+    }
+    return size - stream.avail_out;
+  }
+
+  /// \return false at the end of the data
+  bool inflate_some()
+  {
+    if (stream.avail_in == 0) {
+      in.read(buffer.data(), std::streamsize(buffer.size()));
+      stream.next_in = reinterpret_cast<Bytef*>(buffer.data());
+      stream.avail_in = uInt(in.gcount());
+      if (stream.avail_in == 0) {
+        if (!is_between_streams) {
+          fail_at_end(filename);
+        }
+        return false;
+      }
+    }
+    const int status = ::inflate(&stream, Z_NO_FLUSH);
+    is_between_streams = status == Z_STREAM_END;
+    if (is_between_streams) {
+      inflateReset(&stream); // gzip allows several streams in one file
+    } else if (status != Z_OK) {
+      fail_to_decompress(filename);
+    }
+    return true;
+  }
+
+  std::istream& in;
+  std::string filename;
+  std::vector<char> buffer = std::vector<char>(buffer_size);
+  z_stream stream{};
+  bool is_between_streams = true;
+};
+
+Inflating_stream::Inflating_stream(std::istream& in, const std::string& filename)
+    : m_state(std::make_unique<State>(in, filename))
+{
+}
+
+void Inflating_stream::read(char* bytes, std::size_t size)
+{
+  while (size > 0) {
+    const std::size_t part = std::min(size, std::size_t(std::numeric_limits<uInt>::max()));
+    if (m_state->read_some(bytes, part) < part) {
+      fail_at_end(m_state->filename);
+    }
+    bytes += part;
+    size -= part;
+  }
+}
+
+std::string Inflating_stream::read_all()
+{
+  constexpr std::size_t block_size = std::size_t(1) << 20U; // bytes; large enough that the calls do not count
+  std::string result;
+  std::size_t added = block_size;
+  while (added == block_size) {
+    const std::size_t size = result.size();
+    result.resize(size + block_size);
+    added = m_state->read_some(result.data() + size, block_size);
+    result.resize(size + added);
+  }
+  return result;
+}
+
+#else
+
+std::string inflate(std::string_view, std::size_t, const std::string& filename)
+{
+  fail_without(filename, "zlib", "zlib1g-dev");
+}
+
+struct Inflating_stream::State
+{
+};
+
+Inflating_stream::Inflating_stream(std::istream&, const std::string& filename)
+{
+  fail_without(filename, "zlib", "zlib1g-dev");
+}
+
+void Inflating_stream::read(char*, std::size_t)
+{
+}
+
+std::string Inflating_stream::read_all()
+{
+  return {};
+}
+
+#endif
+
+Inflating_stream::~Inflating_stream() = default;
+
+#ifdef CSCD_WITH_ZSTD
+
+std::string read_zstd(std::istream& in, const std::string& filename)
+{
+  const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(), &ZSTD_freeDStream);
+  std::vector<char> read(ZSTD_DStreamInSize());
+  std::vector<char> decompressed(ZSTD_DStreamOutSize());
+  std::string result;
+  std::size_t missing = 1; // of a frame; 0 between frames: a file may have several
+  while (in.read(read.data(), std::streamsize(read.size())), in.gcount() > 0) {
+    // The last byte of a frame is not taken before all of it is written.
+    for (ZSTD_inBuffer input{read.data(), std::size_t(in.gcount()), 0}; input.pos < input.size;) {
+      ZSTD_outBuffer output{decompressed.data(), decompressed.size(), 0};
+      missing = ZSTD_decompressStream(stream.get(), &output, &input);
+      if (ZSTD_isError(missing) != 0) {
+        fail_to_decompress(filename);
+      }
+      result.append(decompressed.data(), output.pos);
+    }
+  }
+  if (missing != 0) {
+    fail_at_end(filename);
+  }
+  return result;
+}
+
+#else
+
+std::string read_zstd(std::istream&, const std::string& filename)
+{
+  fail_without(filename, "zstd", "libzstd-dev");
+}
+
+#endif
+
+} // namespace CSCD::internal

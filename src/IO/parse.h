@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The parsers of all formats: from the content of a file to a `Shape_file`.
+
+#ifndef CSCD_SRC_IO_PARSE_H
+#define CSCD_SRC_IO_PARSE_H
+
+#include <CSCD/IO/Shape_file.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace CSCD::internal {
+
+/// The part of a file that is read. The rest is passed over: faults there do not matter, and it takes no memory.
+enum class Wanted
+{
+  surface, ///< points, normals and polygons
+  skeleton ///< points, radii, openings and lines
+};
+
+/// \param filename for messages
+/// \throw File_error if `content` is malformed, or holds faces where lines are wanted
+using Parser = Shape_file(std::string_view content, const std::string& filename, Wanted wanted);
+
+// Meshes; some of these formats also hold points alone, or skeletons.
+Parser parse_off;
+Parser parse_obj;
+Parser parse_ply;
+Parser parse_stl;
+Parser parse_vtk;
+Parser parse_gltf;
+Parser parse_neuroglancer;
+// Points.
+Parser parse_point_table;
+Parser parse_pcd;
+Parser parse_las;
+// Skeletons and graphs.
+Parser parse_gel_graph;
+Parser parse_json_skeleton;
+Parser parse_polylines;
+Parser parse_swc;
+Parser parse_edge_list;
+
+/// \throw File_error naming the file, `fault` and `remedy`
+[[noreturn]] inline void fail_in_file(const std::string& filename, const std::string& fault,
+                                      const std::string& remedy = "write the file again")
+{
+  throw File_error(filename + ": " + fault + "; " + remedy);
+}
+
+/// Refuses a file of a mesh where a skeleton is wanted.
+[[noreturn]] inline void fail_without_lines(const std::string& filename)
+{
+  fail_in_file(filename, "the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
+}
+
+/// The number of points as an index is checked here, so that no parser can overflow `Index`.
+inline void check_number_of_points(std::size_t number_of_points, const std::string& filename)
+{
+  if (number_of_points >= no_index) {
+    fail_in_file(filename, "there are more than 4 billion points", "split or simplify the mesh");
+  }
+}
+
+/// \throw File_error if a polygon has a corner that is not one of the points: files may have faces before vertices, so
+///        that this is known only at their end
+inline void check_corners(const Shape_file& shape, const std::string& filename)
+{
+  for (const Index corner : shape.corners) {
+    if (corner >= shape.points.size()) {
+      fail_in_file(filename,
+                   "a face names vertex " + std::to_string(corner) + ", but there are only " +
+                       std::to_string(shape.points.size()) + " (counted from 0)",
+                   "the file may be truncated, fetch or write it again");
+    }
+  }
+}
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SRC_IO_PARSE_H

@@ -1,0 +1,437 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads PLY, ASCII and binary.
+
+#include "Number_view.h"
+#include "Text_scanner.h"
+#include "parse.h"
+#include <CSCD/IO/Shape_file.h>
+#include <CSCD/Vector_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+namespace {
+
+/// A property of the items of an element: a number, or a list of numbers.
+struct Ply_property
+{
+  std::string name;
+  Number_type type;
+  bool is_list = false;
+  Number_type size_type{}; ///< of a list
+
+  bool is_list_of_corners() const { return is_list && (name == "vertex_indices" || name == "vertex_index"); }
+};
+
+/// An element: items of the same properties.
+struct Ply_element
+{
+  std::string name;
+  std::size_t number_of_items = 0;
+  std::vector<Ply_property> properties;
+
+  bool is_called(const char* singular, const char* plural) const { return name == singular || name == plural; }
+  bool has_number(std::string_view its_name) const
+  {
+    return std::any_of(properties.begin(), properties.end(),
+                       [&](const Ply_property& p) { return p.name == its_name && !p.is_list; });
+  }
+};
+
+/// The numbers behind the header of a PLY file, as text or binary.
+class Ply_numbers
+{
+public:
+  Ply_numbers(const Text_scanner& text, const std::string& filename)
+      : m_text(text), m_bytes({}, Byte_order::little, filename)
+  {
+  }
+  Ply_numbers(const Text_scanner& text, const Byte_scanner& bytes) : m_is_binary(true), m_text(text), m_bytes(bytes) {}
+
+  std::size_t remaining() const { return m_is_binary ? m_bytes.remaining() : m_text.remaining(); }
+  bool is_binary() const { return m_is_binary; }
+  /// \pre they are binary
+  Byte_scanner& bytes() { return m_bytes; }
+
+  double next(const Number_type& type)
+  {
+    if (m_is_binary) {
+      return m_bytes.number(type);
+    }
+    if (!m_text.skip_blanks()) {
+      m_text.fail_at_end("all that its header promises");
+    }
+    return m_text.number();
+  }
+
+private:
+  bool m_is_binary = false;
+  Text_scanner m_text;
+  Byte_scanner m_bytes;
+};
+
+/// Reads the header of a PLY file.
+class Ply_header
+{
+public:
+  /// \throw File_error if it is malformed
+  Ply_header(std::string_view content, const std::string& filename)
+      : m_content(content), m_filename(filename), m_scanner(content, filename)
+  {
+    if (m_scanner.word() != "ply") {
+      m_scanner.fail("this is not a PLY file: it does not begin with ply", "check the ending of the file name");
+    }
+    while (m_scanner.skip_blanks()) {
+      const std::string_view keyword = m_scanner.word();
+      if (keyword == "format") {
+        m_encoding = next_word();
+      } else if (keyword == "element") {
+        const std::string name(next_word());
+        m_scanner.skip_blanks_in_line();
+        m_elements.push_back({name, m_scanner.count("the number of items of an element"), {}});
+      } else if (keyword == "property") {
+        read_property();
+      }
+      check_encoding();
+      m_scanner.skip_line(); // comments and whatever else the header holds
+      if (keyword == "end_header") {
+        return;
+      }
+    }
+    m_scanner.fail_at_end("the end of its header");
+  }
+
+  const std::vector<Ply_element>& elements() const { return m_elements; }
+
+  Ply_numbers numbers() const
+  {
+    if (m_encoding == ascii) {
+      return {m_scanner, m_filename};
+    }
+    const Byte_order order = m_encoding == little_endian ? Byte_order::little : Byte_order::big;
+    return {m_scanner, Byte_scanner(m_content.substr(m_content.size() - m_scanner.remaining()), order, m_filename)};
+  }
+
+private:
+  static constexpr std::string_view ascii = "ascii";
+  static constexpr std::string_view little_endian = "binary_little_endian";
+  static constexpr std::string_view big_endian = "binary_big_endian";
+
+  std::string_view next_word()
+  {
+    if (!m_scanner.skip_blanks_in_line()) {
+      m_scanner.fail("the header has an incomplete line", "write the file again");
+    }
+    return m_scanner.word();
+  }
+
+  void check_encoding() const
+  {
+    if (m_encoding != ascii && m_encoding != little_endian && m_encoding != big_endian) {
+      m_scanner.fail("the header names an unknown encoding", "write the file again");
+    }
+  }
+
+  void read_property()
+  {
+    if (m_elements.empty()) {
+      m_scanner.fail("a property stands before any element", "write the file again");
+    }
+    Ply_property property;
+    std::string_view word = next_word();
+    if (word == "list") {
+      property.is_list = true;
+      property.size_type = type(next_word());
+      word = next_word();
+    }
+    property.type = type(word);
+    property.name = next_word();
+    m_elements.back().properties.push_back(property);
+  }
+
+  Number_type type(std::string_view name) const
+  {
+    constexpr std::array<std::pair<std::string_view, Number_type>, 16> types{{{"char", {'i', 1}},
+                                                                              {"int8", {'i', 1}},
+                                                                              {"uchar", {'u', 1}},
+                                                                              {"uint8", {'u', 1}},
+                                                                              {"short", {'i', 2}},
+                                                                              {"int16", {'i', 2}},
+                                                                              {"ushort", {'u', 2}},
+                                                                              {"uint16", {'u', 2}},
+                                                                              {"int", {'i', 4}},
+                                                                              {"int32", {'i', 4}},
+                                                                              {"uint", {'u', 4}},
+                                                                              {"uint32", {'u', 4}},
+                                                                              {"float", {'f', 4}},
+                                                                              {"float32", {'f', 4}},
+                                                                              {"double", {'f', 8}},
+                                                                              {"float64", {'f', 8}}}};
+    const auto* const found =
+        std::find_if(types.begin(), types.end(), [name](const auto& pair) { return pair.first == name; });
+    if (found == types.end()) {
+      m_scanner.fail("the header names an unknown type", "write the file again");
+    }
+    return found->second;
+  }
+
+  std::string_view m_content;
+  std::string m_filename;
+  Text_scanner m_scanner;
+  std::string_view m_encoding = ascii;
+  std::vector<Ply_element> m_elements;
+};
+
+/// Reads vertices, and faces or edges; all other elements and properties are passed over.
+class Ply_parser
+{
+public:
+  Ply_parser(const Ply_header& header, const std::string& filename, Wanted wanted)
+      : m_elements(header.elements()), m_numbers(header.numbers()), m_filename(filename), m_wanted(wanted)
+  {
+  }
+
+  Shape_file parse()
+  {
+    bool has_faces = false;
+    bool has_edges = false;
+    for (const Ply_element& element : m_elements) {
+      const bool is_face = element.is_called("face", "faces");
+      const bool is_edge = element.is_called("edge", "edges");
+      has_faces = has_faces || is_face;
+      has_edges = has_edges || is_edge;
+      if (element.is_called("vertex", "vertices")) {
+        read_points(element);
+      } else if (is_face && m_wanted == Wanted::surface) {
+        read_polygons(element);
+      } else if (is_edge && m_wanted == Wanted::skeleton) {
+        read_edges(element);
+      } else {
+        read_items(
+            element, [](std::size_t, const Ply_property&, std::size_t, double) {}, [](std::size_t) {});
+      }
+    }
+    if (m_wanted == Wanted::skeleton && has_faces && !has_edges) {
+      fail_without_lines(m_filename);
+    }
+    check_corners(m_shape, m_filename);
+    return std::move(m_shape);
+  }
+
+private:
+  using Names = std::initializer_list<std::string_view>;
+
+  /// Reads the items of `element`, from the one with the number `first` on. Calls `use(item, property, position in the
+  /// list, number)` for each of their numbers, and `end(item)` behind them.
+  template <class Use, class End>
+  void read_items(const Ply_element& element, const Use& use, const End& end, std::size_t first = 0)
+  {
+    // Items without properties take no room in the file, so that their number proves nothing.
+    for (std::size_t item = first; item < element.number_of_items && !element.properties.empty(); ++item) {
+      for (const Ply_property& property : element.properties) {
+        const std::size_t size = property.is_list ? next_size(property) : 1;
+        for (std::size_t i = 0; i < size; ++i) {
+          use(item, property, i, m_numbers.next(property.type));
+        }
+      }
+      end(item);
+    }
+  }
+
+  /// The number of entries of a list. \throw File_error if there cannot be as many
+  std::size_t next_size(const Ply_property& list)
+  {
+    const double size = m_numbers.next(list.size_type);
+    if (!(size >= 0 && size <= double(m_numbers.remaining()))) {
+      fail("the list " + list.name + " is longer than the file");
+    }
+    return static_cast<std::size_t>(size);
+  }
+
+  /// For each property, the position of its name among `names`; their number for others and for lists.
+  static std::vector<std::size_t> find_places(const Ply_element& element, Names names)
+  {
+    std::vector<std::size_t> places;
+    for (const Ply_property& property : element.properties) {
+      const auto* const name = std::find(names.begin(), names.end(), property.name);
+      places.push_back(property.is_list ? names.size() : std::size_t(name - names.begin()));
+    }
+    return places;
+  }
+
+  void check_properties(const Ply_element& element, Names names) const
+  {
+    for (const std::string_view name : names) {
+      if (!element.has_number(name)) {
+        fail("the element " + element.name + " has no property " + std::string(name));
+      }
+    }
+  }
+
+  void read_points(const Ply_element& element)
+  {
+    constexpr std::size_t size = 7;
+    const Names names{"x", "y", "z", "nx", "ny", "nz", "radius"};
+    check_properties(element, {"x", "y", "z"});
+    const bool is_surface = m_wanted == Wanted::surface;
+    const bool has_normals =
+        is_surface && element.has_number("nx") && element.has_number("ny") && element.has_number("nz");
+    const bool has_radii = !is_surface && element.has_number("radius");
+    const std::size_t first = m_shape.points.size();
+    const std::vector<std::size_t> places = find_places(element, names);
+    if (!has_normals && !has_radii && read_point_records(element, places)) {
+      check_finite(first);
+      return;
+    }
+    m_shape.points.reserve(first + std::min(element.number_of_items, m_numbers.remaining() / 3 + 1));
+    std::array<double, size + 1> values{}; // the last one is not needed
+    const auto use = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
+      values[places[std::size_t(&property - element.properties.data())]] = number;
+    };
+    read_items(element, use, [&](std::size_t) {
+      m_shape.points.emplace_back(values[0], values[1], values[2]);
+      if (!m_shape.points.back().allFinite()) {
+        check_finite(m_shape.points.size() - 1);
+      }
+      if (has_normals) {
+        m_shape.normals.emplace_back(values[3], values[4], values[5]);
+      }
+      if (has_radii) {
+        m_shape.radii.push_back(values[size - 1]);
+      }
+    });
+    check_number_of_points(m_shape.points.size(), m_filename);
+  }
+
+  /// Reads the coordinates of binary vertices that are records of one size, column by column.
+  /// \return false, with nothing read, if they are not
+  bool read_point_records(const Ply_element& element, const std::vector<std::size_t>& places)
+  {
+    std::size_t record_size = 0;
+    bool has_lists = false;
+    for (const Ply_property& property : element.properties) {
+      record_size += property.type.size;
+      has_lists = has_lists || property.is_list;
+    }
+    // A number of records that the file cannot hold is left to the other way, which says where it ends.
+    if (!m_numbers.is_binary() || has_lists || element.number_of_items > m_numbers.remaining() / record_size) {
+      return false;
+    }
+    const std::size_t first = m_shape.points.size();
+    check_number_of_points(first + element.number_of_items, m_filename);
+    m_shape.points.resize(first + element.number_of_items);
+    const char* column = m_numbers.bytes().skip(element.number_of_items * record_size);
+    for (std::size_t p = 0; p < places.size(); column += element.properties[p].type.size, ++p) {
+      if (places[p] < 3) {
+        const Number_view numbers{column, element.properties[p].type, m_numbers.bytes().order(), record_size,
+                                  element.number_of_items};
+        numbers.for_each([&, axis = places[p]](std::size_t i, double x) { m_shape.points[first + i][axis] = x; });
+      }
+    }
+    return true;
+  }
+
+  void check_finite(std::size_t first) const
+  {
+    for (std::size_t i = first; i < m_shape.points.size(); ++i) {
+      if (!m_shape.points[i].allFinite()) {
+        fail("vertex " + std::to_string(i) + " has a coordinate that is not finite");
+      }
+    }
+  }
+
+  void read_polygons(const Ply_element& element)
+  {
+    m_shape.corners.reserve(3 * std::min(element.number_of_items, m_numbers.remaining() / 3 + 1));
+    const auto add = [this](std::size_t face, const Ply_property& property, std::size_t, double number) {
+      if (property.is_list_of_corners()) {
+        m_shape.corners.push_back(to_index(number, "face", face));
+      }
+    };
+    read_items(
+        element, add, [this](std::size_t) { m_shape.end_polygon(); }, read_triangle_records(element));
+  }
+
+  /// Reads binary triangles of nothing but their corners, one after the other, as long as there are such, and returns
+  /// their number.
+  std::size_t read_triangle_records(const Ply_element& element)
+  {
+    std::array<std::uint32_t, 3> corners{};
+    constexpr std::size_t record_size = 1 + sizeof(corners);
+    if (!m_numbers.is_binary() || element.properties.size() != 1 || m_numbers.bytes().order() != Byte_order::native) {
+      return 0;
+    }
+    const Ply_property& list = element.properties.front();
+    if (!list.is_list_of_corners() || !(list.size_type == Number_type{'u', 1}) || list.type.size != 4 ||
+        list.type.kind == 'f') {
+      return 0;
+    }
+    Byte_scanner& bytes = m_numbers.bytes();
+    // Of signed numbers, the negative ones are those from here on.
+    const std::uint32_t end = list.type.kind == 'i' ? std::uint32_t(1) << 31 : no_index;
+    std::size_t face = 0;
+    for (; face < element.number_of_items && bytes.remaining() >= record_size; ++face) {
+      const char* const record = bytes.data();
+      std::memcpy(corners.data(), record + 1, sizeof(corners));
+      if (*record != 3 || *std::max_element(corners.begin(), corners.end()) >= end) {
+        break;
+      }
+      bytes.skip(record_size);
+      m_shape.corners.insert(m_shape.corners.end(), corners.begin(), corners.end());
+      m_shape.end_polygon();
+    }
+    return face;
+  }
+
+  void read_edges(const Ply_element& element)
+  {
+    check_properties(element, {"vertex1", "vertex2"});
+    const std::vector<std::size_t> places = find_places(element, {"vertex1", "vertex2"});
+    std::array<double, 3> ends{}; // the last one is not needed
+    const auto use = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
+      ends[places[std::size_t(&property - element.properties.data())]] = number;
+    };
+    read_items(element, use, [&](std::size_t edge) {
+      m_shape.lines.push_back({to_index(ends[0], "edge", edge), to_index(ends[1], "edge", edge)});
+    });
+  }
+
+  Index to_index(double number, const char* owner, std::size_t item) const
+  {
+    if (!(number >= 0 && number < double(no_index) && std::floor(number) == number)) {
+      fail(std::string(owner) + ' ' + std::to_string(item) + " has a vertex index that is negative or not an integer");
+    }
+    return static_cast<Index>(number);
+  }
+
+  [[noreturn]] void fail(const std::string& fault) const { fail_in_file(m_filename, fault); }
+
+  const std::vector<Ply_element>& m_elements;
+  Ply_numbers m_numbers;
+  std::string m_filename;
+  Wanted m_wanted;
+  Shape_file m_shape;
+};
+
+} // namespace
+
+Shape_file parse_ply(std::string_view content, const std::string& filename, Wanted wanted)
+{
+  const Ply_header header(content, filename);
+  return Ply_parser(header, filename, wanted).parse();
+}
+
+} // namespace CSCD::internal

@@ -1,0 +1,387 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writes skeletons in all formats.
+
+#include "formats.h"
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/IO/internal/json_branches.h>
+#include <CSCD/IO/write_file.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/split_into_branches.h>
+#include <CSCD/Vector_3.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+namespace {
+
+/// `significance` as formats write it that cannot hold infinity: the greatest number.
+double finite_significance(double significance)
+{
+  return std::min(significance, std::numeric_limits<double>::max());
+}
+
+/// Writes a position as `x y z`.
+void write_coordinates(std::ostream& out, const Vector_3& point)
+{
+  out << point.x() << ' ' << point.y() << ' ' << point.z();
+}
+
+/// Writes the declarations of the properties `key0`, `key1`, ...: with radii `radius` and `significance` come first.
+void write_graphml_keys(std::ostream& out, bool has_radius)
+{
+  int number = 0;
+  const auto write_key = [&](const char* owner, const char* name) {
+    out << "  <key id=\"key" << number++ << "\" for=\"" << owner << "\" attr.name=\"" << name
+        << "\" attr.type=\"double\" />\n";
+  };
+  if (has_radius) {
+    write_key("node", "radius");
+    write_key("edge", "significance");
+  }
+  for (const char* name : {"x", "y", "z"}) {
+    write_key("node", name);
+  }
+}
+
+/// The structure identifier of a node in SWC: 5 a fork, 6 an end, 0 anything else.
+int swc_type(std::size_t degree)
+{
+  constexpr int undefined = 0;
+  constexpr int fork_point = 5;
+  constexpr int end_point = 6;
+  return degree > 2 ? fork_point : degree == 1 ? end_point : undefined;
+}
+
+/// The thickest node if it is thick enough.
+Index find_soma(const Skeleton_content& skeleton, double min_radius)
+{
+  const auto thickest = std::max_element(skeleton.radii.begin(), skeleton.radii.end());
+  return thickest != skeleton.radii.end() && *thickest >= min_radius ? Index(thickest - skeleton.radii.begin())
+                                                                     : no_index;
+}
+
+/// Writes the branches with the numbers from `first` to `last` as cells of a PolyData, each a sequence of nodes.
+void write_vtp_cells(std::ostream& out, const char* tag, const std::vector<Skeleton_branch>& branches,
+                     std::vector<std::size_t>::const_iterator first, std::vector<std::size_t>::const_iterator last)
+{
+  out << '<' << tag << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+  for (auto number = first; number != last; ++number) {
+    for (const Index v : branches[*number].nodes) {
+      out << v << ' ';
+    }
+    out << '\n';
+  }
+  out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  std::size_t offset = 0;
+  for (auto number = first; number != last; ++number) {
+    offset += branches[*number].nodes.size();
+    out << offset << '\n';
+  }
+  out << "</DataArray>\n</" << tag << ">\n";
+}
+
+} // namespace
+
+nlohmann::ordered_json json_number(double number)
+{
+  return std::isfinite(number) ? nlohmann::ordered_json(number) : nlohmann::ordered_json();
+}
+
+nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branches)
+{
+  nlohmann::ordered_json result = nlohmann::ordered_json::array();
+  for (const Skeleton_branch& branch : branches) {
+    nlohmann::ordered_json object{{"nodes", branch.nodes},
+                                  {"ends", {name(branch.ends[0]), name(branch.ends[1])}},
+                                  {"length", branch.length},
+                                  {"chord", branch.chord},
+                                  {"tortuosity", json_number(branch.tortuosity())},
+                                  {"min_radius", json_number(branch.min_radius)},
+                                  {"mean_radius", json_number(branch.mean_radius)},
+                                  {"max_radius", json_number(branch.max_radius)},
+                                  {"end_radii", {json_number(branch.end_radii[0]), json_number(branch.end_radii[1])}},
+                                  {"cone_area", json_number(branch.cone_area)},
+                                  {"cone_volume", json_number(branch.cone_volume)},
+                                  {"significance", json_number(branch.significance)}};
+    if (!std::isnan(branch.volume)) {
+      object["surface_area"] = branch.surface_area;
+      object["volume"] = branch.volume;
+    }
+    if (branch.order) {
+      object["parent"] = branch.parent ? nlohmann::ordered_json(*branch.parent) : nlohmann::ordered_json();
+      object["order"] = *branch.order;
+    }
+    if (branch.limb) {
+      object["limb"] = *branch.limb;
+    }
+    result.push_back(std::move(object));
+  }
+  return result;
+}
+
+void write_gel_graph(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const Vector_3& point : skeleton.points) {
+    out << "n ";
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  for (const auto& [source, target] : skeleton.edges) {
+    out << "c " << source << ' ' << target << '\n';
+  }
+  format.finish();
+}
+
+void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
+         "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
+         "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
+         "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
+  write_graphml_keys(out, skeleton.has_radius);
+  out << "  <graph id=\"G\" edgedefault=\"undirected\" parse.nodeids=\"canonical\" parse.edgeids=\"canonical\" "
+         "parse.order=\"nodesfirst\">\n";
+  const auto write_value = [&](int key, double value) {
+    out << "      <data key=\"key" << key << "\">" << value << "</data>\n";
+  };
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    out << "    <node id=\"n" << v << "\">\n";
+    if (skeleton.has_radius) {
+      write_value(0, skeleton.radii[v]);
+    }
+    for (int i = 0; i < 3; ++i) {
+      write_value((skeleton.has_radius ? 2 : 0) + i, skeleton.points[v][i]);
+    }
+    out << "    </node>\n";
+  }
+  const std::vector<double> significances = edge_significances(skeleton);
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    out << "    <edge id=\"e" << e << "\" source=\"n" << skeleton.edges[e][0] << "\" target=\"n" << skeleton.edges[e][1]
+        << "\">\n";
+    if (skeleton.has_radius) {
+      write_value(1, finite_significance(significances[e]));
+    }
+    out << "    </edge>\n";
+  }
+  out << "  </graph>\n</graphml>\n";
+  format.finish();
+}
+
+void write_json(std::ostream& out, const Skeleton_content& skeleton)
+{
+  std::vector<std::size_t> degree(skeleton.number_of_nodes(), 0);
+  for (const auto& [source, target] : skeleton.edges) {
+    ++degree[source];
+    ++degree[target];
+  }
+  nlohmann::ordered_json document{{"nodes", nlohmann::ordered_json::array()},
+                                  {"edges", nlohmann::ordered_json::array()}};
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    const Vector_3& point = skeleton.points[v];
+    nlohmann::ordered_json node{{"point", std::array<double, 3>{point.x(), point.y(), point.z()}}};
+    if (skeleton.has_radius) {
+      node["radius"] = skeleton.radii[v];
+    }
+    node["degree"] = degree[v];
+    if (!skeleton.is_opening.empty() && skeleton.is_opening[v] != 0) {
+      node["is_opening"] = true;
+    }
+    if (!skeleton.number_of_vertices.empty()) {
+      node["number_of_sites"] = skeleton.number_of_vertices[v];
+    }
+    document["nodes"].push_back(std::move(node));
+  }
+  for (const auto& [source, target] : skeleton.edges) {
+    document["edges"].push_back({source, target});
+  }
+  if (skeleton.has_radius) {
+    document["branches"] = json_branches(internal::measure_branches(skeleton).branches);
+  }
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    if (skeleton.is_joined[e] != 0) {
+      document["joined_edges"].push_back(skeleton.edges[e]);
+    }
+  }
+  Exact_format format(out);
+  out << document.dump() << '\n';
+  format.finish();
+}
+
+void write_obj(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const Vector_3& point : skeleton.points) {
+    out << "v ";
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+    out << (branch.size() == 1 ? 'p' : 'l');
+    for (const Index v : branch) {
+      out << ' ' << v + 1;
+    }
+    out << '\n';
+  }
+  format.finish();
+}
+
+void write_ply(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  out << "ply\nformat ascii 1.0\nelement vertex " << skeleton.number_of_nodes()
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+      << (skeleton.has_radius ? "property double radius\n" : "") << "element edge " << skeleton.edges.size()
+      << "\nproperty int vertex1\nproperty int vertex2\n"
+      << (skeleton.has_radius ? "property double significance\n" : "") << "end_header\n";
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    write_coordinates(out, skeleton.points[v]);
+    if (skeleton.has_radius) {
+      out << ' ' << skeleton.radii[v];
+    }
+    out << '\n';
+  }
+  const std::vector<double> significances = edge_significances(skeleton);
+  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
+    out << skeleton.edges[e][0] << ' ' << skeleton.edges[e][1];
+    if (skeleton.has_radius) {
+      out << ' ' << finite_significance(significances[e]);
+    }
+    out << '\n';
+  }
+  format.finish();
+}
+
+void write_polylines(std::ostream& out, const Skeleton_content& skeleton)
+{
+  Exact_format format(out);
+  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+    out << branch.size();
+    for (const Index v : branch) {
+      out << ' ';
+      write_coordinates(out, skeleton.points[v]);
+    }
+    out << '\n';
+  }
+  format.finish();
+}
+
+void write_swc(std::ostream& out, const Skeleton_content& skeleton, const Swc_options& options)
+{
+  constexpr int soma_type = 1;
+  const Index soma = find_soma(skeleton, options.min_soma_radius);
+  std::vector<Index> roots = options.roots;
+  if (soma != no_index) {
+    roots.insert(roots.begin(), soma);
+  }
+  const Rooted_forest forest(skeleton, roots);
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  std::vector<std::size_t> id(skeleton.number_of_nodes());
+  for (std::size_t i = 0; i < forest.order().size(); ++i) {
+    id[forest.order()[i]] = i + 1;
+  }
+  Exact_format format(out);
+  out << "# id type x y z radius parent\n";
+  for (const auto& [u, v] : forest.loops()) {
+    out << "# loop " << id[u] << ' ' << id[v] << '\n';
+  }
+  for (const Index v : forest.order()) {
+    out << id[v] << ' ' << (v == soma ? soma_type : options.type.value_or(swc_type(neighbors[v].size()))) << ' ';
+    write_coordinates(out, options.scale * skeleton.points[v]);
+    out << ' ' << (skeleton.has_radius ? options.scale * skeleton.radii[v] : 0) << ' ';
+    if (forest.is_root(v)) {
+      out << "-1\n";
+    } else {
+      out << id[forest.parent(v)] << '\n';
+    }
+  }
+  format.finish();
+}
+
+void write_swc(std::ostream& out, const Skeleton_content& skeleton)
+{
+  write_swc(out, skeleton, {});
+}
+
+void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
+{
+  const std::vector<Skeleton_branch> branches = internal::measure_branches(skeleton).branches;
+  std::vector<std::size_t> numbers(branches.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  const auto lines = std::stable_partition(
+      numbers.begin(), numbers.end(), [&branches](std::size_t number) { return branches[number].nodes.size() == 1; });
+  Exact_format format(out);
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
+      << skeleton.number_of_nodes() << "\" NumberOfVerts=\"" << lines - numbers.begin() << "\" NumberOfLines=\""
+      << numbers.end() - lines << "\" NumberOfStrips=\"0\" NumberOfPolys=\"0\">\n";
+  if (skeleton.has_radius) {
+    out << "<PointData Scalars=\"Radius\">\n";
+    for (const char* const name : {"Radius", "MaximumInscribedSphereRadius"}) { // the second one is that of VMTK
+      out << "<DataArray type=\"Float64\" Name=\"" << name << "\" format=\"ascii\">\n";
+      for (const double radius : skeleton.radii) {
+        out << radius << '\n';
+      }
+      out << "</DataArray>\n";
+    }
+    if (std::find(skeleton.is_opening.begin(), skeleton.is_opening.end(), 1) != skeleton.is_opening.end()) {
+      out << "<DataArray type=\"UInt8\" Name=\"IsOpening\" format=\"ascii\">\n";
+      for (const char is_opening : skeleton.is_opening) {
+        out << int(is_opening) << '\n';
+      }
+      out << "</DataArray>\n";
+    }
+    out << "</PointData>\n";
+  }
+  out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
+  for (const std::size_t number : numbers) {
+    out << number << '\n';
+  }
+  if (skeleton.has_radius) {
+    out << "</DataArray>\n<DataArray type=\"Float64\" Name=\"Significance\" format=\"ascii\">\n";
+    for (const std::size_t number : numbers) {
+      out << finite_significance(branches[number].significance) << '\n';
+    }
+  }
+  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+         "format=\"ascii\">\n";
+  for (const Vector_3& point : skeleton.points) {
+    write_coordinates(out, point);
+    out << '\n';
+  }
+  out << "</DataArray>\n</Points>\n";
+  write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
+  write_vtp_cells(out, "Lines", branches, lines, numbers.end());
+  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
+  format.finish();
+}
+
+void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton_content& skeleton)
+{
+  written_skeleton_format(filename).write(out, skeleton);
+}
+
+void write_skeleton(const std::string& filename, const Skeleton_content& skeleton)
+{
+  write_file(filename, [&](std::ostream& out) { write_skeleton(out, filename, skeleton); });
+}
+
+} // namespace CSCD::internal

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The definitions of write_tables.h.
+
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/IO/write_tables.h>
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Tree/Tree_cylinders.h>
+#include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Vector_3.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <vector>
+
+namespace CSCD {
+
+namespace internal {
+
+namespace {
+
+/// Writes a separator and a number; nothing behind the separator if it is not known.
+void write_field(std::ostream& out, double number)
+{
+  out << ',';
+  if (!std::isnan(number)) {
+    out << number;
+  }
+}
+
+void write_field(std::ostream& out, const std::optional<std::size_t>& number)
+{
+  out << ',';
+  if (number) {
+    out << *number;
+  }
+}
+
+} // namespace
+
+void write_node_table(std::ostream& out, const Skeleton_content& skeleton, const Skeleton_branches& branches,
+                      const std::vector<Node_measures>& measures)
+{
+  const auto neighbors = node_neighbors(skeleton);
+  Exact_format format(out);
+  out << "node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_area\n";
+  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
+    const Node_measures measured = measures.empty() ? Node_measures() : measures[v];
+    const Vector_3& point = skeleton.points[v];
+    out << v << ',' << point.x() << ',' << point.y() << ',' << point.z() << ',' << neighbors[v].size() << ','
+        << branches.branch_of_node[v];
+    write_field(out, skeleton.has_radii() ? skeleton.radii[v] : Skeleton_branch::unknown);
+    write_field(out,
+                skeleton.number_of_vertices.empty() ? std::optional<std::size_t>() : skeleton.number_of_vertices[v]);
+    write_field(out, measured.inscribed_radius);
+    write_field(out, measured.section_area);
+    out << '\n';
+  }
+  format.finish();
+}
+
+} // namespace internal
+
+void write_branch_table(std::ostream& out, const Skeleton_branches& branches)
+{
+  internal::Exact_format format(out);
+  out << "branch,first_node,last_node,first_end,last_end,number_of_nodes,length,chord,tortuosity,min_radius,mean_"
+         "radius,"
+         "max_radius,first_radius,last_radius,cone_area,cone_volume,surface_area,volume,significance,parent,order,"
+         "limb\n";
+  for (std::size_t b = 0; b < branches.branches.size(); ++b) {
+    const Skeleton_branch& branch = branches.branches[b];
+    out << b << ',' << branch.nodes.front() << ',' << branch.nodes.back() << ',' << name(branch.ends[0]) << ','
+        << name(branch.ends[1]) << ',' << branch.nodes.size();
+    for (const double number : {branch.length, branch.chord, branch.tortuosity(), branch.min_radius, branch.mean_radius,
+                                branch.max_radius, branch.end_radii[0], branch.end_radii[1], branch.cone_area,
+                                branch.cone_volume, branch.surface_area, branch.volume, branch.significance}) {
+      internal::write_field(out, number);
+    }
+    internal::write_field(out, branch.parent);
+    internal::write_field(out, branch.order);
+    internal::write_field(out, branch.limb);
+    out << '\n';
+  }
+  format.finish();
+}
+
+void write_cylinders(std::ostream& out, const std::vector<Tree_cylinder>& cylinders, const Tree_report& report)
+{
+  internal::Exact_format format(out);
+  out << "radius_m,length_m,start_X,start_Y,start_Z,axis_X,axis_Y,axis_Z,parent,extension,branch,branch_order,"
+         "position_in_branch,mad,SurfCov,added,UnmodRadius_m\n";
+  const auto from_one = [](const std::optional<std::size_t>& index) { return index ? *index + 1 : 0; };
+  for (const Tree_cylinder& cylinder : cylinders) {
+    out << cylinder.radius << ',' << cylinder.length;
+    for (const Vector_3& vector : {cylinder.start, cylinder.axis}) {
+      out << ',' << vector.x() << ',' << vector.y() << ',' << vector.z();
+    }
+    out << ',' << from_one(cylinder.parent) << ',' << from_one(cylinder.extension) << ',' << cylinder.limb + 1 << ','
+        << report.branches[cylinder.limb].order << ',' << cylinder.position + 1 << ",NaN,NaN,0," << cylinder.radius
+        << '\n';
+  }
+  format.finish();
+}
+
+} // namespace CSCD
