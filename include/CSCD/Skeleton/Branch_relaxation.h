@@ -154,13 +154,14 @@ public:
       return m_graph.is_regular(node) && !m_graph[node].is_opening && (!is_on_sheets || m_graph[node].is_on_sheet);
     };
     std::vector<std::optional<Target>> targets(m_graph.size());
-    for (int sweep = 0; sweep < number_of_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < number_of_sweeps + number_of_smoothings; ++sweep) {
+      const bool is_smoothing = sweep >= number_of_sweeps;
       for (Index node = 0; node < m_graph.size(); ++node) {
-        targets[node] = is_chosen(node) ? target(node) : std::nullopt;
+        targets[node] = is_chosen(node) && !is_smoothing ? target(node) : std::nullopt;
       }
       for (Index node = 0; node < m_graph.size(); ++node) {
         if (is_chosen(node)) {
-          move(node, targets[node]);
+          move(node, targets[node], is_smoothing);
         }
       }
     }
@@ -170,11 +171,15 @@ private:
   using Node = Skeleton_builder::Node;
 
   static constexpr int number_of_sweeps = 4;
+  /// Further sweeps without targets: centers of sections scatter with the triangles.
+  static constexpr int number_of_smoothings = 2;
   /// The part of the way to the target, ...
   static constexpr double center_share = 0.6;
-  /// ... of the way to the curve through the neighbors, ...
+  /// ... of the way to the smooth curve, next to a target and ...
   static constexpr double smooth_share = 0.25;
-  /// ... and of the way to the middle of the neighbors without a target.
+  /// ... in sweeps without targets, ...
+  static constexpr double last_smooth_share = 0.3;
+  /// ... and of the way to the middle of the neighbors if a node has no target.
   static constexpr double plain_share = 0.2;
   /// The change of R, relative to its difference from the radius of the section.
   static constexpr double radius_share = 0.5;
@@ -250,36 +255,42 @@ private:
     return product > 0 ? in.dot(out) / product : -1;
   }
 
-  /// Where the cubic curve through two nodes on each side of the regular `node` passes; near the ends of the branch,
-  /// the middle of the neighbors.
+  /// Where the regular `node` would be for the least sum of squared second differences of the branch: this leaves the
+  /// curvature as it is.
   Vector_3 smoothed(Index node) const
   {
-    const Index a = m_graph[node].neighbors[0];
-    const Index b = m_graph[node].neighbors[1];
-    if (!m_graph.is_regular(a) || !m_graph.is_regular(b)) {
-      return m_graph.middle_of_neighbors(node);
+    const std::vector<Index>& neighbors = m_graph[node].neighbors;
+    Vector_3 sum = 2 * (m_graph[neighbors[0]].position + m_graph[neighbors[1]].position);
+    double weight = 4;
+    for (Index neighbor : neighbors) {
+      if (m_graph.is_regular(neighbor)) {
+        sum += 2 * m_graph[neighbor].position - m_graph[m_graph.other_neighbor(neighbor, node)].position;
+        weight += 1;
+      }
     }
-    const Vector_3& before = m_graph[m_graph.other_neighbor(a, node)].position;
-    const Vector_3& after = m_graph[m_graph.other_neighbor(b, node)].position;
-    return (4 * (m_graph[a].position + m_graph[b].position) - before - after) / 6;
+    return sum / weight;
   }
 
   /// Moves the regular `index` as far as that is allowed.
-  void move(Index index, const std::optional<Target>& target)
+  void move(Index index, const std::optional<Target>& target, bool is_smoothing)
   {
     Node& node = m_graph[index];
     const Vector_3 start = node.position;
     Vector_3 step = Vector_3::Zero();
-    if (target) {
+    if (turn_cosine(index) < 0) {
+      step = m_graph.middle_of_neighbors(index) - start;
+    } else if (target) {
       step = center_share * (target->center - start) + smooth_share * (smoothed(index) - start);
       node.radius += radius_share * (target->radius - node.radius);
+    } else if (is_smoothing) {
+      step = last_smooth_share * (smoothed(index) - start);
     } else {
-      const double share = turn_cosine(index) < 0 ? 1 : plain_share;
-      step = share * (m_graph.middle_of_neighbors(index) - start);
+      step = plain_share * (m_graph.middle_of_neighbors(index) - start);
     }
     for (int halving = 0; halving <= max_halvings; ++halving, step /= 2) {
-      if (is_allowed(index, place(node, start + step))) {
-        node.position = place(node, start + step);
+      const Vector_3 position = place(node, start + step);
+      if (is_allowed(index, position)) {
+        node.position = position;
         return;
       }
     }

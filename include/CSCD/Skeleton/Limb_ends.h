@@ -13,6 +13,8 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -42,6 +44,13 @@ private:
   static constexpr double tip_depth = 0.75;
   /// An edge to a tip has at least this length, likewise.
   static constexpr double min_tip_length = 0.3;
+  /// The distance of the far end of a piece from its base, relative to the length of the ray and to the radius, from
+  /// which on the ray does not decide.
+  static constexpr double max_reach_of_end = 2;
+  /// The part of a piece beyond this distance is far, relative to its farthest point.
+  static constexpr double far_part = 0.6;
+  /// A limb ends in a thin part if the surface is nearer to the tip than this, relative to its depth.
+  static constexpr double max_thin_end = 0.6;
 
   void add_tips(Index piece)
   {
@@ -57,7 +66,7 @@ private:
       add_tip(piece, base, -openings.front().normal);
     } else if (number_of_ways == 1) {
       if (!m_graph[base].is_on_sheet) {
-        add_tip(piece, base, outward_normal(piece, base));
+        end_limb(piece, base);
       }
     } else {
       const Vector_3 direction = (m_pieces.farthest(piece, start) - start).normalized();
@@ -80,23 +89,44 @@ private:
     return normal.dot(way) < 0 ? Vector_3(-normal) : normal;
   }
 
+  /// Adds a tip in the direction of the only separator of `piece`; where that meets a wall early, as in a cup, one
+  /// towards the far part of the piece.
+  void end_limb(Index piece, Index base)
+  {
+    const Vector_3& start = m_graph[base].position;
+    const Vector_3 direction = outward_normal(piece, base);
+    const double reach = std::max(distance_to_end(piece, base, direction), m_graph[base].radius);
+    std::optional<Vector_3> far_end;
+    if ((m_pieces.farthest(piece, start) - start).norm() > max_reach_of_end * reach) {
+      far_end = far_end_of(piece, base);
+    }
+    if (far_end) {
+      join_tip(piece, base, *far_end);
+    } else {
+      add_tip(piece, base, direction);
+    }
+  }
+
   /// Adds a tip in `direction` from `base`; if that is as near to the end, it becomes the tip.
   void add_tip(Index piece, Index base, const Vector_3& direction)
   {
     const double radius = m_graph[base].radius;
-    const double length = distance_to_end(piece, base, direction) - tip_depth * radius;
-    if (length <= 0) {
-      return;
-    }
-    const Vector_3 position = m_graph[base].position + length * direction;
+    const Vector_3 start = m_graph[base].position;
+    const double reach = distance_to_end(piece, base, direction);
+    const double length = reach - depth_of_tip(start, direction, reach, radius);
     if (length >= min_tip_length * radius) {
-      const Index tip = m_graph.add_node(position, radius);
-      m_graph[tip].pieces = {piece};
-      m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
-      m_graph.add_edge(base, tip);
-    } else if (m_graph.degree(base) == 1) {
-      m_graph[base].position = position;
+      join_tip(piece, base, start + length * direction);
+    } else if (length > 0 && m_graph.degree(base) == 1) {
+      m_graph[base].position = start + length * direction;
     }
+  }
+
+  void join_tip(Index piece, Index base, const Vector_3& position)
+  {
+    const Index tip = m_graph.add_node(position, m_graph[base].radius);
+    m_graph[tip].pieces = {piece};
+    m_graph[tip].is_on_sheet = m_graph[base].is_on_sheet;
+    m_graph.add_edge(base, tip);
   }
 
   double distance_to_end(Index piece, Index base, const Vector_3& direction) const
@@ -107,6 +137,36 @@ private:
     }
     const std::optional<Surface_hit> hit = m_cut.solid.first_hit(start, direction);
     return hit ? hit->distance : 0;
+  }
+
+  /// How far below the surface a tip is: less where the limb ends in a thin part.
+  double depth_of_tip(const Vector_3& start, const Vector_3& direction, double reach, double radius) const
+  {
+    const double depth = tip_depth * radius;
+    if (reach <= depth) {
+      return depth / 2;
+    }
+    const Vector_3 point = start + (reach - depth) * direction;
+    const double distance = (m_cut.solid.closest_point(point).point - point).norm();
+    return distance < max_thin_end * depth ? std::max(distance, depth / 2) : depth;
+  }
+
+  /// A place inside below the surface of `piece` that is far from `base`, in the direction of the mean of that.
+  std::optional<Vector_3> far_end_of(Index piece, Index base) const
+  {
+    const Vector_3& start = m_graph[base].position;
+    const double far = far_part * (m_pieces.farthest(piece, start) - start).norm();
+    Vector_3 sum = Vector_3::Zero();
+    for (Index vertex : m_pieces[piece]) {
+      const Vector_3 way = m_pieces.point(vertex) - start;
+      sum += way.norm() > far ? way : Vector_3(Vector_3::Zero());
+    }
+    const Vector_3 direction = sum.normalized();
+    const double length = m_pieces.extent(piece, start, direction) - tip_depth * m_graph[base].radius;
+    const Vector_3 place = start + length * direction;
+    const std::optional<Vector_3> result =
+        m_cut.solid.is_inside(place) ? std::optional<Vector_3>(place) : m_cut.solid.middle_behind(place);
+    return result && m_cut.solid.is_inside(*result) ? result : std::nullopt;
   }
 
   const Cut_solid& m_cut;
