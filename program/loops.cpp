@@ -10,8 +10,8 @@
 #include "write_with_report.h"
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/counted.h>
 #include <CSCD/version.h>
 
 #include <boost/math/constants/constants.hpp>

@@ -13,9 +13,9 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/counted.h>
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/range/iterator_range_core.hpp>

@@ -25,7 +25,6 @@
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/counted.h>
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/range/iterator_range_core.hpp>
@@ -288,8 +287,8 @@ CSCD::Shape_file read_soup(const std::string& name, const std::string& format)
   return CSCD::internal::read_polygons_or_points(in, format.empty() ? name : "." + format, name);
 }
 
-Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
-               bool makes_mesh, unsigned number_of_threads)
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
+               unsigned number_of_threads)
 {
   Input input;
   if (keeps_file) {

@@ -6,7 +6,7 @@
 #include "write_measures.h"
 
 #include "dump_json.h"
-#include <CSCD/internal/counted.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>

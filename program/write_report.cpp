@@ -11,7 +11,6 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
-#include <CSCD/internal/counted.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>

@@ -7,13 +7,28 @@
 #define CSCD_SKELETONIZATION_REPORT_H
 
 #include <CSCD/Skeletonization_visitor.h>
-#include <CSCD/internal/counted.h>
 
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace CSCD::internal {
+
+/// `count` and what is counted: `one` after 1, else `many`.
+inline std::string counted(std::size_t count, const std::string& one, const std::string& many)
+{
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// The same for nouns whose plural ends in `s`.
+inline std::string counted(std::size_t count, const std::string& noun)
+{
+  return counted(count, noun, noun + 's');
+}
+
+} // namespace CSCD::internal
 
 namespace CSCD {
 

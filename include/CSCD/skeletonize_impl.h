@@ -14,8 +14,8 @@
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
-#include <CSCD/Surface/Prepared_mesh.h>
 #include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/config.h>
 #include <CSCD/skeletonize.h>

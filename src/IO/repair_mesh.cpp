@@ -6,14 +6,14 @@
 #include "Point_merger.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/counted.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>

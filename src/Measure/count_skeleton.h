@@ -10,7 +10,7 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <array>
 #include <vector>

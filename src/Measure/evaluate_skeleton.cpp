@@ -18,7 +18,6 @@
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
-#include <CSCD/Surface/canonical_order.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>

@@ -12,11 +12,11 @@
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/counted.h>
 
 #include <algorithm>
 #include <array>

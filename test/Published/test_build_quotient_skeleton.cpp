@@ -19,7 +19,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
-#include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Straightening.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

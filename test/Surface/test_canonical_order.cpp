@@ -7,8 +7,8 @@
 #include "support/Allow_threads.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Surface/canonical_order.h>
 
 #include <gtest/gtest.h>
 

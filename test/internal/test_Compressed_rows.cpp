@@ -4,7 +4,7 @@
 // Rows hold what was sorted into them, in order, before and after they are shortened.
 
 #include "support/Allow_threads.h"
-#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // Disjoint sets against labels that are rewritten at every union, on random operations.
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 // Marks that are taken back at once, the one time in four thousand million included at which the counter ends.
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <gtest/gtest.h>
 

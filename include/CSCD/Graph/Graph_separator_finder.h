@@ -9,7 +9,7 @@
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cstddef>

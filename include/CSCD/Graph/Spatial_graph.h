@@ -8,8 +8,8 @@
 
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/config.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 

@@ -9,7 +9,7 @@
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cstddef>

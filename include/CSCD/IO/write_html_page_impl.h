@@ -13,8 +13,8 @@
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
-#include <CSCD/internal/Disjoint_sets.h>
 #include <CSCD/internal/config.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 

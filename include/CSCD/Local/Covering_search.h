@@ -10,7 +10,6 @@
 #include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Packing/Separator_packing.h>
-#include <CSCD/Packing/Surface_regions.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>

@@ -7,7 +7,6 @@
 #define CSCD_LOCAL_LOCAL_SEPARATOR_FINDER_H
 
 #include <CSCD/Local/Geodesic_polar_coordinates.h>
-#include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>

@@ -9,8 +9,7 @@
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <array>

@@ -7,9 +7,7 @@
 #define CSCD_POINTS_POINT_COMPLEX_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

@@ -13,7 +13,7 @@
 #include <CSCD/Points/Triangle_selection.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <Eigen/Core>
 

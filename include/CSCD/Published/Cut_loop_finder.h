@@ -11,7 +11,7 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 

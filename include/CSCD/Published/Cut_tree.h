@@ -11,7 +11,7 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 

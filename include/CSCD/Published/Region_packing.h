@@ -14,10 +14,8 @@
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

@@ -11,8 +11,8 @@
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published/Field_separator_finder.h>
 #include <CSCD/Published/Heat_method.h>
-#include <CSCD/Separator/Loop_projection.h>
 #include <CSCD/Separator/Separator.h>
+#include <CSCD/Separator/Straightening.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_levels.h>

@@ -13,7 +13,7 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 

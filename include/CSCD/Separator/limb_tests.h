@@ -10,7 +10,7 @@
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <boost/math/constants/constants.hpp>
 

@@ -16,7 +16,7 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 

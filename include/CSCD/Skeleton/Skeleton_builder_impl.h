@@ -7,8 +7,8 @@
 #define CSCD_SKELETON_SKELETON_BUILDER_IMPL_H
 
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/internal/Disjoint_sets.h>
-#include <CSCD/internal/counted.h>
+#include <CSCD/Skeletonization_report.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 

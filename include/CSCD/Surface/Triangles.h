@@ -9,8 +9,8 @@
 #include <CSCD/Options.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/config.h>
+#include <CSCD/internal/flat_arrays.h>
 #include <CSCD/internal/parallel.h>
 
 #include <CGAL/Iterator_range.h>

@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/assertions.h>

@@ -9,9 +9,8 @@
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/close_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/Dijkstra_search.h>
-#include <CSCD/internal/Disjoint_sets.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <array>

@@ -12,8 +12,8 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/Compressed_rows.h>
 #include <CSCD/internal/detection.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/double.h>

@@ -8,12 +8,11 @@
 
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Prepared_mesh.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Compressed_rows.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>
 #include <CGAL/boost/graph/properties.h>

@@ -7,7 +7,7 @@
 #define CSCD_INTERNAL_DIJKSTRA_SEARCH_H
 
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/Epoch_marks.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <boost/core/noinit_adaptor.hpp>
 
