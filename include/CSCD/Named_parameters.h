@@ -70,6 +70,7 @@ struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
   {                                                                                                                    \
     return {value, *this};                                                                                             \
   }
+#include <CSCD/internal/parameters_interface.h>
 #undef CSCD_add_named_parameter
 #endif
 };
@@ -199,6 +200,7 @@ Named_parameters<K, parameter_tag> parameter_name(const K& value);
   {                                                                                                                    \
     return {value};                                                                                                    \
   }
+#include <CGAL/STL_Extension/internal/parameters_interface.h>
 #undef CGAL_add_named_parameter
 
 #define CSCD_add_named_parameter(X, Y, Z)                                                                              \
@@ -207,6 +209,7 @@ Named_parameters<K, parameter_tag> parameter_name(const K& value);
   {                                                                                                                    \
     return {value};                                                                                                    \
   }
+#include <CSCD/internal/parameters_interface.h>
 #undef CSCD_add_named_parameter
 #endif
 
