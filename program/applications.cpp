@@ -101,7 +101,7 @@ CSCD::internal::Faces_of_file faces_of_file(const Input& input)
     const auto h = input.mesh.halfedge(face);
     faces.push_back({source(h, input.mesh), target(h, input.mesh), target(next(h, input.mesh), input.mesh)});
   }
-  return match_faces(input.as_read, CSCD::internal::to_vectors(input.mesh.points()), faces);
+  return CSCD::internal::match_faces(input.as_read, CSCD::internal::to_vectors(input.mesh.points()), faces);
 }
 
 /// Checks options that exclude each other.
