@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pipeline one stage after the other, with a cost of one's own for the separators and a visitor that shows
-// progress and stops the work when it takes too long. Between the stages the separators can be read.
+// The pipeline one stage after the other, with a visitor that shows progress and stops the work when it takes too long.
+// Between the stages the separators can be read.
 // Usage: step_by_step_example [mesh file [maximum number of seconds]]
 
 #include <CSCD/Curve_skeletonization.h>
@@ -14,8 +14,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/math/constants/constants.hpp>
-
 #include <chrono>
 #include <exception>
 #include <fstream>
@@ -26,20 +24,6 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-
-//! [A cost of separators]
-/// Prefers separators that are short and round: of two that overlap, the one of lower cost is packed.
-struct Short_and_round_cost
-{
-  double operator()(const CSCD::Separator& separator) const
-  {
-    // 1 for a circle, more for any other curve.
-    const double isoperimetric_ratio =
-        separator.length * separator.length / (4 * boost::math::double_constants::pi * separator.area);
-    return separator.length * isoperimetric_ratio;
-  }
-};
-//! [A cost of separators]
 
 //! [A visitor]
 /// Names the stages as they begin and end, and stops the work after some seconds.
@@ -110,7 +94,7 @@ try {
   //! [Step by step]
   const Traits traits(mesh);
 
-  const CSCD::Local_policies policies{Short_and_round_cost()};
+  const CSCD::Local_policies policies{CSCD::Detail(0.6)};
   Skeletonization skeletonization(traits, policies, Time_limit_visitor(max_seconds));
   skeletonization.set_random_seed(7);
   skeletonization.find_separators();
