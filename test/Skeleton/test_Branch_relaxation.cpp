@@ -108,9 +108,9 @@ TEST_F(Branch_in_capsule, loses_nodes_that_own_few_vertices_until_the_others_own
     divide(builder);
     return builder.size();
   };
-  EXPECT_EQ(with_counts({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}, {1.9, 0, 0}, {2.2, 0, 0}, {2.5, 0, 0}}, 5), 4u)
+  EXPECT_EQ(with_counts({{1, 0, 0}, {1.3, 0, 0}, {1.6, 0, 0}, {1.9, 0, 0}, {2.2, 0, 0}, {2.5, 0, 0}}, 5), 3u)
       << "with what its neighbors owned, one owns enough";
-  EXPECT_EQ(with_counts({{1, 0, 0}, {2.5, 0, 0}, {4, 0, 0}}, 0), 3u) << "a long edge would be left";
+  EXPECT_EQ(with_counts({{1, 0, 0}, {2.5, 0, 0}, {4, 0, 0}}, 0), 5u) << "edges are no longer than the radius";
 }
 
 TEST(Branch_relaxation, stays_inside_a_notched_body)

@@ -51,11 +51,13 @@ public:
   }
 
 private:
-  /// The length of the parts of an edge, relative to R.
+  /// The length of the parts of an edge, relative to R, if they own enough vertices, ...
   static constexpr double part_length = 0.5;
+  /// ... and whatever they own: longer edges look broken in thick bodies.
+  static constexpr double max_part_length = 1;
   /// The number of parts of an edge: bounds the work on long, thin ones.
   static constexpr double max_parts = 30;
-  /// The number of vertices for each part, on the average.
+  /// The number of vertices for each short part, on the average.
   static constexpr double part_vertices = 12;
   /// The number of vertices of a node: the radii of nodes with fewer scatter by more than a third of what they do.
   static constexpr double min_vertices = 8;
@@ -82,20 +84,29 @@ private:
   {
     const Skeleton_builder::Node from = m_graph[a];
     const Skeleton_builder::Node to = m_graph[b];
-    if (from.is_opening || to.is_opening || m_graph.is_junction(a) || m_graph.is_junction(b)) {
+    if (from.is_opening || to.is_opening) {
       return;
     }
-    const double length = m_graph.edge_length(a, b);
-    const double owned =
-        number_of_vertices(a) / double(m_graph.degree(a)) + number_of_vertices(b) / double(m_graph.degree(b));
-    const double parts = std::min({std::floor(length / (part_length * (from.radius + to.radius) / 2)) + 1, max_parts,
-                                   std::floor(owned / part_vertices)});
+    const double parts = number_of_parts(a, b);
     Index last = a;
     for (int i = 1; i < parts; ++i) {
       const double along = i / parts;
       const double radius = (1 - along) * from.radius + along * to.radius;
       last = m_graph.split_edge(last, b, (1 - along) * from.position + along * to.position, radius);
     }
+  }
+
+  /// As many short parts as the vertices allow and, whatever these are, none that is too long. In the ball of a
+  /// junction there are no sections to center more nodes in.
+  double number_of_parts(Index a, Index b) const
+  {
+    const double length = m_graph.edge_length(a, b) / ((m_graph[a].radius + m_graph[b].radius) / 2);
+    const double owned =
+        number_of_vertices(a) / double(m_graph.degree(a)) + number_of_vertices(b) / double(m_graph.degree(b));
+    const bool is_at_junction = m_graph.is_junction(a) || m_graph.is_junction(b);
+    const double wanted =
+        is_at_junction ? 1 : std::min(std::floor(length / part_length) + 1, std::floor(owned / part_vertices));
+    return std::min(std::max(wanted, std::floor(length / max_part_length) + 1), max_parts);
   }
 
   Inside_routing<Triangulated_solid>& m_routing;
