@@ -51,7 +51,7 @@ struct Input
   std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
   bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
   bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
-  CSCD::Shape_file as_read;                  ///< what the file has, if it was to be kept
+  CSCD::Shape_file as_read;                              ///< what the file has, if it was to be kept
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -75,8 +75,8 @@ Input read_input(const std::string& name, const std::string& format, bool is_qui
 CSCD::Shape_file read_soup(const std::string& name, const std::string& format);
 
 /// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
-Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
-               bool makes_mesh, unsigned number_of_threads);
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
+               unsigned number_of_threads);
 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`
@@ -84,8 +84,7 @@ Input read_graph(const Skeletonize_options& options);
 
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
-CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup,
-                                            std::vector<std::array<CSCD::Index, 2>> edges,
+CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
                                             unsigned int number_of_neighbors);
 
 /// The input that is this graph.

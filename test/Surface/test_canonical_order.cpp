@@ -4,7 +4,6 @@
 // The numbers of the surface depend on its shape alone: not on the numbers of the input, nor on its pose.
 
 #include "Surface/to_indexed_triangles.h"
-#include "support/Allow_threads.h"
 #include "support/Similarity.h"
 #include "support/shapes.h"
 #include <CSCD/Surface/Surface_components.h>
@@ -98,18 +97,6 @@ TEST(canonical_order, does_not_depend_on_the_numbers_of_the_input)
       }
     }
   }
-}
-
-TEST(canonical_order, does_not_depend_on_the_number_of_threads)
-{
-  const CSCD::test::Allow_threads allow(3);
-  // Of more vertices at the same number of edges from the first one than one thread reads at once.
-  const Indexed_triangles triangles = CSCD::test::to_indexed_triangles(CSCD::test::sphere(7));
-  const Halfedge_pairing pairing(triangles.faces, triangles.points.size());
-  const Surface_components components(triangles);
-  const Canonical_order expected = CSCD::internal::canonical_order(triangles, pairing, components, 1);
-  EXPECT_EQ(expected.vertices, CSCD::internal::canonical_order(triangles, pairing, components, 2).vertices);
-  EXPECT_EQ(expected.vertices, CSCD::internal::canonical_order(triangles, pairing, components, 3).vertices);
 }
 
 TEST(canonical_order, goes_around_each_vertex_from_the_one_that_found_it)
