@@ -9,7 +9,6 @@
 #include <CSCD/Points/Fragment_joining.h>
 #include <CSCD/Points/Handle_repair.h>
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Surface_components.h>
@@ -30,6 +29,16 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// The result of a reconstruction: a closed surface through points.
+struct Reconstructed_surface
+{
+  Indexed_triangles triangles; ///< a closed manifold, looking outwards
+  Halfedge_pairing pairing;    ///< of the triangles
+  /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
+  std::vector<Index> point_of_vertex;
+  Reconstruction_report report;
+};
 
 /// Closes the triangles between points. What is done to them is added to the report, in the coordinates of the input.
 class Surface_completion

@@ -7,6 +7,7 @@
 #define CSCD_POINTS_RECONSTRUCT_SURFACE_H
 
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/Surface_completion.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
@@ -16,16 +17,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// The result of a reconstruction: a closed surface through points.
-struct Reconstructed_surface
-{
-  Indexed_triangles triangles; ///< a closed manifold, looking outwards
-  Halfedge_pairing pairing;    ///< of the triangles
-  /// The point that a vertex is; `no_index` for inserted vertices and for second copies of points.
-  std::vector<Index> point_of_vertex;
-  Reconstruction_report report;
-};
 
 /// Makes a closed surface of `cloud`. O(n log n) for points on a surface.
 /// \throw Surface_error if there is none; another Input_error if the points lie in slices that are too far apart
