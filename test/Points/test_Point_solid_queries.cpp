@@ -8,7 +8,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Point_complex.h>
-#include <CSCD/Points/Point_solid_impl.h>
+#include <CSCD/Points/Point_solid_queries.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>

@@ -8,6 +8,7 @@
 #include "support/sampling.h"
 #include "support/shapes.h"
 #include <CSCD/Points/Point_cloud.h>
+#include <CSCD/Points/consolidate_points.h>
 #include <CSCD/Points/recognize_tree_scan.h>
 #include <CSCD/Points/reconstruct_surface.h>
 #include <CSCD/Vector_3.h>

@@ -43,7 +43,7 @@ Cut_loop find_loop(const Measured_cloud& cloud, Index source, Target_rule rule, 
       measures, source, cloud.complex().point(source), rule,
       [&](Index v) { return measures.is_cut(v, Point_cut_locus_indicators::default_criterion()); }, loop);
   vertices.clear();
-  for (const Index h : finder.halfedges(loop)) {
+  for (const Index h : loop.halfedges) {
     vertices.push_back(cloud.complex().origin(h));
   }
   return loop;

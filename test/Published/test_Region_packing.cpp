@@ -69,8 +69,8 @@ TEST(Separator_regions, are_connected_and_not_empty_however_close_the_separators
     separators.push_back(tube_section(level.surface, 0.5 + 9. * i / 80, {1, 0.3 * (i % 5 - 2), 0.2 * (i % 3 - 1)}));
     weights.push_back(0.1 + 0.9 * (i * 13 % 17) / 17);
   }
-  const std::vector<Index> packed =
-      CSCD::internal::pack_by_overlap(CSCD::internal::Separator_overlaps(level.surface, separators), weights);
+  CSCD::internal::Separator_overlaps overlaps(level.surface, separators);
+  const std::vector<Index> packed = CSCD::internal::pack_by_overlap(overlaps, weights);
   const Separator_regions regions(level.surface, separators, packed);
   ASSERT_EQ(regions.size(), packed.size());
   EXPECT_GT(regions.size(), 8u);

@@ -3,9 +3,7 @@
 //
 // Rows hold what was sorted into them, in order, before and after they are shortened.
 
-#include "support/Allow_threads.h"
 #include <CSCD/internal/flat_arrays.h>
-#include <CSCD/internal/parallel.h>
 
 #include <gtest/gtest.h>
 
@@ -48,29 +46,6 @@ TEST(Compressed_rows, sorts_values_into_rows)
   EXPECT_EQ(row_of(rows, 3), (std::vector<int>{5, 7}));
   EXPECT_EQ(row_of(rows, 4), std::vector<int>{2});
   EXPECT_EQ(rows.size(5), 0u);
-}
-
-TEST(Compressed_rows, are_the_same_for_any_number_of_threads)
-{
-  const CSCD::test::Allow_threads allow(3);
-  for (const std::size_t number_of_rows : {std::size_t(11), std::size_t(2 * CSCD::internal::range_size + 1)}) {
-    const auto rows = [number_of_rows](unsigned number_of_threads) {
-      const auto for_each_value = [number_of_rows](const auto& add) {
-        for (int value = 0; value < 50000; ++value) {
-          add(std::size_t(value) * 37 % number_of_rows, value);
-        }
-      };
-      return Compressed_rows<int>(number_of_rows, for_each_value, number_of_threads);
-    };
-    const Compressed_rows<int> expected = rows(1);
-    for (const unsigned number_of_threads : {0U, 2U, 3U}) {
-      const Compressed_rows<int> found = rows(number_of_threads);
-      ASSERT_EQ(found.number_of_rows(), number_of_rows);
-      for (std::size_t row = 0; row < number_of_rows; ++row) {
-        EXPECT_EQ(row_of(found, row), row_of(expected, row));
-      }
-    }
-  }
 }
 
 TEST(Compressed_rows, may_be_none)
