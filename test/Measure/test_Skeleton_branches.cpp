@@ -11,6 +11,7 @@
 #include "support/swept_shapes.h"
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton.h>
