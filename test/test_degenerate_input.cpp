@@ -41,17 +41,18 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 /// Expects a skeleton with all invariants; returns the report.
-CSCD::Skeletonization_report expect_skeleton(const Mesh& mesh)
+CSCD::Skeletonization_report expect_skeleton(const Mesh& mesh, std::size_t number_of_cavities = 0)
 {
   Skeleton skeleton;
-  const CSCD::Skeletonization_report report = CSCD::test::expect_skeleton(mesh, skeleton);
+  const CSCD::Skeletonization_report report =
+      CSCD::test::expect_skeleton(mesh, skeleton, CSCD::parameters::default_values(), number_of_cavities);
   EXPECT_GT(num_vertices(skeleton), 0u);
   return report;
 }
 
-CSCD::Skeletonization_report expect_skeleton(const Shape& shape)
+CSCD::Skeletonization_report expect_skeleton(const Shape& shape, std::size_t number_of_cavities = 0)
 {
-  return expect_skeleton(CSCD::test::to_mesh<Mesh>(shape));
+  return expect_skeleton(CSCD::test::to_mesh<Mesh>(shape), number_of_cavities);
 }
 
 /// Expects an Input_error with all of `words` in its message, and the output as it was.
@@ -330,7 +331,7 @@ TEST(Degenerate_input, components_of_either_orientation)
 
 TEST(Degenerate_input, surface_within_a_surface)
 {
-  const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::hollow_sphere(3));
+  const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::hollow_sphere(3), 1);
   EXPECT_EQ(report.number_of_cavities, 1u);
   EXPECT_EQ(report.number_of_skeleton_components, 1u);
   EXPECT_EQ(report.number_of_nodes_outside, 0u);
@@ -340,7 +341,7 @@ TEST(Degenerate_input, thin_wall_around_a_void)
 {
   const Shape outer = CSCD::test::y_tube(0.2);
   const Shape inner = CSCD::test::reversed(CSCD::test::star(3, 3, 0.3, 0.1));
-  const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::merged("", {inner, outer}));
+  const CSCD::Skeletonization_report report = expect_skeleton(CSCD::test::merged("", {inner, outer}), 1);
   EXPECT_EQ(report.number_of_cavities, 1u);
   EXPECT_EQ(report.number_of_tips, 3u);
   EXPECT_EQ(report.number_of_nodes, expect_skeleton(outer).number_of_nodes);

@@ -446,7 +446,10 @@ private:
   /// By length; of equal ones by position, so that the numbering does not matter.
   bool is_before(const Joint& a, const Joint& b) const
   {
-    if (a.squared_distance != b.squared_distance || b.from == no_index) {
+    if (a.from == no_index || b.from == no_index) {
+      return a.from != no_index; // also where squares overflow
+    }
+    if (a.squared_distance != b.squared_distance) {
       return a.squared_distance < b.squared_distance;
     }
     const auto key = [this](const Joint& joint) {

@@ -13,16 +13,20 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace CSCD::test {
 
-/// Expects that `mesh` has a skeleton with all invariants, and writes it to `skeleton`.
+/// Expects that `mesh`, which has `number_of_cavities` cavities, has a skeleton with all invariants, and writes it to
+/// `skeleton`.
 template <class Mesh, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
 Skeletonization_report expect_skeleton(const Mesh& mesh, Skeleton& skeleton,
-                                       const NamedParameters& np = parameters::default_values())
+                                       const NamedParameters& np = parameters::default_values(),
+                                       std::size_t number_of_cavities = 0)
 {
   Skeletonization_report report;
   EXPECT_NO_THROW(report = extract_curve_skeleton(mesh, skeleton, np));
-  EXPECT_EQ(violated_invariants(mesh, skeleton, report), Violations{});
+  EXPECT_EQ(violated_invariants(mesh, skeleton, report, number_of_cavities), Violations{});
   return report;
 }
 

@@ -40,6 +40,9 @@ public:
   }
 
 private:
+  /// A component of a smaller radius, relative to the root of the area of the surface, is flat: inside tests are
+  /// unreliable there.
+  static constexpr double min_thickness = 1e-7;
   /// Tips stay this far below the surface, relative to the radius.
   static constexpr double tip_depth = 0.75;
   /// An edge to a tip has at least this length, likewise.
@@ -58,8 +61,9 @@ private:
     const std::size_t number_of_ways = m_cut.around(piece).size() + openings.size();
     const Index base = m_nodes.node_of_piece(piece);
     const Vector_3 start = m_graph[base].position;
-    // From outside, tips would lead somewhere into the wall of a hollow body.
-    if (number_of_ways > 1 || !m_cut.solid.is_inside(start)) {
+    // From outside, tips would lead somewhere into the wall of a hollow body; from a component without thickness, into
+    // another component.
+    if (number_of_ways > 1 || !(m_graph[base].radius > min_thickness) || !m_cut.solid.is_inside(start)) {
       return;
     }
     if (!openings.empty()) {
