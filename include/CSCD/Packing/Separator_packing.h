@@ -216,10 +216,10 @@ private:
       const double reach = tolerance * std::min(min_spacing * a.radius(), width / 2);
       const Cell first = cell(a.center - Vector_3::Constant(reach), width);
       const Cell last = cell(a.center + Vector_3::Constant(reach), width);
-      for (double x = first[0]; x <= last[0]; ++x) {
-        for (double y = first[1]; y <= last[1]; ++y) {
-          for (double z = first[2]; z <= last[2]; ++z) {
-            const auto found = cells.find({x, y, z});
+      for (int x = 0; first[0] + x <= last[0]; ++x) {
+        for (int y = 0; first[1] + y <= last[1]; ++y) {
+          for (int z = 0; first[2] + z <= last[2]; ++z) {
+            const auto found = cells.find({first[0] + x, first[1] + y, first[2] + z});
             if (found != cells.end() && std::any_of(found->second.begin(), found->second.end(), [&](Index packed) {
                   return is_too_near(a, m_separators[packed]);
                 })) {
