@@ -117,7 +117,7 @@ private:
     const double radius = m_graph[base].radius;
     const Vector_3 start = m_graph[base].position;
     const double reach = distance_to_end(piece, base, direction);
-    const double length = reach - depth_of_tip(start, direction, reach, radius);
+    const double length = reach - depth_of_tip(piece, start, direction, reach, radius);
     if (length >= min_tip_length * radius) {
       join_tip(piece, base, start + length * direction);
     } else if (length > 0 && m_graph.degree(base) == 1) {
@@ -143,16 +143,29 @@ private:
     return hit ? hit->distance : 0;
   }
 
-  /// How far below the surface a tip is: less where the limb ends in a thin part.
-  double depth_of_tip(const Vector_3& start, const Vector_3& direction, double reach, double radius) const
+  Index component_of_face(Index face) const
+  {
+    return m_cut.solid.component(m_cut.solid.query_level().to_finest(m_cut.solid.query_surface().origin(3 * face)));
+  }
+  Index component_of_piece(Index piece) const
+  {
+    return m_cut.solid.component(m_cut.solid.query_level().to_finest(*m_pieces[piece].begin()));
+  }
+
+  /// How far below the surface a tip is: less where the limb ends in a thin part. Walls of other components that reach
+  /// into the limb do not count.
+  double depth_of_tip(Index piece, const Vector_3& start, const Vector_3& direction, double reach, double radius) const
   {
     const double depth = tip_depth * radius;
     if (reach <= depth) {
       return depth / 2;
     }
     const Vector_3 point = start + (reach - depth) * direction;
-    const double distance = (m_cut.solid.closest_point(point).point - point).norm();
-    return distance < max_thin_end * depth ? std::max(distance, depth / 2) : depth;
+    const Surface_point nearest = m_cut.solid.closest_point(point);
+    const double distance = (nearest.point - point).norm();
+    const bool is_thin =
+        distance < max_thin_end * depth && component_of_face(nearest.face) == component_of_piece(piece);
+    return is_thin ? std::max(distance, depth / 2) : depth;
   }
 
   /// A place inside below the surface of `piece` that is far from `base`, in the direction of the mean of that.

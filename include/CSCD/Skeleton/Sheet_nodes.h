@@ -156,7 +156,9 @@ private:
     const std::optional<Vector_3> middle = m_section(*point, m_direction, m_half_width);
     const double shift = middle ? (*middle - *point).norm() : m_half_width;
     const double loss = m_half_width - m_section.half_width();
-    if (!middle || shift >= m_half_width || (shift > max_shift * step && loss - m_taper * step > min_loss * shift)) {
+    // A middle that is farther aside than the step is long is that of a section along the border at the end.
+    if (!middle || shift >= std::min(step, m_half_width) ||
+        (shift > max_shift * step && loss - m_taper * step > min_loss * shift)) {
       m_position = *point;
     } else {
       m_direction = (m_direction + 2 * (*middle - m_position).normalized()).normalized();
@@ -183,9 +185,13 @@ private:
       return false;
     }
     m_direction = way.normalized();
-    m_taper = std::max(0., m_graph[node].radius - m_half_width) / way.norm();
     for (int i = 0; i < number_of_turns; ++i) {
       turn_to_shortest_section();
+    }
+    // Measured in sections: the radii of nodes vary by more than widths of sheets do.
+    m_taper = 0;
+    if (m_section(m_graph[node].position, m_direction, m_half_width)) {
+      m_taper = std::max(0., m_section.half_width() - m_half_width) / way.norm();
     }
     return true;
   }
