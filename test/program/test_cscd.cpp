@@ -1098,7 +1098,7 @@ TEST_F(Cscd, lists_of_edges_are_graphs)
   expect_refusal("skeletonize short.edges --as graph", 2, {"short.edges", "line 1", "six coordinates"});
   m_folder.write("nan.edges", "0 0 0 1 0 nan\n");
   expect_refusal("skeletonize nan.edges --as graph", 2, {"not finite"});
-  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "no surface"});
+  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "needs a surface"});
   expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
 }
 
