@@ -55,6 +55,7 @@ private:
 /// Points, polygons and lines as they stand in a file, in flat arrays.
 struct Shape_file
 {
+  /// The points.
   std::vector<Vector_3> points;
   /// The normals at the points, if the file has them, else empty.
   std::vector<Vector_3> normals;
