@@ -47,8 +47,11 @@ inline std::vector<double> separator_costs(const std::vector<Separator>& separat
   return result;
 }
 
-/// Finds the branches of a cut graph that lead from a junction to a tip and stand on no limb, and the ends of branches
-/// that lead into a corner of a sheet.
+/// Finds the branches of a cut graph that stand on no limb, and the ends of branches that lead into a corner of the
+/// body.
+///
+/// A corner of a box or a plank is no limb, although loops surround it. Its separators cut off less, relative to their
+/// squared length, than those of a limb, and they turn aside from the branch.
 class Spurious_branches
 {
 public:
@@ -59,12 +62,23 @@ public:
                     const std::vector<Index>& packed, double min_area_ratio)
       : m_cut_graph(cut_graph), m_separators(separators), m_packed(packed), m_min_area_ratio(min_area_ratio)
   {
-    for (Index piece = 0; piece < cut_graph.pieces().size(); ++piece) {
-      if (cut_graph.pieces()[piece].separators.size() == 1) {
-        const bool is_bump = walk_branch(piece) && !is_limb();
-        for (auto step = m_branch.begin(); step != m_branch.end() && (is_bump || is_corner(*step)); ++step) {
-          m_bumps.push_back(m_packed[step->separator]);
+    std::map<Index, std::vector<Index>> weak_tips; // by the junctions of their branches
+    for (Index tip = 0; tip < cut_graph.pieces().size(); ++tip) {
+      if (cut_graph.pieces()[tip].separators.size() == 1) {
+        const Index junction = walk_branch(tip);
+        if (junction != no_index && !is_limb(1)) {
+          ban(m_branch.size());
+          continue;
         }
+        ban(number_of_steps_into_corner());
+        if (junction != no_index && may_be_corner()) {
+          weak_tips[junction].push_back(tip);
+        }
+      }
+    }
+    for (const auto& [junction, tips] : weak_tips) {
+      if (tips.size() + 1 == cut_graph.pieces()[junction].separators.size()) {
+        ban_fork(tips);
       }
     }
   }
@@ -73,6 +87,17 @@ public:
   const std::vector<Index>& separators() const { return m_bumps; }
 
 private:
+  /// The area that a separator around a corner may cut off, relative to the least of a limb. A corner of a plank cuts
+  /// off up to 0.137 of the squared length, which is 1.37 times the least by default.
+  static constexpr double corner_factor = 1.4;
+  /// The cosine of the angle between the normals of a separator into a corner and of the last one before is at most
+  /// this. Of 0.90 to 0.97, bars and prisms were the straighter the larger it was.
+  static constexpr double max_corner_cosine = 0.97;
+
+  /// Some separator of a branch into a corner is at most this round: sections of planks are less round than a square,
+  /// and sections of toes are rounder.
+  static constexpr double max_corner_roundness = 0.8;
+
   /// A packed separator of a branch and the area between it and the tip.
   struct Step
   {
@@ -80,8 +105,8 @@ private:
     double area_beyond;
   };
 
-  /// Walks the branch that starts at the tip `piece`. \return whether it ends in a junction
-  bool walk_branch(Index piece)
+  /// Walks the branch that starts at the tip `piece`. \return the junction where it ends, or `no_index`
+  Index walk_branch(Index piece)
   {
     m_branch.clear();
     double area = 0;
@@ -92,25 +117,67 @@ private:
       piece = m_cut_graph.sides(separator).other(piece);
       const std::vector<Index>& around = m_cut_graph.pieces()[piece].separators;
       if (around.size() != 2) {
-        return around.size() > 2;
+        return around.size() > 2 ? piece : Index(no_index);
       }
       separator = around[0] == separator ? around[1] : around[0];
     }
   }
 
-  bool is_limb() const
+  /// Bans the first steps of the branch.
+  void ban(std::size_t number_of_steps)
   {
-    return std::any_of(m_branch.begin(), m_branch.end(), [this](const Step& step) { return cuts_off_enough(step); });
+    for (std::size_t i = 0; i < number_of_steps; ++i) {
+      m_bumps.push_back(m_packed[m_branch[i].separator]);
+    }
   }
 
-  /// Whether the separator is open and cuts off no more than a corner of its sheet: even at the end of a limb, it turns
-  /// the branch aside.
-  bool is_corner(const Step& step) const { return separator(step).is_open && !cuts_off_enough(step); }
+  /// Bans the branches from `tips`, a fork at the end of a branch into the corners of a plank.
+  void ban_fork(const std::vector<Index>& tips)
+  {
+    for (const Index tip : tips) {
+      walk_branch(tip);
+      ban(m_branch.size());
+    }
+  }
 
-  bool cuts_off_enough(const Step& step) const
+  bool is_limb(double factor) const { return number_of_weak_steps(factor) < m_branch.size(); }
+
+  /// Whether the branch is as weak as those into the corners of a plank, and flat.
+  bool may_be_corner() const
+  {
+    return !is_limb(corner_factor) && std::any_of(m_branch.begin(), m_branch.end(), [&](const Step& step) {
+      return separator(step).roundness() < max_corner_roundness;
+    });
+  }
+
+  /// The number of steps before the first one that cuts off `factor` times the least area of a limb.
+  std::size_t number_of_weak_steps(double factor) const
+  {
+    const auto is_strong = [&](const Step& step) { return cuts_off(step, factor); };
+    return std::size_t(std::find_if(m_branch.begin(), m_branch.end(), is_strong) - m_branch.begin());
+  }
+
+  /// The number of steps at the end of a limb that lead into a corner: those on no limb by themselves, and those before
+  /// the first strong one if one of them turns aside from that.
+  std::size_t number_of_steps_into_corner() const
+  {
+    const std::size_t first_strong = separator(m_branch.front()).is_open ? 0 : number_of_weak_steps(corner_factor);
+    if (first_strong < m_branch.size()) {
+      const Vector_3& normal = separator(m_branch[first_strong]).normal;
+      for (std::size_t i = 0; i < first_strong; ++i) {
+        if (std::abs(separator(m_branch[i]).normal.dot(normal)) < max_corner_cosine) {
+          return first_strong;
+        }
+      }
+    }
+    return is_limb(1) ? number_of_weak_steps(1) : 0;
+  }
+
+  bool cuts_off(const Step& step, double factor) const
   {
     const double length = separator(step).length;
-    return step.area_beyond >= (separator(step).is_open ? open_area_factor : 1) * m_min_area_ratio * length * length;
+    const double open_factor = separator(step).is_open ? open_area_factor : 1;
+    return step.area_beyond >= open_factor * factor * m_min_area_ratio * length * length;
   }
 
   const Separator& separator(const Step& step) const { return m_separators[m_packed[step.separator]]; }

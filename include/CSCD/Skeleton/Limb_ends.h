@@ -44,7 +44,7 @@ private:
   /// unreliable there.
   static constexpr double min_thickness = 1e-7;
   /// Tips stay this far below the surface, relative to the radius.
-  static constexpr double tip_depth = 0.75;
+  static constexpr double tip_depth = 0.65;
   /// An edge to a tip has at least this length, likewise.
   static constexpr double min_tip_length = 0.3;
   /// The distance of the far end of a piece from its base, relative to the length of the ray and to the radius, from
