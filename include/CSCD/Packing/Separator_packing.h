@@ -93,7 +93,10 @@ private:
   /// The cosine of the angle between the normals of a separator into a corner and of the last one before is at most
   /// this. Of 0.90 to 0.97, bars and prisms were the straighter the larger it was.
   static constexpr double max_corner_cosine = 0.97;
-
+  /// A separator across a bar that reaches from the corner beyond the opposite edge cuts off up to this factor, ...
+  static constexpr double oblique_factor = 1.7;
+  /// ... and the cosine of the angle to the next one is at most this.
+  static constexpr double max_oblique_cosine = 0.9;
   /// Some separator of a branch into a corner is at most this round: sections of planks are less round than a square,
   /// and sections of toes are rounder.
   static constexpr double max_corner_roundness = 0.8;
@@ -161,16 +164,28 @@ private:
   /// the first strong one if one of them turns aside from that.
   std::size_t number_of_steps_into_corner() const
   {
-    const std::size_t first_strong = separator(m_branch.front()).is_open ? 0 : number_of_weak_steps(corner_factor);
+    if (separator(m_branch.front()).is_open) {
+      return number_of_weak_steps(1);
+    }
+    std::size_t first_strong = number_of_weak_steps(corner_factor);
+    while (first_strong + 1 < m_branch.size() && !cuts_off(m_branch[first_strong], oblique_factor) &&
+           cosine(first_strong, first_strong + 1) < max_oblique_cosine) {
+      ++first_strong;
+    }
     if (first_strong < m_branch.size()) {
-      const Vector_3& normal = separator(m_branch[first_strong]).normal;
       for (std::size_t i = 0; i < first_strong; ++i) {
-        if (std::abs(separator(m_branch[i]).normal.dot(normal)) < max_corner_cosine) {
+        if (cosine(i, first_strong) < max_corner_cosine) {
           return first_strong;
         }
       }
     }
     return is_limb(1) ? number_of_weak_steps(1) : 0;
+  }
+
+  /// The cosine of the angle between the planes of two steps.
+  double cosine(std::size_t a, std::size_t b) const
+  {
+    return std::abs(separator(m_branch[a]).normal.dot(separator(m_branch[b]).normal));
   }
 
   bool cuts_off(const Step& step, double factor) const

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The skeletons of bars, prisms and frustums are their axes: users try these first.
+
+#include <CSCD/Options.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/skeletonize.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using CSCD::Index;
+using CSCD::Vector_3;
+using Section = std::vector<std::array<double, 2>>;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double height = 6;
+
+/// A body around the axis from (0, 0, 0) to (0, 0, height).
+struct Plain_body
+{
+  std::string name;
+  Section section; ///< a convex polygon around the origin, counterclockwise
+  double top = 1;  ///< the scale of the upper end relative to the lower one
+};
+
+double area(const Section& section)
+{
+  double result = 0;
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    const auto& [x, y] = section[i];
+    const auto& [next_x, next_y] = section[(i + 1) % section.size()];
+    result += (x * next_y - next_x * y) / 2;
+  }
+  return result;
+}
+
+Section rectangle(double a, double b)
+{
+  return {{-a / 2, -b / 2}, {a / 2, -b / 2}, {a / 2, b / 2}, {-a / 2, b / 2}};
+}
+
+Section regular_polygon(std::size_t n)
+{
+  Section result;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = 2 * pi * double(i) / double(n);
+    result.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return result;
+}
+
+/// `section` with `parts` edges in place of each one.
+Section divided(const Section& section, std::size_t parts)
+{
+  Section result;
+  for (std::size_t i = 0; i < section.size(); ++i) {
+    const auto& [x, y] = section[i];
+    const auto& [next_x, next_y] = section[(i + 1) % section.size()];
+    for (std::size_t part = 0; part < parts; ++part) {
+      const double along = double(part) / double(parts);
+      result.push_back({(1 - along) * x + along * next_x, (1 - along) * y + along * next_y});
+    }
+  }
+  return result;
+}
+
+/// A turn, so that no face is parallel to an axis.
+Vector_3 turned(const Vector_3& p)
+{
+  const Vector_3 q(0.8 * p.x() - 0.6 * p.y(), 0.6 * p.x() + 0.8 * p.y(), p.z());
+  return {q.x(), 0.28 * q.y() - 0.96 * q.z(), 0.96 * q.y() + 0.28 * q.z()};
+}
+
+struct Soup
+{
+  std::vector<Vector_3> points;
+  std::vector<std::array<Index, 3>> faces;
+};
+
+/// The surface of `body`, turned, its walls made of `rows` rows of triangles.
+Soup triangulated(const Plain_body& body, std::size_t parts, std::size_t rows)
+{
+  const Section section = divided(body.section, parts);
+  const auto n = Index(section.size());
+  Soup result;
+  for (std::size_t row = 0; row <= rows; ++row) {
+    const double along = double(row) / double(rows);
+    const double scale = 1 + along * (body.top - 1);
+    for (const auto& [x, y] : section) {
+      result.points.push_back(turned({scale * x, scale * y, along * height}));
+    }
+  }
+  for (Index first = 0; first < rows * n; first += n) {
+    for (Index i = 0; i < n; ++i) {
+      const Index next = (i + 1) % n;
+      result.faces.push_back({first + i, first + next, first + n + next});
+      result.faces.push_back({first + i, first + n + next, first + n + i});
+    }
+  }
+  const auto bottom = Index(result.points.size());
+  result.points.push_back(turned({0, 0, 0}));
+  result.points.push_back(turned({0, 0, height}));
+  for (Index i = 0; i < n; ++i) {
+    const Index next = (i + 1) % n;
+    result.faces.push_back({bottom, next, i});
+    result.faces.push_back({bottom + 1, Index(rows) * n + i, Index(rows) * n + next});
+  }
+  return result;
+}
+
+/// Expects two tips, all nodes near the axis, and tips near its ends.
+void expect_axis(const CSCD::Skeleton& skeleton, double radius)
+{
+  std::vector<int> degree(skeleton.points.size());
+  for (const auto& [a, b] : skeleton.edges) {
+    ++degree[a];
+    ++degree[b];
+  }
+  EXPECT_EQ(std::count(degree.begin(), degree.end(), 1), 2);
+  const Vector_3 axis = turned({0, 0, 1});
+  double lowest = height;
+  double highest = 0;
+  for (const Vector_3& point : skeleton.points) {
+    const double along = point.dot(axis);
+    EXPECT_LT((point - along * axis).norm(), 0.1 * radius);
+    lowest = std::min(lowest, along);
+    highest = std::max(highest, along);
+  }
+  EXPECT_LT(lowest, radius);
+  EXPECT_GT(highest, height - radius);
+}
+
+class Plain_bodies : public testing::TestWithParam<Plain_body>
+{
+};
+
+TEST_P(Plain_bodies, have_their_axis_as_skeleton)
+{
+  const double radius = std::sqrt(area(GetParam().section) / pi);
+  for (const auto& [parts, rows] : {std::pair<std::size_t, std::size_t>(1, 1), {6, 24}}) {
+    const Soup soup = triangulated(GetParam(), parts, rows);
+    for (const unsigned seed : {0U, 1U, 2U}) {
+      SCOPED_TRACE(GetParam().name + ", rows " + std::to_string(rows) + ", seed " + std::to_string(seed));
+      CSCD::Options options;
+      options.random_seed = seed;
+      CSCD::Skeleton skeleton;
+      CSCD::skeletonize(soup.points, soup.faces, options, skeleton);
+      expect_axis(skeleton, radius);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, Plain_bodies,
+    testing::Values(Plain_body{"square bar", rectangle(1, 1)}, Plain_body{"thick square bar", rectangle(2, 2)},
+                    Plain_body{"bar 1 x 0.7", rectangle(1, 0.7)}, Plain_body{"bar 2 x 0.86", rectangle(2, 0.86)},
+                    Plain_body{"bar 1 x 0.5", rectangle(1, 0.5)}, Plain_body{"plank", rectangle(2, 0.5)},
+                    Plain_body{"triangular prism", regular_polygon(3)},
+                    Plain_body{"pentagonal prism", regular_polygon(5)},
+                    Plain_body{"hexagonal prism", regular_polygon(6)},
+                    Plain_body{"octagonal prism", regular_polygon(8)}, Plain_body{"cylinder", regular_polygon(32)},
+                    Plain_body{"pyramidal frustum", regular_polygon(4), 0.6},
+                    Plain_body{"hexagonal frustum", regular_polygon(6), 0.5},
+                    Plain_body{"conical frustum", regular_polygon(32), 0.6}),
+    [](const testing::TestParamInfo<Plain_body>& info) {
+      std::string name = info.param.name;
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+      return name;
+    });
+
+} // namespace
