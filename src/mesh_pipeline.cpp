@@ -5,7 +5,6 @@
 
 #include <CSCD/Local_policies_impl.h>
 #include <CSCD/Skeleton/Branch_hierarchy_impl.h>
-#include <CSCD/Skeleton/Skeleton_builder_impl.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/internal/parallel.h>

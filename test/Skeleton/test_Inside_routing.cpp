@@ -8,7 +8,6 @@
 #include "support/shapes.h"
 #include <CSCD/Skeleton/Inside_routing.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/Way_inside.h>
 #include <CSCD/Vector_3.h>
 
 #include <gtest/gtest.h>

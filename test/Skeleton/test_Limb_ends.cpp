@@ -10,7 +10,6 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Limb_ends.h>
-#include <CSCD/Skeleton/Limb_openings.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Vector_3.h>
 

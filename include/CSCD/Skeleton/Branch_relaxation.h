@@ -12,7 +12,7 @@
 
 #include <CSCD/Separator/Plane_section.h>
 #include <CSCD/Skeleton/Inside_routing.h>
-#include <CSCD/Skeleton/Sheet_section.h>
+#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>

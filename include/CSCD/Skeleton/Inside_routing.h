@@ -1,20 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Moves nodes into the body, leads edges inside, and counts the rest.
+// Ways inside the body for edges that leave it.
 
 #ifndef CSCD_SKELETON_INSIDE_ROUTING_H
 #define CSCD_SKELETON_INSIDE_ROUTING_H
 
-#include <CSCD/Skeleton/Sheet_section.h>
+#include <CSCD/Skeleton/Sheet_nodes.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
-#include <CSCD/Skeleton/Way_inside.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>
+#include <CSCD/internal/Dijkstra_search.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -22,6 +23,202 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// Finds ways inside a body around its notches and holes: along its surface, and as far below it as there is room.
+class Way_inside
+{
+public:
+  /// \param solid is referred to
+  explicit Way_inside(const Triangulated_solid& solid)
+      : m_solid(solid), m_surface(solid.query_surface()), m_search(m_surface.number_of_faces()),
+        m_entered(m_surface.number_of_faces(), no_index),
+        m_work_left(free_work + max_work * m_surface.number_of_faces())
+  {
+  }
+
+  /// Points inside such that each sees the next, the first one `from` and the last one `to`; none, where no way was
+  /// found, as where components of different orientation overlap, or the ways before took too much work. \pre both are
+  /// inside
+  std::vector<Vector_3> find(const Vector_3& from, const Vector_3& to)
+  {
+    if (m_work_left == 0 || !trace_surface(from, to)) {
+      return {};
+    }
+    std::vector<Vector_3> way;
+    m_max_depth = (to - from).norm();
+    const bool is_found = follow_surface(from, to, way);
+    return is_found ? way : std::vector<Vector_3>();
+  }
+
+private:
+  /// How many faces may be passed and lines be traced for all ways, relative to the number of faces.
+  static constexpr std::size_t max_work = 8;
+  /// So much more takes some tenths of a second.
+  static constexpr std::size_t free_work = 1 << 17;
+  /// A way of more nodes would not be a good skeleton.
+  static constexpr std::size_t max_number_of_nodes = 64;
+  /// Halvings of the depth below the surface, where the way is not free.
+  static constexpr int max_halvings = 12;
+
+  /// A point of the surface, from where one goes inwards.
+  struct Start
+  {
+    Vector_3 point;
+    Vector_3 inward; ///< of unit length
+  };
+
+  void count_work() { m_work_left -= m_work_left > 0 ? 1 : 0; }
+
+  /// Writes the way on the surface from where the segment leaves the body first to where it enters it last to
+  /// `m_starts`. \return false if there is none
+  bool trace_surface(const Vector_3& from, const Vector_3& to)
+  {
+    m_starts.clear();
+    m_solid.crossings(from, to, m_crossings);
+    if (m_crossings.size() < 2) {
+      return false;
+    }
+    const Vector_3 direction = (to - from).normalized();
+    const Surface_point leaving = m_solid.closest_point(from + m_crossings.front() * direction);
+    const Surface_point entering = m_solid.closest_point(from + m_crossings.back() * direction);
+    if (!search_faces(entering.face, leaving.face)) {
+      return false;
+    }
+    m_starts.push_back({leaving.point, inward_of(leaving.face)});
+    for (Index face = leaving.face; face != entering.face;) {
+      m_starts.push_back({center_of(face), inward_of(face)});
+      const Index h = m_entered[face]; // of the next face
+      const Index next = Triangulated_surface::face(h);
+      m_starts.push_back({(m_surface.point(m_surface.origin(h)) + m_surface.point(m_surface.target(h))) / 2,
+                          (inward_of(face) + inward_of(next)).normalized()});
+      face = next;
+    }
+    m_starts.push_back({center_of(entering.face), inward_of(entering.face)});
+    m_starts.push_back({entering.point, inward_of(entering.face)});
+    return true;
+  }
+
+  /// Searches for the shortest way over centers of faces, backwards, so that `m_entered` has for each face on it the
+  /// halfedge of the next one. \return whether there is one
+  bool search_faces(Index first, Index last)
+  {
+    bool is_found = false;
+    m_search.clear();
+    m_search.reach(first, 0);
+    m_search.spread([&](Index face, float distance) {
+      count_work();
+      is_found = face == last;
+      if (is_found || m_work_left == 0) {
+        m_search.clear();
+        return;
+      }
+      const Vector_3 center = center_of(face);
+      for (const Index h : Triangulated_surface::face_halfedges(face)) {
+        const Index neighbor = Triangulated_surface::face(m_surface.twin(h));
+        if (m_search.reach(neighbor, distance + float((center_of(neighbor) - center).norm()))) {
+          m_entered[neighbor] = h;
+        }
+      }
+    });
+    return is_found;
+  }
+
+  bool follow_surface(const Vector_3& from, const Vector_3& to, std::vector<Vector_3>& way)
+  {
+    std::size_t next = 0; // behind the last start that was passed
+    Vector_3 here = from;
+    while (!sees(here, to)) {
+      if (way.size() > max_number_of_nodes || m_work_left == 0 || next == m_starts.size()) {
+        return false;
+      }
+      const std::optional<std::size_t> seen = farthest_seen(here, next);
+      if (seen) {
+        way.push_back(*below(m_starts[*seen], 0));
+        next = *seen + 1;
+      } else if (!step_below_surface(here, next, way)) {
+        return false;
+      } else {
+        ++next;
+      }
+      here = way.back();
+    }
+    return true;
+  }
+
+  /// Of some starts from `next` on, far ones first, the one whose middle of the body can be seen.
+  std::optional<std::size_t> farthest_seen(const Vector_3& here, std::size_t next)
+  {
+    for (std::size_t step = m_starts.size() - next; step > 0; step /= 2) {
+      const std::optional<Vector_3> middle = below(m_starts[next + step - 1], 0);
+      if (middle && m_solid.is_inside(*middle) && sees(here, *middle)) {
+        return next + step - 1;
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// Goes to the start `next` so near to the surface that the way is free, from near the one before.
+  bool step_below_surface(const Vector_3& here, std::size_t next, std::vector<Vector_3>& way)
+  {
+    for (int halvings = 1; halvings <= max_halvings; ++halvings) {
+      const std::optional<Vector_3> to = below(m_starts[next], halvings);
+      const std::optional<Vector_3> from = next > 0 ? below(m_starts[next - 1], halvings) : std::nullopt;
+      if (to && sees(here, *to)) {
+        way.push_back(*to);
+        return true;
+      }
+      if (to && from && sees(here, *from) && sees(*from, *to)) {
+        way.push_back(*from);
+        way.push_back(*to);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The middle of the body below `start`, or a point as far away as the ends of the way are from each other, where the
+  /// body is thicker; or as many times nearer.
+  std::optional<Vector_3> below(const Start& start, int halvings)
+  {
+    constexpr double relative_offset = 1e-9; // of the ray from the surface, in the unit of its area
+    count_work();
+    if (!(start.inward.squaredNorm() > 0)) {
+      return std::nullopt; // at a face without area, or where two lie upon each other
+    }
+    const std::optional<Surface_hit> hit =
+        m_solid.first_hit(start.point + relative_offset * start.inward, start.inward);
+    if (!hit) {
+      return std::nullopt;
+    }
+    const double depth = std::min(hit->distance / 2, m_max_depth);
+    return Vector_3(start.point + std::ldexp(depth, -halvings) * start.inward);
+  }
+
+  bool sees(const Vector_3& from, const Vector_3& to)
+  {
+    count_work();
+    m_solid.crossings(from, to, m_crossings);
+    return m_crossings.empty();
+  }
+
+  Vector_3 center_of(Index face) const
+  {
+    return (m_surface.point(m_surface.origin(3 * face)) + m_surface.point(m_surface.target(3 * face)) +
+            m_surface.point(m_surface.opposite_vertex(3 * face))) /
+           3;
+  }
+
+  Vector_3 inward_of(Index face) const { return (-m_surface.face_vector(face)).normalized(); }
+
+  const Triangulated_solid& m_solid;
+  const Triangulated_surface& m_surface;
+  Dijkstra_search m_search;        ///< over faces
+  std::vector<Index> m_entered;    ///< for every face, the halfedge of the next one on the way
+  std::vector<Start> m_starts;     ///< along the way on the surface
+  std::vector<double> m_crossings; ///< working memory
+  double m_max_depth = 0;          ///< of points of the way below the surface
+  std::size_t m_work_left;
+};
 
 /// Keeps the nodes and edges of a skeleton inside the body.
 /// \tparam Surface a model of `SkeletonizationSurface`

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where limbs end: at openings or by tips, and not in rims.
+// Where limbs end: at openings, the borders of the input, which faces without area close; or by tips, and not in rims.
 
 #ifndef CSCD_SKELETON_LIMB_ENDS_H
 #define CSCD_SKELETON_LIMB_ENDS_H
 
+#include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Cut_graph_nodes.h>
-#include <CSCD/Skeleton/Limb_openings.h>
 #include <CSCD/Skeleton/Skeleton_builder.h>
 #include <CSCD/Surface/Triangulated_solid.h>
+#include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>
@@ -20,6 +21,222 @@
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A closed curve of edges between faces of the surface and hole-filling faces.
+struct Bridged_border
+{
+  Vector_3 centroid = Vector_3::Zero(); ///< by length
+  Vector_3 normal = Vector_3::Zero();   ///< out of the opening: along the area vector
+  double length = 0;                    ///< of the curve
+  double radius = 0;                    ///< mean distance of the curve from its centroid
+  std::vector<Index> pieces;            ///< of the cut surface, that it passes, in ascending order
+};
+
+/// Finds the borders of a surface that were bridged.
+class Bridged_border_search
+{
+public:
+  Bridged_border_search(const Triangulated_surface& surface, const Cut_graph& cut_graph)
+      : m_surface(surface), m_cut_graph(cut_graph)
+  {
+  }
+
+  /// All borders, in the order of their first halfedges; linear in the number of hole-filling faces.
+  std::vector<Bridged_border> operator()() const
+  {
+    std::vector<Bridged_border> result;
+    const Index first = 3 * m_surface.first_hole_filling_face();
+    std::vector<char> is_met(m_surface.number_of_halfedges() - first, 0);
+    std::vector<Index> curve;
+    for (Index start = first; start < m_surface.number_of_halfedges(); ++start) {
+      curve.clear();
+      for (Index h = start; is_on_border(h) && is_met[h - first] == 0; h = next_on_border(h)) {
+        is_met[h - first] = 1;
+        curve.push_back(h);
+      }
+      if (!curve.empty()) {
+        result.push_back(measure(curve));
+      }
+    }
+    return result;
+  }
+
+private:
+  bool is_hole_filling(Index h) const { return m_surface.is_hole_filling(Triangulated_surface::face(h)); }
+  bool is_on_border(Index h) const { return is_hole_filling(h) && !is_hole_filling(m_surface.twin(h)); }
+
+  /// The next halfedge of the curve, along the hole-filling faces around the target of `h`.
+  Index next_on_border(Index h) const
+  {
+    h = Triangulated_surface::next(h);
+    while (!is_on_border(h)) {
+      h = Triangulated_surface::next(m_surface.twin(h));
+    }
+    return h;
+  }
+
+  Bridged_border measure(const std::vector<Index>& curve) const
+  {
+    Bridged_border border;
+    std::vector<Vector_3> points;
+    for (Index h : curve) {
+      points.push_back(m_surface.point(m_surface.origin(h)));
+      border.pieces.push_back(m_cut_graph.piece_of_vertex(m_surface.origin(h)));
+    }
+    std::sort(border.pieces.begin(), border.pieces.end());
+    border.pieces.erase(std::unique(border.pieces.begin(), border.pieces.end()), border.pieces.end());
+    const Polygon_measures measures = measure_polygon(points);
+    border.centroid = measures.center;
+    border.normal = measures.vector_area.normalized();
+    border.length = measures.length;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector_3& next = points[i + 1 < points.size() ? i + 1 : 0];
+      const double distance = ((points[i] - border.centroid).norm() + (next - border.centroid).norm()) / 2;
+      border.radius += (next - points[i]).norm() / border.length * distance;
+    }
+    return border;
+  }
+
+  const Triangulated_surface& m_surface;
+  const Cut_graph& m_cut_graph;
+};
+
+/// The borders of `surface` that were bridged, if any.
+inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& surface, const Cut_graph& cut_graph)
+{
+  return Bridged_border_search(surface, cut_graph)();
+}
+
+/// Finds the borders at which limbs end, and leads the skeleton there.
+class Limb_openings
+{
+public:
+  /// All are referred to.
+  Limb_openings(const Cut_solid& cut, const Piece_vertices& pieces, Skeleton_builder& graph)
+      : m_cut(cut), m_pieces(pieces), m_graph(graph), m_openings(cut.number_of_pieces())
+  {
+    for (const Bridged_border& border : bridged_borders(cut.solid.triangulation(), cut.cut_graph)) {
+      const Index piece = piece_behind(border);
+      if (piece != no_index && is_opening(border, piece)) {
+        m_openings[piece].push_back(border);
+      }
+    }
+  }
+
+  /// The borders at which `piece` is open.
+  const std::vector<Bridged_border>& of(Index piece) const { return m_openings[piece]; }
+
+  /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
+  void open(Index piece, Index node)
+  {
+    const bool is_end = m_cut.around(piece).size() == 1 && m_openings[piece].size() == 1;
+    for (const Bridged_border& border : m_openings[piece]) {
+      const Index last = is_end ? shorten_limb(piece, node, border) : node;
+      const Vector_3 position = border.centroid - opening_depth * border.radius * border.normal;
+      const Index opening = m_graph.add_node(position, border.radius);
+      m_graph[opening].is_opening = true;
+      m_graph.add_edge(last, opening);
+    }
+  }
+
+private:
+  /// The length of a border at the end of a limb, relative to the last separator, is at least this: across a shorter
+  /// one, the limb is closed.
+  static constexpr double min_opening_length = 0.6;
+  /// The cosine of the angle between the normals of the two is at least this: the border is not a window in the side.
+  static constexpr double min_opening_cosine = 0.3;
+  /// A component without separators is this deep behind its border, relative to the radius: it is not a sheet.
+  static constexpr double min_depth = 1.5;
+  /// Elsewhere, a border ends a stump, too short for a separator, if it is this far from the middle of its piece,
+  /// relative to the radius of the body there, ...
+  static constexpr double min_stump_length = 1.6;
+  /// ... has this radius, likewise, ...
+  static constexpr double min_stump_radius = 0.3;
+  /// ... and if the cosine of the angle between its normal and the stump is at least this.
+  static constexpr double min_stump_cosine = 0.5;
+  /// The other nodes of a limb are at least this far behind the plane of the border, relative to its radius.
+  static constexpr double min_depth_of_node = 0.5;
+  /// The node of an opening is this far inside of the border, relative to its radius.
+  static constexpr double opening_depth = 0.01;
+
+  /// The piece that is open at `border`: where separators cross that, the piece at the end of a limb. Where there are
+  /// several of these, the border goes along the body, as that of a sheet does, and the result is `no_index`.
+  Index piece_behind(const Bridged_border& border) const
+  {
+    if (border.pieces.size() == 1) {
+      return border.pieces.front();
+    }
+    const auto is_end = [this](Index piece) { return m_cut.around(piece).size() == 1; };
+    const auto end = std::find_if(border.pieces.begin(), border.pieces.end(), is_end);
+    return std::count_if(border.pieces.begin(), border.pieces.end(), is_end) == 1 ? *end : Index(no_index);
+  }
+
+  bool is_opening(const Bridged_border& border, Index piece) const
+  {
+    const std::vector<Index>& around = m_cut.around(piece);
+    if (around.empty()) {
+      return m_pieces.extent(piece, border.centroid, -border.normal) >= min_depth * border.radius;
+    }
+    if (around.size() > 1) {
+      return border.pieces.size() == 1 && ends_stump(border, piece);
+    }
+    const Separator& separator = m_cut.separator(last_separator(border, piece));
+    const double side = separator.normal.dot(border.centroid - separator.center) < 0 ? -1 : 1;
+    return border.length >= min_opening_length * separator.length &&
+           side * separator.normal.dot(border.normal) >= min_opening_cosine;
+  }
+
+  bool ends_stump(const Bridged_border& border, Index piece) const
+  {
+    double radius = 0;
+    for (Index i : m_cut.around(piece)) {
+      radius = std::max(radius, m_cut.separator(i).radius());
+    }
+    const std::optional<Vector_3> centroid = m_pieces.centroid(piece);
+    const Vector_3 stump = centroid ? Vector_3(border.centroid - *centroid) : Vector_3::Zero();
+    return stump.norm() >= min_stump_length * radius && border.radius >= min_stump_radius * radius &&
+           border.normal.dot(stump) >= min_stump_cosine * stump.norm();
+  }
+
+  /// The last separator of the limb that ends in `piece` before those that cross `border`, as many do where the limb is
+  /// cut obliquely.
+  Index last_separator(const Bridged_border& border, Index piece) const
+  {
+    Index separator = m_cut.around(piece).front();
+    for (;;) {
+      piece = m_cut.cut_graph.sides(separator).other(piece);
+      const std::vector<Index>& around = m_cut.around(piece);
+      if (around.size() != 2 || !std::binary_search(border.pieces.begin(), border.pieces.end(), piece)) {
+        return separator;
+      }
+      separator = around[0] == separator ? around[1] : around[0];
+    }
+  }
+
+  /// Removes the nodes at the end of a limb whose separators cross its border, and those near the plane of the border
+  /// or beyond it. \return the last node that is left
+  Index shorten_limb(Index piece, Index end, const Bridged_border& border)
+  {
+    const Index last = m_graph.last_heir(last_separator(border, piece));
+    bool is_crossing = end != last;
+    while (m_graph.degree(end) == 1 && m_graph.is_regular(m_graph[end].neighbors[0])) {
+      const double depth = (border.centroid - m_graph[end].position).dot(border.normal);
+      if (!is_crossing && depth >= min_depth_of_node * border.radius) {
+        break;
+      }
+      const Index next = m_graph[end].neighbors[0];
+      m_graph.contract(end, next);
+      end = next;
+      is_crossing = is_crossing && end != last;
+    }
+    return end;
+  }
+
+  const Cut_solid& m_cut;
+  const Piece_vertices& m_pieces;
+  Skeleton_builder& m_graph;
+  std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
+};
 
 /// Leads branches to the ends of limbs. Those on sheets go on later, once they are centered.
 class Limb_ends

@@ -40,6 +40,18 @@ inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>
   Rim_trimming(cut.solid, graph)();
 }
 
+/// Centers the nodes of `graph` that are on sheets, and leads branches to the borders.
+inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& graph)
+{
+  if (solid.number_of_sheets() > 0) {
+    Branch_relaxation relaxation(solid, graph);
+    relaxation(true);
+    Sheet_ends(solid, graph)();
+    relaxation(true); // the last nodes have a direction now
+    settle_on_sheets(solid, graph);
+  }
+}
+
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. Counts the
 /// nodes and edges that could not be led inside in `report`.
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
