@@ -374,7 +374,7 @@ public:
 private:
   /// What takes the place of pruned separators may have to be pruned again. After this many packings, nothing takes
   /// their place any more, so that pruning comes to an end.
-  static constexpr int max_packings = 3;
+  static constexpr int max_packings = 2;
 
   const Triangulated_surface& m_surface;
   const std::vector<Separator>& m_separators;
