@@ -25,7 +25,6 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <optional>
 #include <type_traits>
@@ -127,11 +126,12 @@ public:
     m_report.number_of_separators = 0;
     m_report.number_of_plane_sections = 0;
     m_report.number_of_straightened_loops = 0;
-    run_stage(Skeletonization_stage::find_separators, [this] {
+    Stage_runner run_stage(m_visitor, m_report.seconds);
+    run_stage(Skeletonization_stage::find_separators, [&] {
       constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
       m_settings.number_of_threads = is_parallel ? m_number_of_threads : 1;
       m_separators = m_policies.find_separators(m_traits.surface(), m_settings, m_report,
-                                                [this](double fraction) { progress(fraction); });
+                                                [&](double fraction) { run_stage.progress(fraction); });
       m_report.number_of_separators = m_separators.size();
     });
     return m_report.number_of_separators;
@@ -142,7 +142,7 @@ public:
   /// \throw Cancelled_error if the visitor stops the work
   std::size_t pack_separators()
   {
-    run_stage(Skeletonization_stage::pack_separators, [this] {
+    Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::pack_separators, [this] {
       m_separators.resize(m_report.number_of_separators);
       m_packing.emplace(m_policies.pack_separators(m_traits.surface(), m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
@@ -163,7 +163,7 @@ public:
     CGAL_precondition(m_packing.has_value());
     check_curve_skeleton_graph<OutputSkeleton>();
     OutputSkeleton result;
-    run_stage(Skeletonization_stage::build_skeleton, [&] {
+    Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::build_skeleton, [&] {
       result = make_graph<OutputSkeleton>(m_policies.build_skeleton(m_traits.surface(), std::as_const(m_separators),
                                                                     std::as_const(*m_packing), m_report));
     });
@@ -210,26 +210,7 @@ public:
   /// @}
 
 private:
-  template <class Stage>
-  void run_stage(Skeletonization_stage stage, const Stage& run)
-  {
-    m_visitor.on_stage_begin(stage);
-    progress(0);
-    const auto start = std::chrono::steady_clock::now();
-    run();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
-    progress(1);
-    m_visitor.on_stage_end(stage);
-  }
-
-  void progress(double fraction)
-  {
-    m_visitor.progress(fraction);
-    if (!m_visitor.go_further()) {
-      throw Cancelled_error();
-    }
-  }
+  using Stage_runner = internal::Stage_runner<std::remove_reference_t<Visitor>>;
 
   template <class OutputSkeleton>
   OutputSkeleton make_graph(const Embedded_skeleton& skeleton)

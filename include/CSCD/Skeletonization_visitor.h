@@ -6,9 +6,11 @@
 #ifndef CSCD_SKELETONIZATION_VISITOR_H
 #define CSCD_SKELETONIZATION_VISITOR_H
 
+#include <CSCD/exceptions.h>
 #include <CSCD/internal/detection.h>
 
 #include <array>
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -127,6 +129,47 @@ private:
   Visitor& m_visitor;
 };
 
+namespace internal {
+
+/// Runs the stages of one skeletonization: informs the visitor and measures time. Refers to both.
+template <class Visitor>
+class Stage_runner
+{
+public:
+  /// The time of each stage.
+  using Seconds = std::array<double, number_of_skeletonization_stages>;
+
+  Stage_runner(Visitor& visitor, Seconds& seconds) : m_visitor(visitor), m_seconds(seconds) {}
+
+  /// Calls `run()`. \throw Cancelled_error if the visitor stops the work
+  template <class Run>
+  void operator()(Skeletonization_stage stage, const Run& run)
+  {
+    m_visitor.on_stage_begin(stage);
+    progress(0);
+    const auto start = std::chrono::steady_clock::now();
+    run();
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    m_seconds[static_cast<std::size_t>(stage)] = seconds.count();
+    progress(1);
+    m_visitor.on_stage_end(stage);
+  }
+
+  /// Reports that a part of the stage is done. \throw Cancelled_error if the visitor stops the work
+  void progress(double fraction)
+  {
+    m_visitor.progress(fraction);
+    if (!m_visitor.go_further()) {
+      throw Cancelled_error();
+    }
+  }
+
+private:
+  Visitor& m_visitor;
+  Seconds& m_seconds;
+};
+
+} // namespace internal
 } // namespace CSCD
 
 #endif // CSCD_SKELETONIZATION_VISITOR_H

@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -30,43 +29,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-/// Runs the stages of one skeletonization: informs the visitor and measures time.
-class Stage_runner
-{
-public:
-  Stage_runner(Any_skeletonization_visitor& visitor, Skeletonization_report& report)
-      : m_visitor(visitor), m_report(report)
-  {
-  }
-
-  /// Calls `run()`. \throw Cancelled_error if the visitor stops the work
-  template <class Run>
-  void operator()(Skeletonization_stage stage, const Run& run)
-  {
-    m_visitor.on_stage_begin(stage);
-    progress(0);
-    const auto start = std::chrono::steady_clock::now();
-    run();
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    m_report.seconds[static_cast<std::size_t>(stage)] = seconds.count();
-    progress(1);
-    m_visitor.on_stage_end(stage);
-  }
-
-  /// Reports that a part of the stage is done. \throw Cancelled_error if the visitor stops the work
-  void progress(double fraction)
-  {
-    m_visitor.progress(fraction);
-    if (!m_visitor.go_further()) {
-      throw Cancelled_error();
-    }
-  }
-
-private:
-  Any_skeletonization_visitor& m_visitor;
-  Skeletonization_report& m_report;
-};
 
 /// The skeleton `embedded` of `mesh` in the coordinates of the input.
 inline Skeleton to_input(const Embedded_skeleton& embedded, const Prepared_mesh& mesh)
@@ -119,7 +81,7 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std
   mesh.describe(report);
   visitor.on_stage_end(Skeletonization_stage::compile_surface);
 
-  internal::Stage_runner run_stage(visitor, report);
+  internal::Stage_runner<Any_skeletonization_visitor> run_stage(visitor, report.seconds);
   std::vector<Separator> separators;
   run_stage(Skeletonization_stage::find_separators, [&] {
     separators = internal::find_local_separators(mesh.solid(), options, report,
