@@ -6,8 +6,7 @@
 # Each after those that it links.
 set(cscd_parts core measure tree application io)
 
-set(cscd_core_sources consolidation.cpp geodesics.cpp mesh_pipeline.cpp points.cpp published_method.cpp
-                      volumes.cpp)
+set(cscd_core_sources consolidation.cpp geodesics.cpp mesh_pipeline.cpp points.cpp published_method.cpp)
 set(cscd_measure_sources
     Measure/Rooted_forest.cpp
     Measure/Skeleton_branches.cpp

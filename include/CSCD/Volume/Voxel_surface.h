@@ -2,18 +2,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Surfaces with the right topology around the voxels of an image that have the same label.
+//
+// Eight voxels, the octants, meet in a corner. Bit i of an octant tells on which side of the corner it is along axis i.
+// On a small sphere around the corner, two octants with a common face meet in an arc, of which there are twelve, and
+// arcs meet in six points, the half-axes: half-axis 2 i + s is the edge of voxels that leaves the corner along axis i,
+// in positive direction if s is 1. The arcs between octants of a label and others form closed curves: one for each
+// sheet.
 
 #ifndef CSCD_VOLUME_VOXEL_SURFACE_H
 #define CSCD_VOLUME_VOXEL_SURFACE_H
 
+#include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/config.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/flat_arrays.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -86,11 +99,140 @@ struct Voxel_surface
 
   /// Turns the surfaces of cavities that were kept outwards, as those of bodies: the pipeline fills cavities of meshes.
   /// Linear.
-  void turn_cavities();
+  void turn_cavities()
+  {
+    if (number_of_cavities > 0) {
+      internal::Surface_components components(triangles);
+      internal::orient_outwards(triangles, pairing, components);
+    }
+  }
 };
 
-/// A volume has at most so many labels that are bodies of their own.
-inline constexpr std::size_t max_number_of_labels = 65536;
+namespace internal {
+
+inline constexpr unsigned number_of_octants = 8;
+inline constexpr unsigned number_of_half_axes = 6;
+
+/// The number of the arc between `octant` and its neighbor along `axis`.
+constexpr unsigned arc_of_octant(unsigned octant, unsigned axis)
+{
+  const unsigned low = octant >> (axis == 0 ? 1U : 0U) & 1U;
+  const unsigned high = octant >> (axis == 2 ? 1U : 2U) & 1U;
+  return 4 * axis + low + 2 * high;
+}
+
+/// What becomes of a corner.
+struct Corner_sheets
+{
+  std::array<std::uint8_t, 12> sheet_of_arc{}; ///< of arcs that bound the label
+  std::uint8_t number_of_vertices = 0;         ///< one a sheet; one a half-axis if there is a tube
+  std::uint8_t singular_half_axes = 0;         ///< a bit for each in which four faces meet
+  bool has_tube = false;                       ///< whether two sheets are joined
+};
+
+/// The sheets around corners, for all sets of octants that have the label.
+class Corner_sheet_table
+{
+public:
+  explicit Corner_sheet_table(Voxel_connectivity connectivity)
+      : m_joins_diagonally(connectivity == Voxel_connectivity::twenty_six), m_sheets(1U << number_of_octants)
+  {
+    for (unsigned octants = 0; octants < m_sheets.size(); ++octants) {
+      m_sheets[octants] = make_sheets(octants);
+    }
+  }
+
+  const Corner_sheets& operator[](unsigned octants) const { return m_sheets[octants]; }
+
+private:
+  Corner_sheets make_sheets(unsigned octants) const
+  {
+    const auto has = [octants](unsigned octant) { return (octants >> octant & 1U) != 0; };
+    // Where four faces meet in an edge, sheets go around octants of the background if the body is joined through it.
+    const auto is_enclosed = [&](unsigned octant) { return has(octant) != m_joins_diagonally; };
+    Corner_sheets result;
+    Disjoint_sets sheets(result.sheet_of_arc.size());
+    for (unsigned half_axis = 0; half_axis < number_of_half_axes; ++half_axis) {
+      const unsigned axis = half_axis / 2;
+      const unsigned base = (half_axis & 1U) << axis;
+      const unsigned b = 1U << (axis + 1) % 3;
+      const unsigned c = 1U << (axis + 2) % 3;
+      const std::array<unsigned, 4> around{base, base | b, base | b | c, base | c};
+      const auto arc_after = [&](unsigned i) { return arc_of_octant(around[i % 4], (axis + 1 + i % 2) % 3); };
+      unsigned number_of_runs = 0; // of enclosed octants, which two arcs bound that are of one sheet
+      for (unsigned i = 0; i < around.size(); ++i) {
+        if (!is_enclosed(around[i]) || is_enclosed(around[(i + 3) % 4])) {
+          continue;
+        }
+        unsigned last = i;
+        while (is_enclosed(around[(last + 1) % 4])) {
+          ++last;
+        }
+        sheets.join(arc_after(i + 3), arc_after(last));
+        ++number_of_runs;
+      }
+      if (number_of_runs > 1) {
+        result.singular_half_axes = std::uint8_t(result.singular_half_axes | 1U << half_axis);
+      }
+    }
+    std::array<int, 12> number{};
+    number.fill(-1);
+    for (unsigned octant = 0; octant < number_of_octants; ++octant) {
+      for (unsigned axis = 0; axis < 3; ++axis) {
+        if (has(octant) && !has(octant ^ 1U << axis)) {
+          const unsigned arc = arc_of_octant(octant, axis);
+          int& its_number = number[sheets.find(arc)];
+          its_number = its_number < 0 ? result.number_of_vertices++ : its_number;
+          result.sheet_of_arc[arc] = std::uint8_t(its_number);
+        }
+      }
+    }
+    const unsigned all = (1U << number_of_octants) - 1;
+    const unsigned joined = m_joins_diagonally ? octants : all ^ octants;
+    for (unsigned octant = 0; octant < number_of_octants / 2; ++octant) { // two that meet in the corner alone
+      result.has_tube = result.has_tube || joined == (1U << octant | 1U << (number_of_octants - 1 - octant));
+    }
+    result.number_of_vertices = result.has_tube ? std::uint8_t(number_of_half_axes) : result.number_of_vertices;
+    return result;
+  }
+
+  bool m_joins_diagonally;
+  std::vector<Corner_sheets> m_sheets;
+};
+
+/// Smooths the vertices of a closed surface in units of voxels; linear.
+inline void smooth_voxel_surface(Indexed_triangles& triangles)
+{
+  constexpr int number_of_steps = 10; // an even terrace of six voxels becomes a slope
+  constexpr double shrinking = 0.5;   // the factors of Taubin, for a pass band of 0.1
+  constexpr double growing = 1 / (0.1 - 1 / shrinking);
+  constexpr double max_displacement = 0.45; // voxels: neighbors in a row never change places
+  std::vector<Vector_3>& points = triangles.points;
+  const std::vector<Vector_3> places = points;
+  std::vector<Index> degree(points.size(), 0);
+  for (const std::array<Index, 3>& face : triangles.faces) {
+    for (const Index vertex : face) {
+      ++degree[vertex];
+    }
+  }
+  std::vector<Vector_3> sums(points.size());
+  for (int step = 0; step < 2 * number_of_steps; ++step) {
+    std::fill(sums.begin(), sums.end(), Vector_3::Zero());
+    for (const std::array<Index, 3>& face : triangles.faces) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        sums[face[i]] += points[face[(i + 1) % 3]]; // once for each neighbor, as the surface is closed
+      }
+    }
+    const double factor = step % 2 == 0 ? shrinking : growing;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vector_3 moved = points[i] + factor * (sums[i] / double(degree[i]) - points[i]);
+      points[i] = moved.cwiseMax(places[i] - Vector_3::Constant(max_displacement))
+                      .cwiseMin(places[i] + Vector_3::Constant(max_displacement));
+    }
+  }
+}
+
+} // namespace internal
 
 /// Makes the surfaces of all labels of an image, slice by slice: only two slices are in memory beside the surfaces.
 ///
@@ -103,18 +245,63 @@ inline constexpr std::size_t max_number_of_labels = 65536;
 class Voxel_surface_builder
 {
 public:
+  /// A volume has at most so many labels that are bodies of their own.
+  static constexpr std::size_t max_number_of_labels = 65536;
+
   /// \throw Input_error if there are no voxels, or the axes do not span the space
-  Voxel_surface_builder(const Volume_grid& grid, const Voxel_surface_settings& settings);
+  Voxel_surface_builder(const Volume_grid& grid, const Voxel_surface_settings& settings)
+      : m_grid(grid), m_settings(settings), m_sheets(settings.connectivity), m_row(grid.size[0] + 2)
+  {
+    if (grid.number_of_voxels() == 0) {
+      throw Input_error("the volume has no voxels: check how it was written");
+    }
+    if (!(std::abs(grid.signed_voxel_volume()) > 0) || !grid.origin.allFinite()) {
+      throw Input_error(
+          "the axes of the volume do not span the space, or are not finite: correct spacing, directions and "
+          "origin");
+    }
+    m_lower_slice.assign(m_row * (grid.size[1] + 2), 0);
+    m_upper_slice = m_lower_slice;
+  }
 
   /// Takes the next slice.
   /// \param labels of its `slice_size()` voxels; 0 for the background
   /// \throw Input_error if there are too many labels, or too many triangles around one of them
   /// \pre there are not as many yet as the volume has
-  void push_slice(const std::uint32_t* labels);
+  void push_slice(const std::uint32_t* labels)
+  {
+    CGAL_precondition(m_number_of_slices <= m_grid.size[2]);
+    if (m_number_of_slices < m_grid.size[2]) {
+      count_voxels(labels);
+    }
+    for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
+      std::copy_n(labels + y * m_grid.size[0], m_grid.size[0],
+                  m_upper_slice.begin() + std::ptrdiff_t((y + 1) * m_row + 1));
+    }
+    make_corners();
+    emit_faces_between_slices();
+    if (m_number_of_slices > 0) {
+      emit_faces_in_slice();
+    }
+    std::swap(m_lower_slice, m_upper_slice);
+    std::swap(m_lower_corners, m_upper_corners);
+    ++m_number_of_slices;
+  }
 
   /// The surfaces of all labels that occur, in ascending order of the labels.
   /// \pre all slices have been taken, and this was not called before
-  std::vector<Voxel_surface> finish();
+  std::vector<Voxel_surface> finish()
+  {
+    CGAL_precondition(m_number_of_slices == m_grid.size[2]);
+    push_slice(std::vector<std::uint32_t>(m_grid.slice_size(), 0).data());
+    std::sort(m_shapes.begin(), m_shapes.end(), [](const Shape& a, const Shape& b) { return a.label < b.label; });
+    std::vector<Voxel_surface> result;
+    result.reserve(m_shapes.size());
+    for (Shape& shape : m_shapes) {
+      result.push_back(make_surface(std::move(shape)));
+    }
+    return result;
+  }
 
 private:
   /// How the sheets of one label meet in a corner of voxels, which has eight of these around it.
@@ -138,23 +325,283 @@ private:
   };
   /// An edge of voxels, one of the four voxels around it, and a label.
   using Edge_copy = std::pair<std::uint64_t, std::uint32_t>;
+  using Place = std::array<std::size_t, 3>;
 
-  Index shape_of(std::uint32_t label);
-  void count_voxels(const std::uint32_t* labels);
-  void make_corners();
-  void add_corner(const std::array<std::uint32_t, 8>& labels, std::size_t x, std::size_t y);
-  void add_tube(Shape& shape, Index first_vertex, unsigned octants) const;
-  void emit_faces_between_slices();
-  void emit_faces_in_slice();
-  void emit_faces(int axis, const std::array<std::size_t, 3>& lower_corner, std::uint32_t below, std::uint32_t above);
-  void emit_face(int axis, const std::array<std::size_t, 3>& lower_corner, std::uint32_t label, bool is_below);
-  void append_polygon(Shape& shape, int axis, const std::array<std::size_t, 3>& lower_corner);
-  const Corner& corner(const std::array<std::size_t, 3>& place, std::uint32_t label) const;
-  Index middle_of_edge(Shape& shape, const std::array<std::size_t, 3>& place, int axis, unsigned octant);
-  Voxel_surface make_surface(Shape&& shape) const;
+  Index shape_of(std::uint32_t label)
+  {
+    if (m_last_shape != no_index && m_shapes[m_last_shape].label == label) {
+      return m_last_shape;
+    }
+    const auto [entry, is_new] = m_shape_of_label.emplace(label, Index(m_shapes.size()));
+    if (is_new) {
+      if (m_shapes.size() == max_number_of_labels) {
+        throw Input_error("the volume has more than " + std::to_string(max_number_of_labels) +
+                          " labels: it seems to hold no labels; choose one of them, or a threshold");
+      }
+      m_shapes.emplace_back();
+      m_shapes.back().label = label;
+    }
+    m_last_shape = entry->second;
+    return m_last_shape;
+  }
+
+  void count_voxels(const std::uint32_t* labels)
+  {
+    const std::uint32_t* const end = labels + m_grid.slice_size();
+    while (labels != end) {
+      const std::uint32_t* const first = labels;
+      labels = std::find_if(first, end, [first](std::uint32_t label) { return label != *first; });
+      if (*first != 0) {
+        m_shapes[shape_of(*first)].number_of_voxels += std::size_t(labels - first);
+      }
+    }
+  }
+
+  /// Makes the corners below the upper slice.
+  void make_corners()
+  {
+    m_upper_corners.first.clear();
+    m_upper_corners.first.reserve((m_row - 1) * (m_grid.size[1] + 1) + 1);
+    m_upper_corners.corners.clear();
+    for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
+      const std::uint32_t* const lower = m_lower_slice.data() + y * m_row;
+      const std::uint32_t* const upper = m_upper_slice.data() + y * m_row;
+      for (std::size_t x = 0; x + 1 < m_row; ++x) {
+        m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
+        const std::array<std::uint32_t, 8> labels{lower[x], lower[x + 1], lower[x + m_row], lower[x + m_row + 1],
+                                                  upper[x], upper[x + 1], upper[x + m_row], upper[x + m_row + 1]};
+        std::uint32_t differences = 0;
+        for (std::size_t i = 1; i < labels.size(); ++i) {
+          differences |= labels[i] ^ labels[0];
+        }
+        if (differences != 0) {
+          add_corner(labels, x, y);
+        }
+      }
+    }
+    m_upper_corners.first.push_back(Index(m_upper_corners.corners.size()));
+  }
+
+  /// Adds the corner at a place for each label that is there.
+  void add_corner(const std::array<std::uint32_t, 8>& labels, std::size_t x, std::size_t y)
+  {
+    for (std::size_t octant = 0; octant < labels.size(); ++octant) {
+      const std::uint32_t label = labels[octant];
+      if (label == 0 || std::find(labels.begin(), labels.begin() + std::ptrdiff_t(octant), label) !=
+                            labels.begin() + std::ptrdiff_t(octant)) {
+        continue;
+      }
+      unsigned octants = 0;
+      for (unsigned other = 0; other < labels.size(); ++other) {
+        octants |= (labels[other] == label ? 1U : 0U) << other;
+      }
+      Shape& shape = m_shapes[shape_of(label)];
+      std::vector<Vector_3>& points = shape.triangles.points;
+      m_upper_corners.corners.push_back({label, std::uint8_t(octants), Index(points.size())});
+      const internal::Corner_sheets& sheets = m_sheets[octants];
+      const Vector_3 place{double(x), double(y), double(m_number_of_slices)};
+      if (!sheets.has_tube) {
+        points.insert(points.end(), sheets.number_of_vertices, place);
+        continue;
+      }
+      constexpr double tube_radius = 0.25; // voxels: half way to the middles of edges
+      for (unsigned half_axis = 0; half_axis < internal::number_of_half_axes; ++half_axis) {
+        points.push_back(place);
+        points.back()[half_axis / 2] += (half_axis & 1U) != 0 ? tube_radius : -tube_radius;
+      }
+      add_tube(shape, m_upper_corners.corners.back().first_vertex, octants);
+    }
+  }
+
+  /// Adds the octahedron around a corner, except its faces in the two octants that it joins.
+  void add_tube(Shape& shape, Index first_vertex, unsigned octants) const
+  {
+    const bool joins_label = m_settings.connectivity == Voxel_connectivity::twenty_six;
+    for (unsigned octant = 0; octant < internal::number_of_octants; ++octant) {
+      const bool has_label = (octants >> octant & 1U) != 0;
+      if (has_label == joins_label) {
+        continue; // here the tube ends
+      }
+      const Index a = first_vertex + (octant & 1U);
+      const Index b = first_vertex + 2 + (octant >> 1U & 1U);
+      const Index c = first_vertex + 4 + (octant >> 2U & 1U);
+      const bool is_counterclockwise = ((octant ^ octant >> 1U ^ octant >> 2U) & 1U) != 0;
+      if (is_counterclockwise == joins_label) {
+        shape.triangles.faces.push_back({a, b, c});
+      } else {
+        shape.triangles.faces.push_back({a, c, b});
+      }
+    }
+  }
+
+  void emit_faces_between_slices()
+  {
+    for (std::size_t y = 0; y < m_grid.size[1]; ++y) {
+      const std::size_t row = (y + 1) * m_row + 1;
+      for (std::size_t x = 0; x < m_grid.size[0]; ++x) {
+        emit_faces(2, {x, y, m_number_of_slices}, m_lower_slice[row + x], m_upper_slice[row + x]);
+      }
+    }
+  }
+
+  void emit_faces_in_slice()
+  {
+    for (std::size_t y = 0; y <= m_grid.size[1]; ++y) {
+      const std::uint32_t* const labels = m_lower_slice.data() + (y + 1) * m_row + 1;
+      for (std::size_t x = 0; x <= m_grid.size[0]; ++x) {
+        const std::uint32_t* const label = labels + x;
+        if (y < m_grid.size[1]) {
+          emit_faces(0, {x, y, m_number_of_slices - 1}, *(label - 1), *label);
+        }
+        if (x < m_grid.size[0]) {
+          emit_faces(1, {x, y, m_number_of_slices - 1}, *(label - m_row), *label);
+        }
+      }
+    }
+  }
+
+  /// Emits the face between two voxels for both of their labels, if they differ.
+  void emit_faces(int axis, const Place& lower_corner, std::uint32_t below, std::uint32_t above)
+  {
+    if (below != above && below != 0) {
+      emit_face(axis, lower_corner, below, true);
+    }
+    if (below != above && above != 0) {
+      emit_face(axis, lower_corner, above, false);
+    }
+  }
+
+  const Corner& corner(const Place& place, std::uint32_t label) const
+  {
+    const Corner_plane& plane = place[2] == m_number_of_slices ? m_upper_corners : m_lower_corners;
+    const std::size_t position = place[1] * (m_row - 1) + place[0];
+    Index number = plane.first[position];
+    while (plane.corners[number].label != label) {
+      ++number;
+    }
+    CGAL_assertion(number < plane.first[position + 1]);
+    return plane.corners[number];
+  }
+
+  /// \param lower_corner the corner of the face that is least along all axes
+  /// \param is_below whether the voxel with the label is the one before the face
+  void emit_face(int axis, const Place& lower_corner, std::uint32_t label, bool is_below)
+  {
+    Shape& shape = m_shapes[shape_of(label)];
+    const bool joins_diagonally = m_settings.connectivity == Voxel_connectivity::twenty_six;
+    const auto a = unsigned(axis);
+    // Counterclockwise seen from outside: b, then c, around the positive axis, or the other way round.
+    const unsigned b = is_below ? (a + 1) % 3 : (a + 2) % 3;
+    const unsigned c = 3 - a - b;
+    constexpr std::array<std::array<unsigned, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+    m_polygon.clear();
+    for (unsigned i = 0; i < square.size(); ++i) {
+      Place place = lower_corner;
+      place[b] += square[i][0];
+      place[c] += square[i][1];
+      const unsigned towards_b = 1 - square[i][0]; // on which side of the corner the face is
+      const unsigned towards_c = 1 - square[i][1];
+      const Corner& its_corner = corner(place, label);
+      const internal::Corner_sheets& sheets = m_sheets[its_corner.octants];
+      const unsigned octant = towards_b << b | towards_c << c; // before the face
+      const unsigned half_axis_b = 2 * b + towards_b;
+      const unsigned half_axis_c = 2 * c + towards_c;
+      const unsigned next_half_axis = i % 2 == 0 ? half_axis_b : half_axis_c;
+      if (sheets.has_tube) {
+        m_polygon.push_back(its_corner.first_vertex + (i % 2 == 0 ? half_axis_c : half_axis_b));
+        m_polygon.push_back(its_corner.first_vertex + next_half_axis);
+      } else {
+        m_polygon.push_back(its_corner.first_vertex + sheets.sheet_of_arc[internal::arc_of_octant(octant, a)]);
+      }
+      if ((sheets.singular_half_axes >> next_half_axis & 1U) != 0) {
+        // Of the two voxels beside the face, the one around which the sheet goes.
+        const unsigned turned = octant | (is_below != joins_diagonally ? 0U : 1U) << a;
+        const unsigned edge_axis = next_half_axis / 2;
+        place[edge_axis] -= (next_half_axis & 1U) != 0 ? 0U : 1U;
+        m_polygon.push_back(middle_of_edge(shape, place, int(edge_axis), turned & ~(1U << edge_axis)));
+      }
+    }
+    append_polygon(shape, axis, lower_corner);
+  }
+
+  /// The vertex in the middle of an edge in which four faces meet, on the sheet that goes around one of its voxels.
+  /// \param place where the edge begins
+  /// \param octant of the voxel, seen from there
+  Index middle_of_edge(Shape& shape, const Place& place, int axis, unsigned octant)
+  {
+    const std::uint64_t position = (place[2] * (m_grid.size[1] + 1) + place[1]) * (m_row - 1) + place[0];
+    const Edge_copy key{(position * 3 + unsigned(axis)) * internal::number_of_octants + octant, shape.label};
+    const auto found = m_open_middles.find(key);
+    if (found != m_open_middles.end()) {
+      const Index middle = found->second;
+      m_open_middles.erase(found);
+      return middle;
+    }
+    Vector_3 point{double(place[0]), double(place[1]), double(place[2])};
+    point[axis] += 0.5;
+    shape.triangles.points.push_back(point);
+    const Index middle = Index(shape.triangles.points.size() - 1);
+    m_open_middles.emplace(key, middle);
+    return middle;
+  }
+
+  /// Adds the triangles of a face that has become a polygon: two, or those around its center.
+  void append_polygon(Shape& shape, int axis, const Place& lower_corner)
+  {
+    constexpr std::size_t max_number_of_triangles = std::size_t(1) << 26U; // as for meshes
+    std::vector<std::array<Index, 3>>& faces = shape.triangles.faces;
+    if (faces.size() > max_number_of_triangles) {
+      throw Input_error("the surface of label " + std::to_string(shape.label) +
+                        " has more than 2^26 triangles: use a coarser image");
+    }
+    if (m_polygon.size() == 4) {
+      faces.push_back({m_polygon[0], m_polygon[1], m_polygon[2]});
+      faces.push_back({m_polygon[0], m_polygon[2], m_polygon[3]});
+      return;
+    }
+    Vector_3 center{double(lower_corner[0]) + 0.5, double(lower_corner[1]) + 0.5, double(lower_corner[2]) + 0.5};
+    center[axis] -= 0.5;
+    shape.triangles.points.push_back(center);
+    const Index center_vertex = Index(shape.triangles.points.size() - 1);
+    for (std::size_t i = 0; i < m_polygon.size(); ++i) {
+      faces.push_back({m_polygon[i], m_polygon[(i + 1) % m_polygon.size()], center_vertex});
+    }
+  }
+
+  Voxel_surface make_surface(Shape&& shape) const
+  {
+    Voxel_surface result;
+    result.label = shape.label;
+    result.number_of_voxels = shape.number_of_voxels;
+    result.triangles = std::move(shape.triangles);
+    Indexed_triangles& triangles = result.triangles;
+    result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    triangles.first_hole_filling_face = triangles.faces.size();
+    const internal::Surface_components components(triangles);
+    const auto is_cavity = [](const auto& measure) { return measure.volume < 0; };
+    result.number_of_cavities =
+        std::size_t(std::count_if(components.measures.begin(), components.measures.end(), is_cavity));
+    if (result.number_of_cavities > 0 && m_settings.fills_cavities) {
+      remove_components(triangles, components, [&](Index i) { return is_cavity(components.measures[i]); });
+      result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    }
+    internal::smooth_voxel_surface(triangles);
+    for (Vector_3& point : triangles.points) {
+      point = m_grid.point(point - Vector_3::Constant(0.5));
+    }
+    if (m_grid.signed_voxel_volume() < 0) {
+      for (std::array<Index, 3>& face : triangles.faces) {
+        std::swap(face[1], face[2]);
+      }
+      result.pairing = Halfedge_pairing(triangles.faces, triangles.points.size());
+    }
+    CGAL_postcondition(result.pairing.conflict() == no_index && !result.pairing.has_border());
+    return result;
+  }
 
   Volume_grid m_grid;
   Voxel_surface_settings m_settings;
+  internal::Corner_sheet_table m_sheets;
   std::size_t m_row;                        ///< voxels in a row of a padded slice
   std::vector<std::uint32_t> m_lower_slice; ///< with a border of background, as the next one
   std::vector<std::uint32_t> m_upper_slice;
@@ -171,12 +618,19 @@ private:
 /// makes the surfaces of all labels of `volume`; see `Voxel_surface_builder`.
 /// \throw Input_error if there are no voxels, labels that do not fit the size, too many labels or triangles, or axes
 ///        that do not span the space
-std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, const Voxel_surface_settings& settings = {});
+inline std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, const Voxel_surface_settings& settings = {})
+{
+  if (volume.labels.size() != volume.grid.number_of_voxels()) {
+    throw Input_error("the volume has " + std::to_string(volume.labels.size()) + " labels for " +
+                      std::to_string(volume.grid.number_of_voxels()) + " voxels: give each voxel one");
+  }
+  Voxel_surface_builder builder(volume.grid, settings);
+  for (std::size_t z = 0; z < volume.grid.size[2]; ++z) {
+    builder.push_slice(volume.labels.data() + z * volume.grid.slice_size());
+  }
+  return builder.finish();
+}
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Volume/Voxel_surface_impl.h>
-#endif
 
 #endif // CSCD_VOLUME_VOXEL_SURFACE_H
