@@ -4,8 +4,8 @@
 // Surfaces with the right topology around the voxels of an image that have the same label.
 //
 // Eight voxels, the octants, meet in a corner. Bit i of an octant tells on which side of the corner it is along axis i.
-// On a small sphere around the corner, two octants with a common face meet in an arc, of which there are twelve, and
-// arcs meet in six points, the half-axes: half-axis 2 i + s is the edge of voxels that leaves the corner along axis i,
+// On a small sphere around the corner, two octants with a common face meet in one of twelve arcs, and arcs
+// meet in six points, the half-axes: half-axis 2 i + s is the edge of voxels that leaves the corner along axis i,
 // in positive direction if s is 1. The arcs between octants of a label and others form closed curves: one for each
 // sheet.
 
@@ -36,7 +36,7 @@ namespace CSCD {
 /// Where the voxels of an image are in space.
 struct Volume_grid
 {
-  /// The numbers of voxels along the three axes, of which the first runs fastest in memory.
+  /// The numbers of voxels along the three axes. The first axis runs fastest in memory.
   std::array<std::size_t, 3> size{};
   /// The center of the first voxel.
   Vector_3 origin;
@@ -234,7 +234,8 @@ inline void smooth_voxel_surface(Indexed_triangles& triangles)
 
 } // namespace internal
 
-/// Makes the surfaces of all labels of an image, slice by slice: only two slices are in memory beside the surfaces.
+/// Makes the surfaces of all labels of an image, slice by slice: only two slices are in memory, apart from the
+/// surfaces.
 ///
 /// The surface of a label is made of the faces that its voxels have in common with others. Where more than two such
 /// faces meet in an edge, or several sheets in a corner, edges and corners are doubled so that sheets are joined as the
@@ -514,7 +515,7 @@ private:
         m_polygon.push_back(its_corner.first_vertex + sheets.sheet_of_arc[internal::arc_of_octant(octant, a)]);
       }
       if ((sheets.singular_half_axes >> next_half_axis & 1U) != 0) {
-        // Of the two voxels beside the face, the one around which the sheet goes.
+        // The sheet goes around one of the two voxels at the face.
         const unsigned turned = octant | (is_below != joins_diagonally ? 0U : 1U) << a;
         const unsigned edge_axis = next_half_axis / 2;
         place[edge_axis] -= (next_half_axis & 1U) != 0 ? 0U : 1U;
