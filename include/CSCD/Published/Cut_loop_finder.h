@@ -77,7 +77,6 @@ public:
         path.push_back(best);
         vertex = m_frames.triangulation().target(best);
       } else {
-        ++m_number_of_minima;
         vertex = leave_minimum(measures, vertex, source, begin, path);
         if (vertex == no_index) {
           return false;
@@ -86,9 +85,6 @@ public:
     }
     return true;
   }
-
-  /// How often a path reached a vertex without a nearer neighbor, over all calls.
-  std::size_t number_of_minima() const { return m_number_of_minima; }
 
 private:
   /// What a vertex costs that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
@@ -154,7 +150,6 @@ private:
   Dijkstra_search m_front;
   std::vector<Index> m_step_to; ///< the halfedge by which the front came to a vertex
   std::vector<Index> m_detour;
-  std::size_t m_number_of_minima = 0;
   std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
 };
 

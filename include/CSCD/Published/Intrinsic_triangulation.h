@@ -364,8 +364,6 @@ public:
   double added_length() const { return m_added_length; }
   /// Whether the edge runs along an edge of the input.
   bool is_input_edge(Index halfedge) const { return m_halfedges[halfedge].coordinate == along_input_edge; }
-  /// See `Normal_coordinate`.
-  Normal_coordinate normal_coordinate(Index halfedge) const { return m_halfedges[halfedge].coordinate; }
   /// The number of input edges that the edge crosses.
   Index number_of_crossings(Index halfedge) const { return Index(crossings_of(m_halfedges[halfedge].coordinate)); }
   /// The input halfedge from the same origin that `halfedge` runs along, or into whose face it starts.

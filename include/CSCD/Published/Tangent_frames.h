@@ -262,8 +262,6 @@ public:
   Index target(Index halfedge) const { return m_complex.target(m_sides[halfedge]); }
   Index twin(Index halfedge) const { return m_twins[halfedge]; }
   double length(Index halfedge) const { return m_complex.length(m_sides[halfedge]); }
-  /// The halfedge of the complex along which `halfedge` runs.
-  Index complex_halfedge(Index halfedge) const { return m_sides[halfedge]; }
   /// The same side of the other copy of the face.
   static Index other_copy(Index halfedge) { return 6 * (halfedge / 6) + 5 - halfedge % 6; }
 
