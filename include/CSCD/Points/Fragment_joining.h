@@ -49,27 +49,9 @@ public:
   {
     std::vector<Joined_gap> result;
     if (m_number_of_fragments > 1) {
-      const auto add = [&](const Candidate& candidate) {
-        result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
-      };
-      const Neighbor_table neighbors(m_triangles.points, near_neighbors);
-      m_reach.resize(m_triangles.points.size());
-      for (Index vertex = 0; vertex < m_reach.size(); ++vertex) {
-        m_reach[vertex] = neighbors.reach(vertex);
-      }
-      for (const Candidate& candidate : find_near_candidates(neighbors)) {
-        if (join_near(candidate.a, candidate.b)) {
-          add(candidate);
-        }
-      }
-      for (const Candidate& candidate : find_far_candidates()) {
-        if (join_near(candidate.a, candidate.b)) {
-          add(candidate);
-        }
-      }
-      for (const Candidate& candidate : find_wide_candidates()) {
-        if (join_wide(candidate.a, candidate.b)) {
-          add(candidate);
+      for (const Candidate& candidate : find_candidates()) {
+        if (join(candidate)) {
+          result.push_back({(m_triangles.points[candidate.a] + m_triangles.points[candidate.b]) / 2, candidate.gap});
         }
       }
     }
@@ -87,7 +69,7 @@ public:
   }
 
 private:
-  /// A vertex that is among so many nearest neighbors of one in another fragment belongs to the same body ...
+  /// A vertex that is as near as so many neighbors of one in another fragment belongs to the same body ...
   static constexpr Index near_neighbors = 16;
   /// ... unless both fragments have more than this part of all faces: they may be bodies that touch.
   static constexpr double max_near_part = 0.15;
@@ -104,8 +86,6 @@ private:
   static constexpr double min_border = 3;
   /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
   static constexpr double min_border_in_reaches = 4;
-  /// Border vertices among which the other end of such a gap is sought.
-  static constexpr Index border_neighbors = 48;
   /// Volumes below this, relative to the area to the power 3/2, do not show which side is outside: a half ball has
   /// 0.13.
   static constexpr double reliable_volume = 0.02;
@@ -242,33 +222,21 @@ private:
     }
   }
 
-  /// Pairs of vertices of different fragments, one of which is among the nearest neighbors of the other.
-  std::vector<Candidate> find_near_candidates(const Neighbor_table& neighbors) const
+  /// Pairs of vertices of different fragments, the nearest first: neighbors, and across wider gaps the vertices of
+  /// borders and of small fragments.
+  std::vector<Candidate> find_candidates()
   {
-    std::vector<Candidate> result;
-    for (Index a = 0; a < m_fragment.size(); ++a) {
-      for (Index b : neighbors.neighbors(a)) {
-        if (m_fragment[a] != m_fragment[b]) {
-          result.push_back({distance(a, b), std::min(a, b), std::max(a, b)});
-        }
-      }
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  /// Pairs of vertices of a small group and of another one, across a wider gap.
-  std::vector<Candidate> find_far_candidates()
-  {
-    std::vector<Candidate> result;
     const Point_tree tree(m_triangles.points);
+    std::vector<Candidate> result;
+    m_reach.resize(m_triangles.points.size());
     for (Index a = 0; a < m_fragment.size(); ++a) {
-      if (!is_debris(group(a))) {
-        continue;
-      }
-      tree.for_each_nearest(m_triangles.points[a], far_neighbors, [&](Index b, double squared_distance) {
+      const bool is_far_end = m_next[a] != no_index || is_debris(m_fragment[a]);
+      const Index number = is_far_end ? far_neighbors : near_neighbors + 1; // a itself among them
+      Index i = 0;
+      tree.for_each_nearest(m_triangles.points[a], number, [&](Index b, double squared_distance) {
         const double gap = std::sqrt(squared_distance);
-        if (group(a) != group(b) && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
+        m_reach[a] = i++ <= near_neighbors ? gap : m_reach[a];
+        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * m_reach[a]) {
           result.push_back({gap, std::min(a, b), std::max(a, b)});
         }
       });
@@ -277,6 +245,7 @@ private:
     return result;
   }
 
+  /// Whether a group is too small to be a body of its own.
   bool is_debris(Index group) const
   {
     const bool is_open = std::any_of(m_members[group].begin(), m_members[group].end(),
@@ -284,73 +253,43 @@ private:
     return m_size[group] <= (is_open ? max_open_debris : max_closed_debris);
   }
 
-  /// Pairs of border vertices of different fragments.
-  std::vector<Candidate> find_wide_candidates() const
-  {
-    std::vector<Index> vertices;
-    std::vector<Vector_3> points;
-    for (Index vertex = 0; vertex < m_next.size(); ++vertex) {
-      if (m_next[vertex] != no_index) {
-        vertices.push_back(vertex);
-        points.push_back(m_triangles.points[vertex]);
-      }
-    }
-    std::vector<Candidate> result;
-    const Neighbor_table neighbors(points, border_neighbors);
-    for (Index i = 0; i < vertices.size(); ++i) {
-      for (Index j : neighbors.neighbors(i)) {
-        const Index a = vertices[i];
-        const Index b = vertices[j];
-        const double gap = distance(a, b);
-        if (m_fragment[a] != m_fragment[b] && gap <= widest_gap * std::max(m_reach[a], m_reach[b])) {
-          result.push_back({gap, std::min(a, b), std::max(a, b)});
-        }
-      }
-    }
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
+  /// Whether a border of at least this length runs through `vertex`.
   bool has_border_of(Index vertex, double length) const
   {
     double sum = 0;
     Index v = vertex;
     do {
+      if (m_next[v] == no_index) {
+        return false;
+      }
       sum += distance(v, m_next[v]);
       v = m_next[v];
     } while (v != vertex && sum < length);
     return sum >= length;
   }
 
-  bool join_near(Index a, Index b)
+  /// Joins the groups at the ends of a gap if they are of the same body: if they are near each other, or one is small,
+  /// or both are stumps.
+  bool join(const Candidate& gap)
   {
-    const Index group_a = group(a);
-    const Index group_b = group(b);
+    const Index group_a = group(gap.a);
+    const Index group_b = group(gap.b);
     if (group_a == group_b) {
       return false;
     }
-    if (double(std::min(m_size[group_a], m_size[group_b])) > max_near_part * double(m_triangles.faces.size())) {
+    const double reach = std::max(m_reach[gap.a], m_reach[gap.b]);
+    const double border = std::max(min_border * gap.gap, min_border_in_reaches * reach);
+    const auto smaller = double(std::min(m_size[group_a], m_size[group_b]));
+    const bool is_part = smaller <= max_near_part * double(m_triangles.faces.size());
+    const bool is_small = is_part && (gap.gap <= reach || is_debris(group_a) || is_debris(group_b));
+    if (!is_small && !(has_border_of(gap.a, border) && has_border_of(gap.b, border))) {
       return false;
     }
-    unite(group_a, group_b, a, b);
-    const Vector_3 gap = m_triangles.points[b] - m_triangles.points[a];
-    const Index end_a = open(a, gap);
-    const Index end_b = open(b, -gap);
+    unite(group_a, group_b, gap.a, gap.b);
+    const Vector_3 way = m_triangles.points[gap.b] - m_triangles.points[gap.a];
+    const Index end_a = open(gap.a, way);
+    const Index end_b = open(gap.b, -way);
     add_band(end_a, end_b);
-    return true;
-  }
-
-  bool join_wide(Index a, Index b)
-  {
-    const Index group_a = group(a);
-    const Index group_b = group(b);
-    const double border =
-        std::max(min_border * distance(a, b), min_border_in_reaches * std::max(m_reach[a], m_reach[b]));
-    if (group_a == group_b || !has_border_of(a, border) || !has_border_of(b, border)) {
-      return false;
-    }
-    unite(group_a, group_b, a, b);
-    add_band(a, b);
     return true;
   }
 
