@@ -5,3 +5,5 @@
 s,\[([^]]*)\]\((\.\./)?examples/([a-z_]+\.cpp)\),\\ref \3 "\1",g
 s,\[([^]]*)\]\((doc/)?manual/user_manual\.dox\),\\ref user_manual "\1",g
 s,\((\.\./)?examples/\),(examples.html),g
+# Links to headers have no page of their own by that path: the name is left.
+s,\[(`[^]]*`)\]\(\.\./include/[^)]*\),\1,g
