@@ -13,10 +13,8 @@ set(cscd_measure_sources
     Measure/Skeleton_branches.cpp
     Measure/compare_segmentations.cpp
     Measure/compare_skeletons.cpp
-    Measure/estimate_radii.cpp
     Measure/evaluate_skeleton.cpp
-    Measure/simplify_skeleton.cpp
-    Measure/split_into_branches.cpp)
+    Measure/simplify_skeleton.cpp)
 set(cscd_measure_links core)
 set(cscd_tree_sources Tree/Tree_cylinders.cpp Tree/Tree_skeletonization.cpp)
 set(cscd_tree_links measure)

@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 #define CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 
-#include "Measure/Position_measurement.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Triangles.h>
@@ -302,8 +302,7 @@ Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, do
   for (;; cell_size *= 2) {
     Isosurface_tracker<Field> tracker(field, cell_size, maximum_number);
     constexpr std::size_t max_number_of_samples = 1 << 20; // as many as cells at most
-    const std::vector<Edge_sample> samples =
-        sample_edges(skeleton, bounded_spacing(skeleton, cell_size, max_number_of_samples));
+    const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size, max_number_of_samples);
     std::size_t number_unresolved = 0;
     for (const Edge_sample& sample : samples) {
       if (tracker.is_too_large()) {
