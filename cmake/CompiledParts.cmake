@@ -23,20 +23,15 @@ set(cscd_application_sources Application/estimate_shape_diameters.cpp Applicatio
 set(cscd_application_links measure)
 set(cscd_io_sources
     IO/decompress.cpp
-    IO/formats.cpp
     IO/parse_gltf.cpp
-    IO/parse_obj.cpp
-    IO/parse_off.cpp
+    IO/parse_meshes.cpp
     IO/parse_ply.cpp
-    IO/parse_point_table.cpp
-    IO/parse_scans.cpp
+    IO/parse_points.cpp
     IO/parse_skeletons.cpp
-    IO/parse_stl.cpp
     IO/parse_vtk.cpp
     IO/read_files.cpp
     IO/read_volume.cpp
     IO/repair_mesh.cpp
-    IO/write_correspondence.cpp
     IO/write_file.cpp
     IO/write_nrrd.cpp
     IO/write_rig.cpp

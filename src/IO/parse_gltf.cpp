@@ -3,11 +3,10 @@
 //
 // Reads the triangles of glTF.
 
-#include "Number_view.h"
-#include "decompress.h"
-#include "parse.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 

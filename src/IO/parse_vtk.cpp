@@ -3,22 +3,18 @@
 //
 // Reads PolyData of VTK, as XML (.vtp) or in the legacy format (.vtk).
 
-#include "Number_view.h"
-#include "Text_scanner.h"
-#include "Xml_scanner.h"
-#include "decompress.h"
-#include "parse.h"
+#include "IO/Xml_scanner.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
-
-#include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <locale>
 #include <map>
 #include <string>
 #include <string_view>
@@ -31,11 +27,6 @@ namespace CSCD::internal {
 namespace {
 
 using Numbers = std::vector<double>;
-
-std::string lower_case(std::string_view text)
-{
-  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
-}
 
 Numbers to_vector(const Number_view& view)
 {

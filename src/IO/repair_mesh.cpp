@@ -3,7 +3,7 @@
 //
 // Makes manifold triangle meshes of the polygons of a file.
 
-#include "Point_merger.h"
+#include "IO/Point_merger.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeletonization_report.h>

@@ -1,25 +1,191 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Numbers and words from text.
+// Numbers from bytes and from text: the only places where either become numbers.
 
-#ifndef CSCD_SRC_IO_TEXT_SCANNER_H
-#define CSCD_SRC_IO_TEXT_SCANNER_H
+#ifndef CSCD_SRC_IO_SCANNERS_H
+#define CSCD_SRC_IO_SCANNERS_H
 
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <locale>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 namespace CSCD::internal {
+
+using Byte_order = boost::endian::order;
+
+/// How a number is stored.
+struct Number_type
+{
+  char kind = 'f';      ///< `i` an integer, `u` one without sign, `f` a floating-point number
+  std::size_t size = 0; ///< in bytes: 1, 2, 4 or 8, of floating-point numbers 4 or 8
+
+  /// Whether there is such a type.
+  bool is_valid() const
+  {
+    const bool has_floating_size = size == 4 || size == 8;
+    return has_floating_size ? kind == 'i' || kind == 'u' || kind == 'f'
+                             : (size == 1 || size == 2) && (kind == 'i' || kind == 'u');
+  }
+};
+
+inline bool operator==(const Number_type& a, const Number_type& b)
+{
+  return a.kind == b.kind && a.size == b.size;
+}
+
+/// Calls `use` with a zero of the type of C++ that `type` means. \pre the type is valid
+template <class Use>
+auto with_number_type(const Number_type& type, const Use& use)
+{
+  const bool has_sign = type.kind == 'i';
+  switch (type.size) {
+  case 1:
+    return has_sign ? use(std::int8_t(0)) : use(std::uint8_t(0));
+  case 2:
+    return has_sign ? use(std::int16_t(0)) : use(std::uint16_t(0));
+  case 4:
+    return type.kind == 'f' ? use(float(0)) : has_sign ? use(std::int32_t(0)) : use(std::uint32_t(0));
+  default:
+    return type.kind == 'f' ? use(double(0)) : has_sign ? use(std::int64_t(0)) : use(std::uint64_t(0));
+  }
+}
+
+/// The number that is stored at `bytes`.
+template <class Number>
+Number stored_number(const char* bytes, Byte_order order)
+{
+  std::array<char, sizeof(Number)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(Number));
+  if (order != Byte_order::native) {
+    std::reverse(raw.begin(), raw.end());
+  }
+  Number number;
+  std::memcpy(&number, raw.data(), sizeof(Number));
+  return number;
+}
+
+/// Numbers of one type in memory, each `stride` bytes behind the one before. Integers beyond 2^53 are rounded.
+struct Number_view
+{
+  const char* bytes = nullptr; ///< of the first one
+  Number_type type;
+  Byte_order order = Byte_order::little;
+  std::size_t stride = 0;
+  std::size_t count = 0;
+
+  /// \pre i < count
+  double operator[](std::size_t i) const
+  {
+    return with_number_type(
+        type, [this, i](auto zero) { return double(stored_number<decltype(zero)>(bytes + i * stride, order)); });
+  }
+
+  /// Calls `use(i, number)` for all of them in their order.
+  template <class Use>
+  void for_each(const Use& use) const
+  {
+    with_number_type(type, [this, &use](auto zero) {
+      for (std::size_t i = 0; i < count; ++i) {
+        use(i, double(stored_number<decltype(zero)>(bytes + i * stride, order)));
+      }
+    });
+  }
+};
+
+/// Goes through binary data number by number.
+class Byte_scanner
+{
+public:
+  /// \param bytes must outlive the scanner
+  /// \param filename for messages
+  Byte_scanner(std::string_view bytes, Byte_order order, std::string filename)
+      : m_bytes(bytes), m_order(order), m_filename(std::move(filename))
+  {
+  }
+
+  /// The size of the rest of the data, in bytes.
+  std::size_t remaining() const { return m_bytes.size(); }
+  /// Where the data that are left begin.
+  const char* data() const { return m_bytes.data(); }
+  Byte_order order() const { return m_order; }
+
+  /// Reads a number. \throw File_error if the data end before
+  template <class Number>
+  Number number()
+  {
+    return stored_number<Number>(skip(sizeof(Number)), m_order);
+  }
+
+  /// Reads three numbers. \throw File_error if the data end before
+  template <class Number>
+  Vector_3 vector()
+  {
+    Vector_3 result = Vector_3::Zero();
+    for (double& coordinate : result) {
+      coordinate = double(number<Number>());
+    }
+    return result;
+  }
+
+  /// Reads a number of any type. \pre the type is valid \throw File_error if the data end before
+  double number(const Number_type& type) { return Number_view{skip(type.size), type, m_order, 0, 1}[0]; }
+
+  /// Reads `count` numbers, one behind the other. \throw File_error if the data end before
+  Number_view numbers(const Number_type& type, std::size_t count)
+  {
+    check(count <= m_bytes.size() / type.size);
+    return {skip(count * type.size), type, m_order, type.size, count};
+  }
+
+  /// Passes over `size` bytes and returns where they begin. \throw File_error if the data end before
+  const char* skip(std::size_t size)
+  {
+    check(size <= m_bytes.size());
+    const char* const first = m_bytes.data();
+    m_bytes.remove_prefix(size);
+    return first;
+  }
+
+private:
+  void check(bool fits) const
+  {
+    if (!fits) {
+      throw File_error(m_filename + ": the file ends before all that its header promises; it seems truncated, fetch or "
+                                    "write it again");
+    }
+  }
+
+  std::string_view m_bytes;
+  Byte_order m_order;
+  std::string m_filename;
+};
+
+/// Writes a number in binary.
+template <class Number>
+void write_little_endian(std::ostream& out, Number number)
+{
+  boost::endian::native_to_little_inplace(number);
+  out.write(reinterpret_cast<const char*>(&number), sizeof(number));
+}
 
 /// As `std::from_chars()`, which not every standard library has for floating-point numbers; where it is
 /// missing, an underflow gives 0, and the locale of C has to be "C".
@@ -50,6 +216,12 @@ inline std::from_chars_result number_from_chars(const char* first, const char* l
   value = number;
   return {first + (text_end - text.c_str()), std::errc()};
 #endif
+}
+
+/// `text` in lower case, whatever the locale is.
+inline std::string lower_case(std::string_view text)
+{
+  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
 }
 
 /// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks.
@@ -103,12 +275,8 @@ public:
   /// Goes on to the beginning of the next line.
   void skip_line()
   {
-    while (m_at != m_end && *m_at != '\n') {
-      ++m_at;
-    }
-    if (m_at != m_end) {
-      ++m_at;
-    }
+    m_at = std::find(m_at, m_end, '\n');
+    m_at += m_at != m_end ? 1 : 0;
   }
 
   /// Whether the next character is a digit.
@@ -136,14 +304,12 @@ public:
   /// Reads up to the next blank; empty if there is nothing before it.
   std::string_view word()
   {
-    const char* first = m_at;
-    while (m_at != m_end && !is_blank(*m_at)) {
-      ++m_at;
-    }
+    const char* const first = m_at;
+    m_at = std::find_if(m_at, m_end, is_blank);
     return {first, static_cast<std::size_t>(m_at - first)};
   }
 
-  /// Reads a number, which may be infinite or none (`nan`).
+  /// Reads a number, which may be infinite or not a number.
   /// \throw File_error if none is at this place
   double number()
   {
@@ -153,7 +319,7 @@ public:
     if (result.ec == std::errc::result_out_of_range && is_underflow(m_at, result.ptr)) {
       value = 0;
     } else if (result.ec != std::errc() || (result.ptr != m_end && !is_blank(*result.ptr))) {
-      fail("a number with a decimal point is expected", "correct this line or write the file again");
+      fail("a number with a decimal point is expected");
     }
     m_at = result.ptr;
     return value;
@@ -170,6 +336,21 @@ public:
     return value;
   }
 
+  /// Reads three finite numbers of this line.
+  /// \param too_few what is wrong if there are fewer
+  /// \throw File_error if there are fewer, or one that is not finite
+  Vector_3 point_in_line(const char* too_few, const char* remedy = "correct this line or write the file again")
+  {
+    Vector_3 point = Vector_3::Zero();
+    for (double& number : point) {
+      if (!skip_blanks_in_line()) {
+        fail(too_few, remedy);
+      }
+      number = coordinate();
+    }
+    return point;
+  }
+
   /// Reads an integer.
   /// \throw File_error if there is none at this place
   std::int64_t integer(const char* meaning)
@@ -178,7 +359,7 @@ public:
     std::int64_t value = 0;
     const std::from_chars_result result = std::from_chars(m_at, m_end, value);
     if (result.ec != std::errc()) {
-      fail(std::string(meaning) + " is expected, an integer", "correct this line or write the file again");
+      fail(std::string(meaning) + " is expected, an integer");
     }
     m_at = result.ptr;
     return value;
@@ -190,18 +371,16 @@ public:
   {
     const std::int64_t value = integer(meaning);
     if (value < 0) {
-      fail(std::string(meaning) + " is negative", "correct this line or write the file again");
+      fail(std::string(meaning) + " is negative");
     }
     return static_cast<std::size_t>(value);
   }
 
   /// \throw File_error naming the file, the line, the fault and the remedy
-  [[noreturn]] void fail(const std::string& fault, const std::string& remedy) const
+  [[noreturn]] void fail(const std::string& fault,
+                         const std::string& remedy = "correct this line or write the file again") const
   {
-    std::size_t line = 1;
-    for (const char* c = m_begin; c != m_at; ++c) {
-      line += *c == '\n' ? 1 : 0;
-    }
+    const auto line = 1 + std::count(m_begin, m_at, '\n');
     throw File_error(m_filename + ", line " + std::to_string(line) + ": " + fault + "; " + remedy);
   }
 
@@ -237,4 +416,4 @@ private:
 
 } // namespace CSCD::internal
 
-#endif // CSCD_SRC_IO_TEXT_SCANNER_H
+#endif // CSCD_SRC_IO_SCANNERS_H
