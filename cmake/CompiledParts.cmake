@@ -18,8 +18,7 @@ set(cscd_measure_sources
 set(cscd_measure_links core)
 set(cscd_tree_sources Tree/Tree_cylinders.cpp Tree/Tree_skeletonization.cpp)
 set(cscd_tree_links measure)
-set(cscd_application_sources Application/estimate_shape_diameters.cpp Application/find_surface_loops.cpp
-                             Application/make_rig.cpp Application/segment_mesh.cpp)
+set(cscd_application_sources Application/find_surface_loops.cpp Application/make_rig.cpp Application/segment_mesh.cpp)
 set(cscd_application_links measure)
 set(cscd_io_sources
     IO/decompress.cpp
