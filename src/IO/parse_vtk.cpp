@@ -3,7 +3,6 @@
 //
 // Reads PolyData of VTK, as XML (.vtp) or in the legacy format (.vtk).
 
-#include "IO/Xml_scanner.h"
 #include "IO/decompress.h"
 #include "IO/formats.h"
 #include "IO/scanners.h"
