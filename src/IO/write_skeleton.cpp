@@ -381,7 +381,8 @@ void write_skeleton(std::ostream& out, const std::string& filename, const intern
 
 void write_skeleton(const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  write_file(filename, [&](std::ostream& out) { write_skeleton(out, filename, skeleton); });
+  const internal::File_format& format = internal::written_skeleton_format(filename); // before there is any file
+  write_file(filename, [&](std::ostream& out) { format.write(out, skeleton); });
 }
 
 } // namespace CSCD
