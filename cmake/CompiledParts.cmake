@@ -12,32 +12,24 @@ set(cscd_measure_sources
     Measure/Skeleton_branches.cpp
     Measure/compare_segmentations.cpp
     Measure/compare_skeletons.cpp
-    Measure/estimate_radii.cpp
     Measure/evaluate_skeleton.cpp
-    Measure/simplify_skeleton.cpp
-    Measure/split_into_branches.cpp)
+    Measure/simplify_skeleton.cpp)
 set(cscd_measure_links core)
 set(cscd_tree_sources Tree/Tree_cylinders.cpp Tree/Tree_skeletonization.cpp)
 set(cscd_tree_links measure)
-set(cscd_application_sources Application/estimate_shape_diameters.cpp Application/find_surface_loops.cpp
-                             Application/make_rig.cpp Application/segment_mesh.cpp)
+set(cscd_application_sources Application/find_surface_loops.cpp Application/make_rig.cpp Application/segment_mesh.cpp)
 set(cscd_application_links measure)
 set(cscd_io_sources
     IO/decompress.cpp
-    IO/formats.cpp
     IO/parse_gltf.cpp
-    IO/parse_obj.cpp
-    IO/parse_off.cpp
+    IO/parse_meshes.cpp
     IO/parse_ply.cpp
-    IO/parse_point_table.cpp
-    IO/parse_scans.cpp
+    IO/parse_points.cpp
     IO/parse_skeletons.cpp
-    IO/parse_stl.cpp
     IO/parse_vtk.cpp
     IO/read_files.cpp
     IO/read_volume.cpp
     IO/repair_mesh.cpp
-    IO/write_correspondence.cpp
     IO/write_file.cpp
     IO/write_nrrd.cpp
     IO/write_rig.cpp

@@ -6,7 +6,6 @@
 #include "types.h"
 #include <CSCD/Graph/Spatial_graph.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>

@@ -8,7 +8,7 @@
 #include "types.h"
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>

@@ -64,11 +64,27 @@ public:
 
   /// O(n + l log^2 l) for n vertices and l edges of the loops.
   explicit Loop_classes(const Triangulated_surface& surface)
-      : m_surface(surface), m_parent(surface.number_of_vertices(), no_index),
-        m_dual_parent(surface.number_of_faces(), no_index), m_dual_loops(surface.number_of_halfedges())
+      : m_surface(surface), m_dual_loops(surface.number_of_halfedges())
   {
-    grow_tree();
-    grow_dual_tree();
+    m_parent = grow_trees(surface.number_of_vertices(), [&](Index vertex, const auto& reach) {
+      for (const Index h : surface.outgoing(vertex)) {
+        reach(surface.target(h), surface.twin(h));
+      }
+    });
+    m_dual_parent = grow_trees(surface.number_of_faces(), [&](Index face, const auto& reach) {
+      for (const Index h : Triangulated_surface::face_halfedges(face)) {
+        if (!is_in_tree(h)) {
+          reach(Triangulated_surface::face(surface.twin(h)), surface.twin(h));
+        }
+      }
+    });
+    for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
+      if (surface.edge(h) == h && !is_in_tree(h) && !is_in_dual_tree(h)) {
+        m_left_over.push_back(h);
+        const std::vector<Index> path = path_to_root(surface.origin(h));
+        m_component.push_back(path.empty() ? surface.origin(h) : surface.target(path.back()));
+      }
+    }
     for (Index i = 0; i < m_left_over.size(); ++i) {
       for (const Index h : dual_loop(m_left_over[i])) {
         m_dual_loops[m_surface.edge(h)].push_back(i);
@@ -127,28 +143,32 @@ private:
   /// How far a dual loop is pushed outwards where its loop crosses it, relative to the length of the edge.
   static constexpr double push = 1e-3;
 
-  void grow_tree()
+  /// Grows a tree breadth first in each connected part of a graph of `size` nodes. \return the way back of each node
+  /// but the roots \param for_each_neighbor `for_each_neighbor(node, reach)` calls `reach(neighbor, way back)`
+  template <class ForEachNeighbor>
+  static std::vector<Index> grow_trees(std::size_t size, const ForEachNeighbor& for_each_neighbor)
   {
-    std::vector<char> is_reached(m_surface.number_of_vertices(), 0);
+    std::vector<Index> parent(size, no_index);
+    std::vector<char> is_reached(size, 0);
     std::vector<Index> queue;
-    queue.reserve(m_surface.number_of_vertices());
-    for (Index root = 0; root < m_surface.number_of_vertices(); ++root) {
-      const std::size_t begin = queue.size();
-      if (!is_reached[root]) {
+    queue.reserve(size);
+    for (Index root = 0; root < size; ++root) {
+      std::size_t next = queue.size();
+      if (is_reached[root] == 0) {
         is_reached[root] = 1;
         queue.push_back(root);
       }
-      for (std::size_t i = begin; i < queue.size(); ++i) {
-        for (const Index h : m_surface.outgoing(queue[i])) {
-          const Index target = m_surface.target(h);
-          if (!is_reached[target]) {
-            is_reached[target] = 1;
-            m_parent[target] = m_surface.twin(h);
-            queue.push_back(target);
+      for (; next < queue.size(); ++next) {
+        for_each_neighbor(queue[next], [&](Index neighbor, Index way_back) {
+          if (is_reached[neighbor] == 0) {
+            is_reached[neighbor] = 1;
+            parent[neighbor] = way_back;
+            queue.push_back(neighbor);
           }
-        }
+        });
       }
     }
+    return parent;
   }
 
   bool is_in_tree(Index h) const
@@ -161,37 +181,6 @@ private:
     return m_dual_parent[Triangulated_surface::face(h)] == h || m_dual_parent[Triangulated_surface::face(t)] == t;
   }
 
-  void grow_dual_tree()
-  {
-    std::vector<char> is_reached(m_surface.number_of_faces(), 0);
-    std::vector<Index> queue;
-    queue.reserve(m_surface.number_of_faces());
-    for (Index root = 0; root < m_surface.number_of_faces(); ++root) {
-      const std::size_t begin = queue.size();
-      if (!is_reached[root]) {
-        is_reached[root] = 1;
-        queue.push_back(root);
-      }
-      for (std::size_t i = begin; i < queue.size(); ++i) {
-        for (const Index h : Triangulated_surface::face_halfedges(queue[i])) {
-          const Index twin = m_surface.twin(h);
-          const Index neighbor = Triangulated_surface::face(twin);
-          if (!is_reached[neighbor] && !is_in_tree(h)) {
-            is_reached[neighbor] = 1;
-            m_dual_parent[neighbor] = twin;
-            queue.push_back(neighbor);
-          }
-        }
-      }
-    }
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h) {
-      if (m_surface.edge(h) == h && !is_in_tree(h) && !is_in_dual_tree(h)) {
-        m_left_over.push_back(h);
-        m_component.push_back(root_of(m_surface.origin(h)));
-      }
-    }
-  }
-
   /// Two paths to a root, given from their other ends on, without what they share.
   static void cut_common_end(std::vector<Index>& first, std::vector<Index>& second)
   {
@@ -199,14 +188,6 @@ private:
       first.pop_back();
       second.pop_back();
     }
-  }
-
-  Index root_of(Index vertex) const
-  {
-    while (m_parent[vertex] != no_index) {
-      vertex = m_surface.target(m_parent[vertex]);
-    }
-    return vertex;
   }
 
   std::vector<Index> path_to_root(Index vertex) const

@@ -41,15 +41,6 @@ namespace CSCD::internal {
 
 namespace {
 
-/// The local separators of `solid`, from sources all over the surface.
-std::vector<Separator> find_local_separators(const Triangulated_solid& solid, unsigned random_seed)
-{
-  Options settings;
-  settings.random_seed = random_seed;
-  Skeletonization_report report;
-  return Covering_search(solid, settings)(report, [](double) {});
-}
-
 /// The lengths of the curves parallel to a closed curve that separates a surface.
 class Parallel_curves
 {
@@ -294,7 +285,10 @@ public:
 
   std::vector<Surface_loop<Vector_3>> operator()(unsigned random_seed, double min_depth)
   {
-    for (const Separator& separator : find_local_separators(m_solid, random_seed)) {
+    Options settings;
+    settings.random_seed = random_seed;
+    Skeletonization_report report;
+    for (const Separator& separator : Covering_search(m_solid, settings)(report, [](double) {})) {
       add_separator(separator);
     }
     if (m_classes.size() > 0) {

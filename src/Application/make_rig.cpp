@@ -193,12 +193,11 @@ private:
   void find_next_joints()
   {
     m_next.assign(m_skeleton.number_of_nodes(), no_index);
-    std::vector<Index> number(m_skeleton.number_of_nodes(), no_index);
     for (std::size_t j = 0; j < m_joints.size(); ++j) {
-      number[m_joints[j].node] = Index(j);
+      m_next[m_joints[j].node] = Index(j);
     }
     for (auto node = m_forest.order().rbegin(); node != m_forest.order().rend(); ++node) {
-      m_next[*node] = m_placement.is_joint(*node) ? number[*node] : m_next[m_placement.children(*node).front()];
+      m_next[*node] = m_placement.is_joint(*node) ? m_next[*node] : m_next[m_placement.children(*node).front()];
     }
   }
 
@@ -295,9 +294,8 @@ public:
 
   void smooth(std::vector<Rig::Influences>& influences, int number_of_steps)
   {
-    std::vector<Rig::Influences> old;
     for (int step = 0; step < number_of_steps; ++step) {
-      old = influences;
+      const std::vector<Rig::Influences> old = influences;
       for (std::size_t v = 0; v < influences.size(); ++v) {
         influences[v] = average(old, v);
       }

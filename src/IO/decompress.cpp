@@ -3,9 +3,9 @@
 //
 // The definitions of decompress.h.
 
-#include "decompress.h"
+#include "IO/decompress.h"
 
-#include <CSCD/exceptions.h>
+#include "IO/formats.h"
 
 #ifdef CSCD_WITH_ZLIB
 #include <zlib.h>
@@ -15,6 +15,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <istream>
 #include <limits>
@@ -29,19 +30,19 @@ namespace {
 
 [[noreturn, maybe_unused]] void fail_to_decompress(const std::string& filename)
 {
-  throw File_error(filename + ": compressed data are damaged; fetch or write the file again");
+  fail_in_file(filename, "compressed data are damaged", "fetch or write the file again");
 }
 
 [[noreturn, maybe_unused]] void fail_at_end(const std::string& filename)
 {
-  throw File_error(filename + ": compressed data end too early; fetch or write the file again");
+  fail_in_file(filename, "compressed data end too early", "fetch or write the file again");
 }
 
 /// \param package of Debian that has `library`
 [[noreturn, maybe_unused]] void fail_without(const std::string& filename, const char* library, const char* package)
 {
-  throw File_error(filename + ": is compressed, and this was built without " + library + "; install " + package +
-                   " and build again, or write the file without compression");
+  fail_in_file(filename, std::string("is compressed, and this was built without ") + library,
+               std::string("install ") + package + " and build again, or write the file without compression");
 }
 
 } // namespace
@@ -54,18 +55,10 @@ std::string inflate(std::string_view bytes, std::size_t size, const std::string&
     fail_to_decompress(filename);
   }
   std::string result(size, '\0');
-  z_stream stream{};
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-  stream.avail_in = uInt(bytes.size());
-  stream.next_out = reinterpret_cast<Bytef*>(result.data());
-  stream.avail_out = uInt(result.size());
-  const bool fits = bytes.size() == stream.avail_in && result.size() == stream.avail_out;
-  if (!fits || inflateInit(&stream) != Z_OK) {
-    fail_to_decompress(filename);
-  }
-  const int status = ::inflate(&stream, Z_FINISH);
-  inflateEnd(&stream);
-  if (status != Z_STREAM_END || stream.total_out != size) {
+  uLongf size_of_result = uLongf(size);
+  const int status = uncompress(reinterpret_cast<Bytef*>(result.data()), &size_of_result,
+                                reinterpret_cast<const Bytef*>(bytes.data()), uLong(bytes.size()));
+  if (status != Z_OK || size_of_result != size) {
     fail_to_decompress(filename);
   }
   return result;
@@ -131,10 +124,34 @@ Inflating_stream::Inflating_stream(std::istream& in, const std::string& filename
 {
 }
 
+#else
+
+std::string inflate(std::string_view, std::size_t, const std::string& filename)
+{
+  fail_without(filename, "zlib", "zlib1g-dev");
+}
+
+/// There is none.
+struct Inflating_stream::State
+{
+  std::string filename;
+  std::size_t read_some(char*, std::size_t) { return 0; }
+};
+
+Inflating_stream::Inflating_stream(std::istream&, const std::string& filename)
+{
+  fail_without(filename, "zlib", "zlib1g-dev");
+}
+
+#endif
+
+Inflating_stream::~Inflating_stream() = default;
+
 void Inflating_stream::read(char* bytes, std::size_t size)
 {
+  constexpr std::size_t max_part = std::numeric_limits<unsigned>::max(); // what zlib counts up to
   while (size > 0) {
-    const std::size_t part = std::min(size, std::size_t(std::numeric_limits<uInt>::max()));
+    const std::size_t part = std::min(size, max_part);
     if (m_state->read_some(bytes, part) < part) {
       fail_at_end(m_state->filename);
     }
@@ -157,34 +174,13 @@ std::string Inflating_stream::read_all()
   return result;
 }
 
-#else
-
-std::string inflate(std::string_view, std::size_t, const std::string& filename)
+void Inflating_stream::skip(std::size_t size)
 {
-  fail_without(filename, "zlib", "zlib1g-dev");
+  std::array<char, 4096> skipped{};
+  for (; size > 0; size -= std::min(size, skipped.size())) {
+    read(skipped.data(), std::min(size, skipped.size()));
+  }
 }
-
-struct Inflating_stream::State
-{
-};
-
-Inflating_stream::Inflating_stream(std::istream&, const std::string& filename)
-{
-  fail_without(filename, "zlib", "zlib1g-dev");
-}
-
-void Inflating_stream::read(char*, std::size_t)
-{
-}
-
-std::string Inflating_stream::read_all()
-{
-  return {};
-}
-
-#endif
-
-Inflating_stream::~Inflating_stream() = default;
 
 #ifdef CSCD_WITH_ZSTD
 

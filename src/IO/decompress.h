@@ -146,6 +146,8 @@ public:
 
   /// \throw File_error if there are not `size` bytes left, or they are damaged
   void read(char* bytes, std::size_t size);
+  /// Passes over `size` bytes. \throw File_error if there are not as many, or they are damaged
+  void skip(std::size_t size);
   /// All that is left. \throw File_error if it is damaged, or ends within a stream
   std::string read_all();
 

@@ -1,21 +1,89 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of all formats.
+// The parsers and writers of all formats, and the table of these.
 
 #ifndef CSCD_SRC_IO_FORMATS_H
 #define CSCD_SRC_IO_FORMATS_H
 
-#include "parse.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
 
+#include <cstddef>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 
 namespace CSCD::internal {
+
+/// The part of a file that is read. The rest is passed over: faults there do not matter, and it takes no memory.
+enum class Wanted
+{
+  surface, ///< points, normals and polygons
+  skeleton ///< points, radii, openings and lines
+};
+
+/// \param filename for messages
+/// \throw File_error if `content` is malformed, or holds faces where lines are wanted
+using Parser = Shape_file(std::string_view content, const std::string& filename, Wanted wanted);
+
+// Meshes; some of these formats also hold points alone, or skeletons.
+Parser parse_off;
+Parser parse_obj;
+Parser parse_ply;
+Parser parse_stl;
+Parser parse_vtk;
+Parser parse_gltf;
+Parser parse_neuroglancer;
+// Points.
+Parser parse_point_table;
+Parser parse_pcd;
+Parser parse_las;
+// Skeletons and graphs.
+Parser parse_gel_graph;
+Parser parse_json_skeleton;
+Parser parse_polylines;
+Parser parse_swc;
+Parser parse_edge_list;
+
+/// \throw File_error naming the file, `fault` and `remedy`
+[[noreturn]] inline void fail_in_file(const std::string& filename, const std::string& fault,
+                                      const std::string& remedy = "write the file again")
+{
+  throw File_error(filename + ": " + fault + "; " + remedy);
+}
+
+/// Refuses a file of a mesh where a skeleton is wanted.
+[[noreturn]] inline void fail_without_lines(const std::string& filename)
+{
+  fail_in_file(filename, "the file has faces but no lines: a mesh, not a skeleton", "name a file with lines");
+}
+
+/// The number of points as an index is checked here, so that no parser can overflow `Index`.
+inline void check_number_of_points(std::size_t number_of_points, const std::string& filename)
+{
+  if (number_of_points >= no_index) {
+    fail_in_file(filename, "there are more than 4 billion points", "split or simplify the mesh");
+  }
+}
+
+/// \throw File_error if a polygon has a corner that is not one of the points: files may have faces before vertices, so
+///        that this is known only at their end
+inline void check_corners(const Shape_file& shape, const std::string& filename)
+{
+  for (const Index corner : shape.corners) {
+    if (corner >= shape.points.size()) {
+      fail_in_file(filename,
+                   "a face names vertex " + std::to_string(corner) + ", but there are only " +
+                       std::to_string(shape.points.size()) + " (counted from 0)",
+                   "the file may be truncated, fetch or write it again");
+    }
+  }
+}
 
 /// What an ending of file names stands for.
 struct File_format
@@ -23,9 +91,9 @@ struct File_format
   const char* ending;
   std::optional<Mesh_format> mesh; ///< if meshes are read
   std::optional<Point_format> points;
-  bool is_skeleton; ///< whether skeletons are read
-  Parser* parse;    ///< null if the format is only written
-  Skeleton_writer* write;
+  bool is_skeleton;                                                   ///< whether skeletons are read
+  Parser* parse;                                                      ///< null if the format is only written
+  void (*write)(std::ostream& out, const Skeleton_content& skeleton); ///< null if the format is only read
 };
 
 /// How a whole file is compressed.
@@ -38,16 +106,8 @@ enum class Compression
 /// The compression that the last ending of `filename` names, in lower or upper case; nothing if it names none.
 std::optional<Compression> find_compression(const std::string& filename);
 
-const File_format& file_format(Mesh_format format);
-const File_format& file_format(Point_format format);
-
 /// The format of a skeleton to be written to `filename`. \throw File_error if its ending names none
 const File_format& written_skeleton_format(const std::string& filename);
-/// The format of a skeleton, or a graph, to be read from `filename`. \throw File_error if its ending names none
-const File_format& read_skeleton_format(const std::string& filename);
-
-/// \throw File_error if `content` is empty, or malformed
-Shape_file parse(std::string_view content, const File_format& format, const std::string& filename, Wanted wanted);
 
 } // namespace CSCD::internal
 

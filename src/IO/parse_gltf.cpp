@@ -3,13 +3,11 @@
 //
 // Reads the triangles of glTF.
 
-#include "Number_view.h"
-#include "decompress.h"
-#include "parse.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/exceptions.h>
 
 #ifdef CSCD_WITH_GLTF
 #include <nlohmann/json.hpp>
@@ -21,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -50,22 +49,6 @@ struct Affine_map
     return {{linear(other.columns[0]), linear(other.columns[1]), linear(other.columns[2])}, (*this)(other.offset)};
   }
 };
-
-/// Appends a mesh to `shape`; where it would be mirrored, its polygons are turned.
-void append_mapped(Shape_file& shape, const std::vector<Vector_3>& points,
-                   const std::vector<std::array<Index, 3>>& triangles, const Affine_map& map)
-{
-  const bool is_mirrored = map.columns[0].cross(map.columns[1]).dot(map.columns[2]) < 0;
-  const Index first = Index(shape.points.size());
-  for (const Vector_3& point : points) {
-    shape.points.push_back(map(point));
-  }
-  for (const auto& [a, b, c] : triangles) {
-    shape.corners.insert(shape.corners.end(),
-                         {first + a, first + (is_mirrored ? c : b), first + (is_mirrored ? b : c)});
-    shape.end_polygon();
-  }
-}
 
 /// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
 /// chunk, in the JSON in Base64, or in files next to it. Whatever the JSON says is checked before it is used.
@@ -236,22 +219,13 @@ private:
 
   Number_type component_type(const Json& accessor) const
   {
-    switch (number(accessor, "componentType", 0)) {
-    case 5120:
-      return {'i', 1};
-    case 5121:
-      return {'u', 1};
-    case 5122:
-      return {'i', 2};
-    case 5123:
-      return {'u', 2};
-    case 5125:
-      return {'u', 4};
-    case 5126:
-      return {'f', 4};
-    default:
+    static const std::map<std::size_t, Number_type> types{{5120, {'i', 1}}, {5121, {'u', 1}}, {5122, {'i', 2}},
+                                                          {5123, {'u', 2}}, {5125, {'u', 4}}, {5126, {'f', 4}}};
+    const auto type = types.find(number(accessor, "componentType", 0));
+    if (type == types.end()) {
       fail("an accessor has an unknown type of components");
     }
+    return type->second;
   }
 
   /// The numbers of an accessor.
@@ -339,17 +313,23 @@ private:
     }
     const std::vector<Vector_3> its_points = points(position);
     const std::vector<Index> corners = indices(primitive, its_points.size());
-    std::vector<std::array<Index, 3>> triangles;
     const std::size_t step = mode == triangle_list ? 3 : 1;
-    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-      const std::size_t turn = mode == triangle_strip ? i % 2 : 0; // every other one
-      triangles.push_back({corners[mode == triangle_fan ? 0 : i], corners[i + 1 + turn], corners[i + 2 - turn]});
-    }
-    if (m_shape.points.size() + its_points.size() + m_shape.corners.size() / 3 + triangles.size() >
+    const std::size_t number_of_triangles = corners.size() < 3 ? 0 : (corners.size() - 3) / step + 1;
+    if (m_shape.points.size() + its_points.size() + m_shape.corners.size() / 3 + number_of_triangles >
         max_number_of_elements) {
       fail("its meshes have more than 2^26 vertices and triangles in all");
     }
-    append_mapped(m_shape, its_points, triangles, map);
+    const Index first = Index(m_shape.points.size());
+    std::transform(its_points.begin(), its_points.end(), std::back_inserter(m_shape.points), map);
+    // Where the mesh would be mirrored, its triangles are turned, and of a strip every other one.
+    const bool is_mirrored = map.columns[0].cross(map.columns[1]).dot(map.columns[2]) < 0;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+      const std::size_t turn = (mode == triangle_strip && i % 2 == 1) != is_mirrored ? 1 : 0;
+      for (const std::size_t corner : {mode == triangle_fan ? 0 : i, i + 1 + turn, i + 2 - turn}) {
+        m_shape.corners.push_back(first + corners[corner]);
+      }
+      m_shape.end_polygon();
+    }
   }
 
   /// Reads up to `size` numbers of an array.

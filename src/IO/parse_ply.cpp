@@ -3,9 +3,8 @@
 //
 // Reads PLY, ASCII and binary.
 
-#include "Number_view.h"
-#include "Text_scanner.h"
-#include "parse.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
 
@@ -16,6 +15,8 @@
 #include <cstdint>
 #include <cstring>
 #include <initializer_list>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -51,161 +52,30 @@ struct Ply_element
   }
 };
 
-/// The numbers behind the header of a PLY file, as text or binary.
-class Ply_numbers
+/// The type of numbers that PLY calls `name`; one that is not valid if there is none.
+Number_type ply_type(std::string_view name)
 {
-public:
-  Ply_numbers(const Text_scanner& text, const std::string& filename)
-      : m_text(text), m_bytes({}, Byte_order::little, filename)
-  {
-  }
-  Ply_numbers(const Text_scanner& text, const Byte_scanner& bytes) : m_is_binary(true), m_text(text), m_bytes(bytes) {}
-
-  std::size_t remaining() const { return m_is_binary ? m_bytes.remaining() : m_text.remaining(); }
-  bool is_binary() const { return m_is_binary; }
-  /// \pre they are binary
-  Byte_scanner& bytes() { return m_bytes; }
-
-  double next(const Number_type& type)
-  {
-    if (m_is_binary) {
-      return m_bytes.number(type);
-    }
-    if (!m_text.skip_blanks()) {
-      m_text.fail_at_end("all that its header promises");
-    }
-    return m_text.number();
-  }
-
-private:
-  bool m_is_binary = false;
-  Text_scanner m_text;
-  Byte_scanner m_bytes;
-};
-
-/// Reads the header of a PLY file.
-class Ply_header
-{
-public:
-  /// \throw File_error if it is malformed
-  Ply_header(std::string_view content, const std::string& filename)
-      : m_content(content), m_filename(filename), m_scanner(content, filename)
-  {
-    if (m_scanner.word() != "ply") {
-      m_scanner.fail("this is not a PLY file: it does not begin with ply", "check the ending of the file name");
-    }
-    while (m_scanner.skip_blanks()) {
-      const std::string_view keyword = m_scanner.word();
-      if (keyword == "format") {
-        m_encoding = next_word();
-      } else if (keyword == "element") {
-        const std::string name(next_word());
-        m_scanner.skip_blanks_in_line();
-        m_elements.push_back({name, m_scanner.count("the number of items of an element"), {}});
-      } else if (keyword == "property") {
-        read_property();
-      }
-      check_encoding();
-      m_scanner.skip_line(); // comments and whatever else the header holds
-      if (keyword == "end_header") {
-        return;
-      }
-    }
-    m_scanner.fail_at_end("the end of its header");
-  }
-
-  const std::vector<Ply_element>& elements() const { return m_elements; }
-
-  Ply_numbers numbers() const
-  {
-    if (m_encoding == ascii) {
-      return {m_scanner, m_filename};
-    }
-    const Byte_order order = m_encoding == little_endian ? Byte_order::little : Byte_order::big;
-    return {m_scanner, Byte_scanner(m_content.substr(m_content.size() - m_scanner.remaining()), order, m_filename)};
-  }
-
-private:
-  static constexpr std::string_view ascii = "ascii";
-  static constexpr std::string_view little_endian = "binary_little_endian";
-  static constexpr std::string_view big_endian = "binary_big_endian";
-
-  std::string_view next_word()
-  {
-    if (!m_scanner.skip_blanks_in_line()) {
-      m_scanner.fail("the header has an incomplete line", "write the file again");
-    }
-    return m_scanner.word();
-  }
-
-  void check_encoding() const
-  {
-    if (m_encoding != ascii && m_encoding != little_endian && m_encoding != big_endian) {
-      m_scanner.fail("the header names an unknown encoding", "write the file again");
-    }
-  }
-
-  void read_property()
-  {
-    if (m_elements.empty()) {
-      m_scanner.fail("a property stands before any element", "write the file again");
-    }
-    Ply_property property;
-    std::string_view word = next_word();
-    if (word == "list") {
-      property.is_list = true;
-      property.size_type = type(next_word());
-      word = next_word();
-    }
-    property.type = type(word);
-    property.name = next_word();
-    m_elements.back().properties.push_back(property);
-  }
-
-  Number_type type(std::string_view name) const
-  {
-    constexpr std::array<std::pair<std::string_view, Number_type>, 16> types{{{"char", {'i', 1}},
-                                                                              {"int8", {'i', 1}},
-                                                                              {"uchar", {'u', 1}},
-                                                                              {"uint8", {'u', 1}},
-                                                                              {"short", {'i', 2}},
-                                                                              {"int16", {'i', 2}},
-                                                                              {"ushort", {'u', 2}},
-                                                                              {"uint16", {'u', 2}},
-                                                                              {"int", {'i', 4}},
-                                                                              {"int32", {'i', 4}},
-                                                                              {"uint", {'u', 4}},
-                                                                              {"uint32", {'u', 4}},
-                                                                              {"float", {'f', 4}},
-                                                                              {"float32", {'f', 4}},
-                                                                              {"double", {'f', 8}},
-                                                                              {"float64", {'f', 8}}}};
-    const auto* const found =
-        std::find_if(types.begin(), types.end(), [name](const auto& pair) { return pair.first == name; });
-    if (found == types.end()) {
-      m_scanner.fail("the header names an unknown type", "write the file again");
-    }
-    return found->second;
-  }
-
-  std::string_view m_content;
-  std::string m_filename;
-  Text_scanner m_scanner;
-  std::string_view m_encoding = ascii;
-  std::vector<Ply_element> m_elements;
-};
+  static const std::map<std::string_view, Number_type> types{
+      {"char", {'i', 1}},  {"int8", {'i', 1}},    {"uchar", {'u', 1}},  {"uint8", {'u', 1}},
+      {"short", {'i', 2}}, {"int16", {'i', 2}},   {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
+      {"int", {'i', 4}},   {"int32", {'i', 4}},   {"uint", {'u', 4}},   {"uint32", {'u', 4}},
+      {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}}};
+  const auto found = types.find(name);
+  return found != types.end() ? found->second : Number_type();
+}
 
 /// Reads vertices, and faces or edges; all other elements and properties are passed over.
 class Ply_parser
 {
 public:
-  Ply_parser(const Ply_header& header, const std::string& filename, Wanted wanted)
-      : m_elements(header.elements()), m_numbers(header.numbers()), m_filename(filename), m_wanted(wanted)
+  Ply_parser(std::string_view content, const std::string& filename, Wanted wanted)
+      : m_scanner(content, filename), m_filename(filename), m_wanted(wanted)
   {
   }
 
   Shape_file parse()
   {
+    read_header();
     bool has_faces = false;
     bool has_edges = false;
     for (const Ply_element& element : m_elements) {
@@ -232,7 +102,92 @@ public:
   }
 
 private:
+  /// \name The header
+  /// @{
+
+  void read_header()
+  {
+    if (m_scanner.word() != "ply") {
+      m_scanner.fail("this is not a PLY file: it does not begin with ply", "check the ending of the file name");
+    }
+    std::string_view encoding = "ascii";
+    while (m_scanner.skip_blanks()) {
+      const std::string_view keyword = m_scanner.word();
+      if (keyword == "format") {
+        encoding = next_word();
+      } else if (keyword == "element") {
+        const std::string name(next_word());
+        m_scanner.skip_blanks_in_line();
+        m_elements.push_back({name, m_scanner.count("the number of items of an element"), {}});
+      } else if (keyword == "property") {
+        read_property();
+      }
+      if (encoding != "ascii" && encoding != "binary_little_endian" && encoding != "binary_big_endian") {
+        m_scanner.fail("the header names an unknown encoding", remedy);
+      }
+      m_scanner.skip_line(); // comments and whatever else the header holds
+      if (keyword == "end_header") {
+        if (encoding != "ascii") {
+          const Byte_order order = encoding == "binary_little_endian" ? Byte_order::little : Byte_order::big;
+          m_bytes.emplace(m_scanner.rest(), order, m_filename);
+        }
+        return;
+      }
+    }
+    m_scanner.fail_at_end("the end of its header");
+  }
+
+  std::string_view next_word()
+  {
+    if (!m_scanner.skip_blanks_in_line()) {
+      m_scanner.fail("the header has an incomplete line", remedy);
+    }
+    return m_scanner.word();
+  }
+
+  void read_property()
+  {
+    if (m_elements.empty()) {
+      m_scanner.fail("a property stands before any element", remedy);
+    }
+    Ply_property property;
+    std::string_view word = next_word();
+    if (word == "list") {
+      property.is_list = true;
+      property.size_type = type(next_word());
+      word = next_word();
+    }
+    property.type = type(word);
+    property.name = next_word();
+    m_elements.back().properties.push_back(property);
+  }
+
+  Number_type type(std::string_view name) const
+  {
+    const Number_type result = ply_type(name);
+    if (!result.is_valid()) {
+      m_scanner.fail("the header names an unknown type", remedy);
+    }
+    return result;
+  }
+  /// @}
+
+  static constexpr const char* remedy = "write the file again";
+
   using Names = std::initializer_list<std::string_view>;
+
+  std::size_t remaining() const { return m_bytes ? m_bytes->remaining() : m_scanner.remaining(); }
+
+  double next(const Number_type& type)
+  {
+    if (m_bytes) {
+      return m_bytes->number(type);
+    }
+    if (!m_scanner.skip_blanks()) {
+      m_scanner.fail_at_end("all that its header promises");
+    }
+    return m_scanner.number();
+  }
 
   /// Reads the items of `element`, from the one with the number `first` on. Calls `use(item, property, position in the
   /// list, number)` for each of their numbers, and `end(item)` behind them.
@@ -244,7 +199,7 @@ private:
       for (const Ply_property& property : element.properties) {
         const std::size_t size = property.is_list ? next_size(property) : 1;
         for (std::size_t i = 0; i < size; ++i) {
-          use(item, property, i, m_numbers.next(property.type));
+          use(item, property, i, next(property.type));
         }
       }
       end(item);
@@ -254,8 +209,8 @@ private:
   /// The number of entries of a list. \throw File_error if there cannot be as many
   std::size_t next_size(const Ply_property& list)
   {
-    const double size = m_numbers.next(list.size_type);
-    if (!(size >= 0 && size <= double(m_numbers.remaining()))) {
+    const double size = next(list.size_type);
+    if (!(size >= 0 && size <= double(remaining()))) {
       fail("the list " + list.name + " is longer than the file");
     }
     return static_cast<std::size_t>(size);
@@ -296,7 +251,7 @@ private:
       check_finite(first);
       return;
     }
-    m_shape.points.reserve(first + std::min(element.number_of_items, m_numbers.remaining() / 3 + 1));
+    m_shape.points.reserve(first + std::min(element.number_of_items, remaining() / 3 + 1));
     std::array<double, size + 1> values{}; // the last one is not needed
     const auto use = [&](std::size_t, const Ply_property& property, std::size_t, double number) {
       values[places[std::size_t(&property - element.properties.data())]] = number;
@@ -327,16 +282,16 @@ private:
       has_lists = has_lists || property.is_list;
     }
     // A number of records that the file cannot hold is left to the other way, which says where it ends.
-    if (!m_numbers.is_binary() || has_lists || element.number_of_items > m_numbers.remaining() / record_size) {
+    if (!m_bytes || has_lists || element.number_of_items > remaining() / record_size) {
       return false;
     }
     const std::size_t first = m_shape.points.size();
     check_number_of_points(first + element.number_of_items, m_filename);
     m_shape.points.resize(first + element.number_of_items);
-    const char* column = m_numbers.bytes().skip(element.number_of_items * record_size);
+    const char* column = m_bytes->skip(element.number_of_items * record_size);
     for (std::size_t p = 0; p < places.size(); column += element.properties[p].type.size, ++p) {
       if (places[p] < 3) {
-        const Number_view numbers{column, element.properties[p].type, m_numbers.bytes().order(), record_size,
+        const Number_view numbers{column, element.properties[p].type, m_bytes->order(), record_size,
                                   element.number_of_items};
         numbers.for_each([&, axis = places[p]](std::size_t i, double x) { m_shape.points[first + i][axis] = x; });
       }
@@ -355,7 +310,7 @@ private:
 
   void read_polygons(const Ply_element& element)
   {
-    m_shape.corners.reserve(3 * std::min(element.number_of_items, m_numbers.remaining() / 3 + 1));
+    m_shape.corners.reserve(3 * std::min(element.number_of_items, remaining() / 3 + 1));
     const auto add = [this](std::size_t face, const Ply_property& property, std::size_t, double number) {
       if (property.is_list_of_corners()) {
         m_shape.corners.push_back(to_index(number, "face", face));
@@ -371,7 +326,7 @@ private:
   {
     std::array<std::uint32_t, 3> corners{};
     constexpr std::size_t record_size = 1 + sizeof(corners);
-    if (!m_numbers.is_binary() || element.properties.size() != 1 || m_numbers.bytes().order() != Byte_order::native) {
+    if (!m_bytes || element.properties.size() != 1 || m_bytes->order() != Byte_order::native) {
       return 0;
     }
     const Ply_property& list = element.properties.front();
@@ -379,7 +334,7 @@ private:
         list.type.kind == 'f') {
       return 0;
     }
-    Byte_scanner& bytes = m_numbers.bytes();
+    Byte_scanner& bytes = *m_bytes;
     // Of signed numbers, the negative ones are those from here on.
     const std::uint32_t end = list.type.kind == 'i' ? std::uint32_t(1) << 31 : no_index;
     std::size_t face = 0;
@@ -419,9 +374,10 @@ private:
 
   [[noreturn]] void fail(const std::string& fault) const { fail_in_file(m_filename, fault); }
 
-  const std::vector<Ply_element>& m_elements;
-  Ply_numbers m_numbers;
+  Text_scanner m_scanner;
+  std::optional<Byte_scanner> m_bytes; ///< behind the header, if the file is binary
   std::string m_filename;
+  std::vector<Ply_element> m_elements;
   Wanted m_wanted;
   Shape_file m_shape;
 };
@@ -430,8 +386,7 @@ private:
 
 Shape_file parse_ply(std::string_view content, const std::string& filename, Wanted wanted)
 {
-  const Ply_header header(content, filename);
-  return Ply_parser(header, filename, wanted).parse();
+  return Ply_parser(content, filename, wanted).parse();
 }
 
 } // namespace CSCD::internal

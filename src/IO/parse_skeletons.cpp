@@ -3,8 +3,8 @@
 //
 // Reads the formats that hold skeletons or graphs alone: GEL, JSON, poly-lines, SWC and lists of edges.
 
-#include "Text_scanner.h"
-#include "parse.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
 
@@ -25,35 +25,22 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* remedy_of_line = "correct this line or write the file again";
 constexpr const char* remedy_of_file = "correct or write the file again";
-
-/// Reads the next coordinate of this line. \throw File_error if there is none
-double next_coordinate(Text_scanner& scanner)
-{
-  if (!scanner.skip_blanks_in_line()) {
-    scanner.fail("a node has too few coordinates", remedy_of_line);
-  }
-  return scanner.coordinate();
-}
 
 Vector_3 next_point(Text_scanner& scanner)
 {
-  const double x = next_coordinate(scanner);
-  const double y = next_coordinate(scanner);
-  const double z = next_coordinate(scanner);
-  return {x, y, z};
+  return scanner.point_in_line("a node has too few coordinates");
 }
 
 /// Reads the next integer of this line. \throw File_error if there is none
 std::int64_t next_integer(Text_scanner& scanner, const char* meaning)
 {
   if (!scanner.skip_blanks_in_line()) {
-    scanner.fail(std::string(meaning) + " is missing", remedy_of_line);
+    scanner.fail(std::string(meaning) + " is missing");
   }
   const std::int64_t result = scanner.integer(meaning);
   if (!scanner.word().empty()) {
-    scanner.fail(std::string(meaning) + " is not an integer", remedy_of_line);
+    scanner.fail(std::string(meaning) + " is not an integer");
   }
   return result;
 }
@@ -98,10 +85,13 @@ private:
     const std::int64_t id = next_integer(m_scanner, "the identifier of a node");
     next_integer(m_scanner, "the type of a node");
     const Vector_3 point = next_point(m_scanner);
-    m_shape.radii.push_back(next_coordinate(m_scanner));
+    if (!m_scanner.skip_blanks_in_line()) {
+      m_scanner.fail("a node has too few coordinates");
+    }
+    m_shape.radii.push_back(m_scanner.coordinate());
     const std::int64_t parent = next_integer(m_scanner, "the parent of a node");
     if (!m_nodes.emplace(id, std::int64_t(m_shape.points.size())).second) {
-      m_scanner.fail("the identifier " + std::to_string(id) + " stands for two nodes", remedy_of_line);
+      m_scanner.fail("the identifier " + std::to_string(id) + " stands for two nodes");
     }
     m_shape.points.push_back(point);
     constexpr std::int64_t no_parent = -1;
@@ -274,14 +264,8 @@ Shape_file parse_edge_list(std::string_view content, const std::string& filename
   Shape_file shape;
   while (scanner.skip_blanks('#')) {
     for (int end = 0; end < 2; ++end) {
-      Vector_3 point;
-      for (double& coordinate : point) {
-        if (!scanner.skip_blanks_in_line()) {
-          scanner.fail("an edge needs six coordinates, those of its ends", "correct or remove this line");
-        }
-        coordinate = scanner.coordinate();
-      }
-      shape.points.push_back(point);
+      shape.points.push_back(
+          scanner.point_in_line("an edge needs six coordinates, those of its ends", "correct or remove this line"));
     }
     const auto size = std::int64_t(shape.points.size());
     shape.lines.push_back({size - 2, size - 1});

@@ -3,22 +3,17 @@
 //
 // Reads PolyData of VTK, as XML (.vtp) or in the legacy format (.vtk).
 
-#include "Number_view.h"
-#include "Text_scanner.h"
-#include "Xml_scanner.h"
-#include "decompress.h"
-#include "parse.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
-
-#include <boost/algorithm/string/case_conv.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <locale>
 #include <map>
 #include <string>
 #include <string_view>
@@ -32,29 +27,10 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-std::string lower_case(std::string_view text)
-{
-  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
-}
-
 Numbers to_vector(const Number_view& view)
 {
   Numbers result(view.count);
   view.for_each([&result](std::size_t i, double number) { result[i] = number; });
-  return result;
-}
-
-/// Reads `number` numbers. \throw File_error if there are fewer
-Numbers next_numbers(Text_scanner& scanner, std::size_t number)
-{
-  Numbers result;
-  result.reserve(number);
-  while (result.size() < number) {
-    if (!scanner.skip_blanks()) {
-      scanner.fail_at_end("all numbers of an array");
-    }
-    result.push_back(scanner.number());
-  }
   return result;
 }
 
@@ -224,7 +200,7 @@ private:
       m_collector.fail("the file does not hold PolyData, the only kind that is read");
     }
     m_order = m_xml.attribute("byte_order") == "BigEndian" ? Byte_order::big : Byte_order::little;
-    m_size_type.size = m_xml.attribute("header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
+    m_size_of_size = m_xml.attribute("header_type") == "UInt64" ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
     m_is_compressed = !m_xml.attribute("compressor").empty();
     if (m_is_compressed && m_xml.attribute("compressor") != "vtkZLibDataCompressor") {
       m_collector.fail("only vtkZLibDataCompressor is read, but the file names another compressor");
@@ -259,7 +235,6 @@ private:
   {
     return name == "Verts" || name == "Lines" || name == "Strips" || name == "Polys";
   }
-
   /// Whether arrays stand in elements of this name. Elements within arrays are of no use here.
   static bool is_section(const std::string& name)
   {
@@ -359,9 +334,9 @@ private:
   /// Reads a number of the header of an array.
   std::size_t next_size(Encoded_bytes& bytes) const
   {
-    const std::string number = bytes.take(m_size_type.size);
-    return m_size_type.size == sizeof(std::uint64_t) ? stored_number<std::uint64_t>(number.data(), m_order)
-                                                     : stored_number<std::uint32_t>(number.data(), m_order);
+    const std::string number = bytes.take(m_size_of_size);
+    return m_size_of_size == sizeof(std::uint64_t) ? stored_number<std::uint64_t>(number.data(), m_order)
+                                                   : stored_number<std::uint32_t>(number.data(), m_order);
   }
 
   /// The header: the number of blocks, their size, that of the last one if it differs, and what each is compressed to.
@@ -370,7 +345,7 @@ private:
     const std::size_t number_of_blocks = next_size(bytes);
     const std::size_t size_of_block = next_size(bytes);
     const std::size_t size_of_last_block = next_size(bytes);
-    if (number_of_blocks > bytes.max_remaining() / m_size_type.size) {
+    if (number_of_blocks > bytes.max_remaining() / m_size_of_size) {
       m_collector.fail("an array has more blocks than there is room for");
     }
     std::vector<std::size_t> sizes;
@@ -393,7 +368,7 @@ private:
   Xml_scanner m_xml;
   Vtk_collector m_collector;
   Byte_order m_order = Byte_order::little;
-  Number_type m_size_type{'u', sizeof(std::uint32_t)}; ///< of the headers of arrays
+  std::size_t m_size_of_size = sizeof(std::uint32_t); ///< of a number in the header of an array, in bytes
   bool m_is_compressed = false;
   std::size_t m_max_size = 0;  ///< of all arrays that are read, in bytes
   std::size_t m_size = 0;      ///< of the arrays that were read
@@ -421,7 +396,7 @@ public:
     const std::string encoding = word("the keyword ASCII or BINARY");
     m_is_binary = encoding == "BINARY";
     if (!m_is_binary && encoding != "ASCII") {
-      m_scanner.fail("the third line is neither ASCII nor BINARY", "write the file again");
+      m_scanner.fail("the third line is neither ASCII nor BINARY", remedy);
     }
     if (word("the keyword DATASET") != "DATASET" || word("the kind of data") != "POLYDATA") {
       m_scanner.fail("only the dataset POLYDATA is read", "convert the file to PolyData");
@@ -433,6 +408,8 @@ public:
   }
 
 private:
+  static constexpr const char* remedy = "write the file again";
+
   std::string word(const char* meaning)
   {
     if (!m_scanner.skip_blanks()) {
@@ -475,8 +452,7 @@ private:
     const std::size_t size = count();
     Numbers corners;
     Numbers ends;
-    if (is_next("OFFSETS")) {
-      word("the keyword OFFSETS");
+    if (skip("OFFSETS")) {
       ends = numbers(number, 1, word("a type"));
       ends.erase(ends.begin(), ends.begin() + (ends.empty() ? 0 : 1)); // the first one is 0
       word("the keyword CONNECTIVITY");
@@ -521,13 +497,14 @@ private:
       read_field();
       return;
     }
+    static const std::map<std::string, std::size_t> vectors{{"NORMALS", 3},  {"VECTORS", 3},    {"TENSORS", 9},
+                                                            {"TENSORS6", 6}, {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}};
     const std::string name = word("the name of an array");
     const std::string type_of_color = m_is_binary ? "unsigned_char" : "float";
     if (keyword == "SCALARS") {
       const std::string type = word("a type");
       const std::size_t number_of_components = m_scanner.skip_blanks_in_line() ? count() : 1;
-      if (is_next("LOOKUP_TABLE")) {
-        word("the keyword LOOKUP_TABLE");
+      if (skip("LOOKUP_TABLE")) {
         word("the name of a table");
       }
       add_array(name, numbers(m_number_of_tuples, number_of_components, type));
@@ -535,19 +512,14 @@ private:
       numbers(m_number_of_tuples, count(), type_of_color);
     } else if (keyword == "LOOKUP_TABLE") {
       numbers(count(), 4, type_of_color);
-    } else if (keyword == "NORMALS") {
-      add_array(Vtk_collector::normals, numbers(m_number_of_tuples, 3, word("a type")));
     } else if (keyword == "TEXTURE_COORDINATES") {
       const std::size_t number_of_components = count();
       numbers(m_number_of_tuples, number_of_components, word("a type"));
+    } else if (const auto vector = vectors.find(keyword); vector != vectors.end()) {
+      const Numbers values = numbers(m_number_of_tuples, vector->second, word("a type"));
+      add_array(keyword == "NORMALS" ? Vtk_collector::normals : "", values);
     } else {
-      static const std::map<std::string, std::size_t> others{
-          {"VECTORS", 3}, {"TENSORS", 9}, {"TENSORS6", 6}, {"GLOBAL_IDS", 1}, {"PEDIGREE_IDS", 1}};
-      const auto other = others.find(keyword);
-      if (other == others.end()) {
-        m_scanner.fail("the keyword " + printable_keyword(keyword) + " is unknown", "write the file again");
-      }
-      numbers(m_number_of_tuples, other->second, word("a type"));
+      m_scanner.fail("the keyword " + printable_keyword(keyword) + " is unknown", remedy);
     }
   }
 
@@ -559,18 +531,19 @@ private:
       const std::size_t number_of_components = count();
       const std::size_t number_of_tuples = count();
       add_array(name, numbers(number_of_tuples, number_of_components, word("a type")));
-      if (is_next("METADATA")) {
-        word("the keyword METADATA");
+      if (skip("METADATA")) {
         skip_metadata();
       }
     }
   }
 
-  /// Whether `keyword` is the next word.
-  bool is_next(std::string_view keyword) const
+  /// Passes over `keyword` if it is the next word. \return whether it is
+  bool skip(std::string_view keyword)
   {
     Text_scanner ahead = m_scanner;
-    return ahead.skip_blanks() && ahead.word() == keyword;
+    const bool is_next = ahead.skip_blanks() && ahead.word() == keyword;
+    m_scanner = is_next ? ahead : m_scanner;
+    return is_next;
   }
 
   /// What stands in place of a keyword may be anything.
@@ -599,7 +572,18 @@ private:
       m_scanner.fail_at_end("all numbers of an array");
     }
     const std::size_t number = number_of_tuples * number_of_components;
-    return m_is_binary ? binary_numbers(number, type) : next_numbers(m_scanner, number);
+    if (m_is_binary) {
+      return binary_numbers(number, type);
+    }
+    Numbers result;
+    result.reserve(number);
+    while (result.size() < number) {
+      if (!m_scanner.skip_blanks()) {
+        m_scanner.fail_at_end("all numbers of an array");
+      }
+      result.push_back(m_scanner.number());
+    }
+    return result;
   }
 
   Numbers binary_numbers(std::size_t number, const std::string& type)
@@ -612,7 +596,7 @@ private:
         {"float", {'f', 4}},         {"double", {'f', 8}}};
     const auto its_type = types.find(type);
     if (its_type == types.end()) {
-      m_scanner.fail("an array has the unknown type " + printable_keyword(type), "write the file again");
+      m_scanner.fail("an array has the unknown type " + printable_keyword(type), remedy);
     }
     m_scanner.skip_line();
     if (number > m_scanner.remaining() / its_type->second.size) {

@@ -1,25 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The definitions of read_content.h, read_points.h and read_skeleton.h, and how meshes are read.
+// The table of all formats, what file names say by it, and how files are read.
 
-#include "decompress.h"
-#include "formats.h"
-#include "parse.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/unordered_set.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -29,15 +30,98 @@
 #include <ios>
 #include <istream>
 #include <limits>
+#include <locale>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
-namespace CSCD::internal {
-
+namespace CSCD {
+namespace internal {
 namespace {
+
+using Mesh = Mesh_format;
+using Points = Point_format;
+
+constexpr std::nullopt_t none = std::nullopt;
+
+/// The formats of written meshes come before the other formats of meshes.
+constexpr std::array<File_format, 24> formats{{
+    {".graph", none, none, true, parse_gel_graph, write_gel_graph},
+    {".json", none, none, true, parse_json_skeleton, write_json},
+    {".off", Mesh::off, Points::off, false, parse_off, nullptr},
+    {".obj", Mesh::obj, none, true, parse_obj, write_obj},
+    {".ply", Mesh::ply, Points::ply, true, parse_ply, write_ply},
+    {".stl", Mesh::stl, none, false, parse_stl, nullptr},
+    {".polylines.txt", none, none, true, parse_polylines, write_polylines},
+    {".swc", none, none, true, parse_swc,
+     [](std::ostream& out, const Skeleton_content& skeleton) { write_swc(out, skeleton); }},
+    {".vtp", Mesh::vtk, Points::vtk, true, parse_vtk, write_vtp},
+    {".vtk", Mesh::vtk, Points::vtk, false, parse_vtk, nullptr},
+    {".glb", Mesh::gltf, none, false, parse_gltf, nullptr},
+    {".gltf", Mesh::gltf, none, false, parse_gltf, nullptr},
+    {".ngmesh", Mesh::neuroglancer, none, false, parse_neuroglancer, nullptr},
+    {".graphml", none, none, false, nullptr, write_graphml},
+    {".edges", none, none, false, parse_edge_list, nullptr},
+    {".xyz", none, Points::xyz, false, parse_point_table, nullptr},
+    {".pwn", none, Points::xyz, false, parse_point_table, nullptr},
+    {".pts", none, Points::pts, false, parse_point_table, nullptr},
+    {".txt", none, Points::xyz, false, parse_point_table, nullptr},
+    {".csv", none, Points::xyz, false, parse_point_table, nullptr},
+    {".asc", none, Points::xyz, false, parse_point_table, nullptr},
+    {".pcd", none, Points::pcd, false, parse_pcd, nullptr},
+    {".las", none, Points::las, false, parse_las, nullptr},
+    {".laz", none, Points::las, false, parse_las, nullptr},
+}};
+
+bool has_ending(const std::string& filename, const char* ending)
+{
+  return boost::algorithm::iends_with(filename, ending, std::locale::classic());
+}
+
+template <class Predicate>
+const File_format* find_format(const std::string& filename, const Predicate& is_allowed)
+{
+  const auto* const found = std::find_if(formats.begin(), formats.end(), [&](const File_format& format) {
+    return is_allowed(format) && has_ending(filename, format.ending);
+  });
+  return found == formats.end() ? nullptr : found;
+}
+
+template <class Predicate>
+std::vector<std::string> endings(const Predicate& is_counted)
+{
+  std::vector<std::string> result;
+  for (const File_format& format : formats) {
+    if (is_counted(format)) {
+      result.emplace_back(format.ending);
+    }
+  }
+  return result;
+}
+
+constexpr auto is_mesh = [](const File_format& format) { return format.mesh.has_value(); };
+constexpr auto is_written_mesh = [](const File_format& format) { return format.mesh && *format.mesh <= Mesh::stl; };
+constexpr auto is_points = [](const File_format& format) { return format.points.has_value(); };
+constexpr auto is_written_skeleton = [](const File_format& format) { return format.write != nullptr; };
+constexpr auto is_read_skeleton = [](const File_format& format) {
+  return format.is_skeleton || format.parse == parse_edge_list;
+};
+
+/// \param kind for messages
+template <class Predicate>
+const File_format& get_format(const std::string& filename, const char* kind, const Predicate& is_allowed)
+{
+  const File_format* const format = find_format(filename, is_allowed);
+  if (format == nullptr) {
+    fail_in_file(filename, std::string("the ending names no ") + kind,
+                 "use one of " + boost::algorithm::join(endings(is_allowed), " "));
+  }
+  return *format;
+}
 
 /// The number of bytes that are left in `in`, or 0 where that is not known, as of a pipe.
 std::size_t remaining_size(std::istream& in)
@@ -58,9 +142,20 @@ std::size_t remaining_size(std::istream& in)
   fail_in_file(name, "cannot be read to its end", "check the disk or the connection");
 }
 
+/// \throw File_error if `content` is empty, or malformed
+Shape_file parse(std::string_view content, const File_format& format, const std::string& filename, Wanted wanted)
+{
+  if (content.empty()) {
+    fail_in_file(filename, "the file is empty", "fetch or write it again");
+  }
+  return format.parse(content, filename, wanted);
+}
+
 Shape_file parse_polygons(std::string_view content, Mesh_format format, const std::string& filename)
 {
-  Shape_file shape = parse(content, file_format(format), filename, Wanted::surface);
+  const auto* const found =
+      std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.mesh == format; });
+  Shape_file shape = parse(content, *found, filename, Wanted::surface);
   if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
     fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
   }
@@ -69,92 +164,86 @@ Shape_file parse_polygons(std::string_view content, Mesh_format format, const st
 
 Shape_file parse_points(std::string_view content, Point_format format, const std::string& filename)
 {
-  Shape_file shape = parse(content, file_format(format), filename, Wanted::surface);
+  const auto* const found =
+      std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.points == format; });
+  Shape_file shape = parse(content, *found, filename, Wanted::surface);
   if (shape.points.empty()) {
     fail_in_file(filename, "the file has no points", "fetch or write it again");
   }
   return shape;
 }
 
-using Segment = std::pair<std::int64_t, std::int64_t>;
+/// The format of a skeleton, or a graph, to be read from `filename`. \throw File_error if its ending names none
+const File_format& read_skeleton_format(const std::string& filename)
+{
+  const File_format* const written = find_format(filename, is_written_skeleton);
+  if (written != nullptr && written->parse == nullptr) {
+    fail_in_file(filename, std::string("skeletons are written as ") + written->ending + ", but not read from it",
+                 "use one of " + boost::algorithm::join(endings(is_read_skeleton), " "));
+  }
+  return get_format(filename, "known skeleton format", is_read_skeleton);
+}
 
 /// Checks nodes and lines. Lines from a node to itself and repeated ones are left out: they add nothing to a drawing
 /// but would count as cycles.
-class Skeleton_maker
+Skeleton parse_skeleton(std::string_view content, const File_format& format, const std::string& filename)
 {
-public:
-  Skeleton_maker(Shape_file&& shape, const std::string& filename) : m_shape(std::move(shape)), m_filename(filename) {}
-
-  Indexed_skeleton make()
-  {
-    if (m_shape.points.empty()) {
-      fail_in_file(m_filename, "the file has no nodes", "fetch or write it again");
-    }
-    check_number_of_points(m_shape.points.size(), m_filename);
-    Indexed_skeleton result;
-    check_radii();
-    add_edges(result);
-    result.points = std::move(m_shape.points);
-    result.radii = std::move(m_shape.radii);
-    if (std::count(m_shape.openings.begin(), m_shape.openings.end(), 1) > 0) {
-      result.is_opening = std::move(m_shape.openings);
-    }
-    return result;
+  Shape_file shape = parse(content, format, filename, Wanted::skeleton);
+  const auto fail = [&filename](const std::string& fault) {
+    fail_in_file(filename, fault, "correct or write the file again");
+  };
+  if (shape.points.empty()) {
+    fail_in_file(filename, "the file has no nodes", "fetch or write it again");
   }
-
-private:
-  void check_radii() const
-  {
-    if (!m_shape.radii.empty() && m_shape.radii.size() != m_shape.points.size()) {
-      fail("some nodes have a radius and some have none");
+  check_number_of_points(shape.points.size(), filename);
+  if (!shape.radii.empty() && shape.radii.size() != shape.points.size()) {
+    fail("some nodes have a radius and some have none");
+  }
+  for (std::size_t v = 0; v < shape.radii.size(); ++v) {
+    if (!(shape.radii[v] >= 0 && shape.radii[v] <= std::numeric_limits<double>::max())) {
+      fail("node " + std::to_string(v) + " (counted from 0) has a radius that is negative or not finite");
     }
-    for (std::size_t v = 0; v < m_shape.radii.size(); ++v) {
-      if (!(m_shape.radii[v] >= 0 && m_shape.radii[v] <= std::numeric_limits<double>::max())) {
-        fail("node " + std::to_string(v) + " (counted from 0) has a radius that is negative or not finite");
+  }
+  using Line = std::pair<std::int64_t, std::int64_t>;
+  boost::unordered_set<Line> joined;
+  for (const auto& [source, target] : shape.joined_lines) {
+    joined.insert(std::minmax(source, target));
+  }
+  Skeleton result;
+  boost::unordered_set<Line> seen;
+  for (const auto& [source, target] : shape.lines) {
+    for (const std::int64_t node : {source, target}) {
+      if (node < 0 || std::uint64_t(node) >= shape.points.size()) {
+        fail("an edge names node " + std::to_string(node) + ", but there are only " +
+             std::to_string(shape.points.size()) + " (counted from 0)");
       }
     }
-  }
-
-  void add_edges(Indexed_skeleton& result) const
-  {
-    boost::unordered_set<Segment> joined;
-    for (const auto& [source, target] : m_shape.joined_lines) {
-      joined.insert(std::minmax(source, target));
-    }
-    boost::unordered_set<Segment> seen;
-    for (const auto& [source, target] : m_shape.lines) {
-      check_node(source);
-      check_node(target);
-      if (source != target && seen.insert(std::minmax(source, target)).second) {
-        result.edges.push_back({Index(source), Index(target)});
-        result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
-      }
+    if (source != target && seen.insert(std::minmax(source, target)).second) {
+      result.edges.push_back({Index(source), Index(target)});
+      result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
     }
   }
-
-  void check_node(std::int64_t node) const
-  {
-    if (node < 0 || std::uint64_t(node) >= m_shape.points.size()) {
-      fail("an edge names node " + std::to_string(node) + ", but there are only " +
-           std::to_string(m_shape.points.size()) + " (counted from 0)");
-    }
+  result.points = std::move(shape.points);
+  result.radii = std::move(shape.radii);
+  if (std::count(shape.openings.begin(), shape.openings.end(), 1) > 0) {
+    result.is_opening = std::move(shape.openings);
   }
-
-  [[noreturn]] void fail(const std::string& fault) const
-  {
-    fail_in_file(m_filename, fault, "correct or write the file again");
-  }
-
-  Shape_file m_shape;
-  std::string m_filename;
-};
-
-Indexed_skeleton parse_skeleton(std::string_view content, const File_format& format, const std::string& filename)
-{
-  return Skeleton_maker(parse(content, format, filename, Wanted::skeleton), filename).make();
+  return result;
 }
 
 } // namespace
+
+std::optional<Compression> find_compression(const std::string& filename)
+{
+  return has_ending(filename, ".gz")    ? std::optional(Compression::gzip)
+         : has_ending(filename, ".zst") ? std::optional(Compression::zstd)
+                                        : std::nullopt;
+}
+
+const File_format& written_skeleton_format(const std::string& filename)
+{
+  return get_format(filename, "known skeleton format", is_written_skeleton);
+}
 
 std::string read_content(std::istream& in, const std::string& name, const std::string& format)
 {
@@ -239,16 +328,72 @@ Shape_file read_point_file(std::istream& in, Point_format format, const std::str
   return parse_points(read_content(in, name), format, name);
 }
 
-Indexed_skeleton read_indexed_skeleton(const std::string& filename)
+Skeleton read_indexed_skeleton(const std::string& filename)
 {
   const File_format& format = read_skeleton_format(filename);
   return parse_skeleton(read_content(filename), format, filename);
 }
 
-Indexed_skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
+Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
 {
   const File_format& format = read_skeleton_format(ending);
   return parse_skeleton(read_content(in, name), format, name);
 }
 
-} // namespace CSCD::internal
+} // namespace internal
+
+std::string without_compression_ending(const std::string& filename)
+{
+  return internal::find_compression(filename) ? filename.substr(0, filename.rfind('.')) : filename;
+}
+
+std::optional<Mesh_format> find_mesh_format(const std::string& filename)
+{
+  const auto* const format = internal::find_format(without_compression_ending(filename), internal::is_mesh);
+  return format != nullptr ? format->mesh : std::nullopt;
+}
+
+Mesh_format mesh_format(const std::string& filename)
+{
+  const std::optional<Mesh_format> format = find_mesh_format(filename);
+  return format ? *format : *internal::get_format(filename, "known mesh format", internal::is_mesh).mesh;
+}
+
+Mesh_format written_mesh_format(const std::string& filename)
+{
+  return *internal::get_format(filename, "format that meshes are written in", internal::is_written_mesh).mesh;
+}
+
+std::optional<Point_format> find_point_format(const std::string& filename)
+{
+  const auto* const format = internal::find_format(without_compression_ending(filename), internal::is_points);
+  return format != nullptr ? format->points : std::nullopt;
+}
+
+Point_format point_format(const std::string& filename)
+{
+  const std::optional<Point_format> format = find_point_format(filename);
+  return format ? *format : *internal::get_format(filename, "known format of points", internal::is_points).points;
+}
+
+std::vector<std::string> mesh_endings()
+{
+  return internal::endings(internal::is_mesh);
+}
+
+std::vector<std::string> point_endings()
+{
+  return internal::endings(internal::is_points);
+}
+
+void check_readable_skeleton_filename(const std::string& filename)
+{
+  internal::read_skeleton_format(filename);
+}
+
+void check_skeleton_filename(const std::string& filename)
+{
+  internal::written_skeleton_format(filename);
+}
+
+} // namespace CSCD

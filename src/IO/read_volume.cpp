@@ -3,10 +3,9 @@
 //
 // Reads image volumes slice by slice.
 
-#include "Number_view.h"
-#include "Text_scanner.h"
-#include "decompress.h"
-#include "parse.h"
+#include "IO/decompress.h"
+#include "IO/formats.h"
+#include "IO/scanners.h"
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/Volume/Voxel_surface.h>
@@ -14,7 +13,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/erase.hpp>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/trim.hpp>
@@ -121,12 +119,7 @@ public:
     m_in.seekg(std::streamoff(begin));
     if (header.is_compressed) {
       m_stream = std::make_unique<Inflating_stream>(m_in, filename);
-      std::array<char, 4096> skipped{};
-      for (std::size_t left = header.skipped_bytes; left > 0;) {
-        const std::size_t part = std::min(left, skipped.size());
-        m_stream->read(skipped.data(), part);
-        left -= part;
-      }
+      m_stream->skip(header.skipped_bytes);
     }
     m_bytes.resize(grid.slice_size() * header.type.size);
   }
@@ -153,6 +146,16 @@ private:
   std::vector<char> m_bytes;
 };
 
+/// \throw File_error if there is no such file
+std::ifstream open_header(const std::string& filename)
+{
+  std::ifstream in(filename, std::ios::binary);
+  if (!in) {
+    fail_in_file(filename, "cannot be opened", "check the name and the permissions");
+  }
+  return in;
+}
+
 /// A header of lines, each a name and a value.
 class Line_header
 {
@@ -162,10 +165,7 @@ public:
 
   Line_header(const std::string& filename, char separator) : m_filename(filename), m_separator(separator)
   {
-    std::ifstream in(filename, std::ios::binary);
-    if (!in) {
-      fail_in_file(filename, "cannot be opened", "check the name and the permissions");
-    }
+    std::ifstream in = open_header(filename);
     m_text.resize(max_size);
     in.read(m_text.data(), std::streamsize(max_size));
     m_text.resize(std::size_t(in.gcount()));
@@ -194,8 +194,7 @@ public:
     if (separator == std::string::npos) {
       fail_in_file(m_filename, "the header has a line that is not a field", "correct it: " + line.substr(0, 40));
     }
-    std::string name = boost::algorithm::to_lower_copy(line.substr(0, separator), std::locale::classic());
-    name.erase(std::remove(name.begin(), name.end(), ' '), name.end());
+    const std::string name = boost::algorithm::erase_all_copy(lower_case(line.substr(0, separator)), " ");
     m_values[name] = boost::algorithm::trim_copy(line.substr(separator + 1), std::locale::classic());
     return name;
   }
@@ -219,14 +218,12 @@ public:
         text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
     Text_scanner scanner(text, m_filename);
     std::vector<double> result;
-    result.reserve(count);
     while (scanner.skip_blanks()) {
       if (result.size() == count || !scanner.is_at_number()) {
         fail(name, count);
       }
       const std::string word(scanner.word());
-      Text_scanner its_number(word, m_filename);
-      result.push_back(its_number.number());
+      result.push_back(Text_scanner(word, m_filename).number());
       if (!std::isfinite(result.back())) {
         fail(name, count);
       }
@@ -237,19 +234,16 @@ public:
     return result;
   }
 
-  /// Three numbers. \throw File_error if there are not exactly three, all finite
-  Vector_3 vector(const std::string& text, const std::string& name) const
+  /// Vectors, one after the other. \throw File_error if there are not exactly the numbers of as many, all finite
+  template <std::size_t size>
+  std::array<Vector_3, size> vectors(const std::string& text, const std::string& name) const
   {
-    const std::vector<double> values = numbers(text, name, 3);
-    return {values[0], values[1], values[2]};
-  }
-
-  /// The vectors of three axes, one after the other. \throw File_error if there are not exactly nine numbers, all
-  /// finite
-  std::array<Vector_3, 3> axes(const std::string& text, const std::string& name) const
-  {
-    const std::vector<double> v = numbers(text, name, 9);
-    return {Vector_3(v[0], v[1], v[2]), Vector_3(v[3], v[4], v[5]), Vector_3(v[6], v[7], v[8])};
+    const std::vector<double> v = numbers(text, name, 3 * size);
+    std::array<Vector_3, size> result;
+    for (std::size_t i = 0; i < size; ++i) {
+      result[i] = {v[3 * i], v[3 * i + 1], v[3 * i + 2]};
+    }
+    return result;
   }
 
   /// Integers from 0 on. \throw File_error if there are not exactly `count` of them
@@ -273,6 +267,14 @@ public:
     return text.empty() ? its_default : counts(text, name, 1).front();
   }
 
+  /// The sizes of the three axes.
+  std::array<std::size_t, 3> sizes(const char* field, const std::string& name) const
+  {
+    const std::vector<std::size_t> result = counts(value({field}), name, 3);
+    return {result[0], result[1], result[2]};
+  }
+
+private:
   [[noreturn]] void fail(const std::string& name, std::size_t count) const
   {
     fail_in_file(m_filename,
@@ -281,7 +283,6 @@ public:
                  "correct it or write the file again");
   }
 
-private:
   std::string m_filename;
   char m_separator;
   std::string m_text;
@@ -325,8 +326,7 @@ void find_nrrd_data(const std::string& filename, const Line_header& lines, Volum
 /// The type of numbers that NRRD calls by one of many names, as `unsigned short int`, `ushort` or `uint16_t`.
 Number_type nrrd_type(const std::string& filename, const std::string& its_name)
 {
-  std::string name = boost::algorithm::to_lower_copy(its_name, std::locale::classic());
-  boost::algorithm::erase_all(name, " ");
+  std::string name = boost::algorithm::erase_all_copy(lower_case(its_name), " ");
   const bool has_no_sign = boost::algorithm::starts_with(name, "u");
   for (const char* const prefix : {"unsigned", "signed", "u"}) {
     if (boost::algorithm::starts_with(name, prefix)) {
@@ -359,18 +359,13 @@ void read_nrrd_axes(const Line_header& lines, Volume_grid& grid)
 {
   const std::string directions = lines.value({"spacedirections"});
   if (const std::string spacings = lines.value({"spacings"}); directions.empty() && !spacings.empty()) {
-    scale_axes(grid, lines.vector(spacings, "spacings"));
+    scale_axes(grid, lines.vectors<1>(spacings, "spacings")[0]);
   } else if (!directions.empty()) {
-    grid.axes = lines.axes(directions, "space directions");
+    grid.axes = lines.vectors<3>(directions, "space directions");
   }
   if (const std::string origin = lines.value({directions.empty() ? "axismins" : "spaceorigin"}); !origin.empty()) {
-    grid.origin = lines.vector(origin, "space origin");
+    grid.origin = lines.vectors<1>(origin, "space origin")[0];
   }
-}
-
-std::array<std::size_t, 3> three_sizes(const std::vector<std::size_t>& sizes)
-{
-  return {sizes[0], sizes[1], sizes[2]};
 }
 
 Volume_header read_nrrd_header(const std::string& filename)
@@ -394,10 +389,10 @@ Volume_header read_nrrd_header(const std::string& filename)
   if (lines.count("dimension", 0) != 3) {
     fail_in_file(filename, "'dimension' in the header is not 3", "write a volume of one value a voxel");
   }
-  header.grid.size = three_sizes(lines.counts(lines.value({"sizes"}), "sizes", 3));
+  header.grid.size = lines.sizes("sizes", "sizes");
   header.type = nrrd_type(filename, lines.value({"type"}));
   header.order = lines.value({"endian"}) == "big" ? Byte_order::big : Byte_order::little;
-  const std::string encoding = boost::algorithm::to_lower_copy(lines.value({"encoding"}), std::locale::classic());
+  const std::string encoding = lower_case(lines.value({"encoding"}));
   header.is_compressed = encoding == "gzip" || encoding == "gz";
   if (!header.is_compressed && encoding != "raw") {
     fail_in_file(filename, "'encoding: " + encoding.substr(0, 40) + "' is not read",
@@ -440,18 +435,18 @@ Volume_header read_meta_image_header(const std::string& filename)
     fail_in_file(filename, "is not of three dimensions with one number a voxel", "write such a volume");
   }
   Volume_header header;
-  header.grid.size = three_sizes(lines.counts(lines.value({"dimsize"}), "DimSize", 3));
+  header.grid.size = lines.sizes("dimsize", "DimSize");
   header.type = meta_image_type(filename, lines.value({"elementtype"}));
   header.order = is_true({"elementbyteordermsb", "binarydatabyteordermsb"}) ? Byte_order::big : Byte_order::little;
   header.is_compressed = is_true({"compresseddata"});
   if (const std::string matrix = lines.value({"transformmatrix", "rotation", "orientation"}); !matrix.empty()) {
-    header.grid.axes = lines.axes(matrix, "TransformMatrix");
+    header.grid.axes = lines.vectors<3>(matrix, "TransformMatrix");
   }
   if (const std::string spacing = lines.value({"elementspacing", "elementsize"}); !spacing.empty()) {
-    scale_axes(header.grid, lines.vector(spacing, "ElementSpacing"));
+    scale_axes(header.grid, lines.vectors<1>(spacing, "ElementSpacing")[0]);
   }
   if (const std::string offset = lines.value({"offset", "origin", "position"}); !offset.empty()) {
-    header.grid.origin = lines.vector(offset, "Offset");
+    header.grid.origin = lines.vectors<1>(offset, "Offset")[0];
   }
   const std::string data = lines.value({"elementdatafile"});
   const bool is_local = boost::algorithm::iequals(data, "LOCAL", std::locale::classic());
@@ -518,38 +513,21 @@ private:
   template <class Number>
   Number number(std::size_t place) const
   {
-    Byte_scanner scanner(std::string_view(m_bytes).substr(place), m_order, m_filename);
-    return scanner.number<Number>();
+    return stored_number<Number>(m_bytes.data() + place, m_order);
   }
 
   Number_type type() const
   {
+    static const std::map<int, Number_type> types{{2, {'u', 1}},    {4, {'i', 2}},   {8, {'i', 4}},   {16, {'f', 4}},
+                                                  {64, {'f', 8}},   {256, {'i', 1}}, {512, {'u', 2}}, {768, {'u', 4}},
+                                                  {1024, {'i', 8}}, {1280, {'u', 8}}};
     const int code = number<std::int16_t>(70);
-    switch (code) {
-    case 2:
-      return {'u', 1};
-    case 4:
-      return {'i', 2};
-    case 8:
-      return {'i', 4};
-    case 16:
-      return {'f', 4};
-    case 64:
-      return {'f', 8};
-    case 256:
-      return {'i', 1};
-    case 512:
-      return {'u', 2};
-    case 768:
-      return {'u', 4};
-    case 1024:
-      return {'i', 8};
-    case 1280:
-      return {'u', 8};
-    default:
+    const auto found = types.find(code);
+    if (found == types.end()) {
       fail_in_file(m_filename, "'datatype' " + std::to_string(code) + " is not of one number a voxel",
                    "write the volume with integers, float or double");
     }
+    return found->second;
   }
 
   /// By the matrix, else by the quaternion, else by spacings: the order that NIfTI recommends.
@@ -585,10 +563,7 @@ private:
 
 Volume_header read_nifti_header(const std::string& filename)
 {
-  std::ifstream in(filename, std::ios::binary);
-  if (!in) {
-    fail_in_file(filename, "cannot be opened", "check the name and the permissions");
-  }
+  std::ifstream in = open_header(filename);
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
   std::string bytes(Nifti_header::size, '\0');
   if (is_compressed) {
@@ -604,34 +579,6 @@ Volume_header read_nifti_header(const std::string& filename)
     header.data_begin = 0;
   }
   return header;
-}
-
-/// A format of volumes.
-enum class Volume_format
-{
-  nrrd,
-  nifti,
-  meta_image,
-  tiff
-};
-
-constexpr std::array<std::pair<const char*, Volume_format>, 8> volume_endings{{{".nrrd", Volume_format::nrrd},
-                                                                               {".nhdr", Volume_format::nrrd},
-                                                                               {".nii", Volume_format::nifti},
-                                                                               {".nii.gz", Volume_format::nifti},
-                                                                               {".mha", Volume_format::meta_image},
-                                                                               {".mhd", Volume_format::meta_image},
-                                                                               {".tif", Volume_format::tiff},
-                                                                               {".tiff", Volume_format::tiff}}};
-
-std::optional<Volume_format> find_volume_format(const std::string& filename)
-{
-  for (const auto& [ending, format] : volume_endings) {
-    if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
-      return format;
-    }
-  }
-  return std::nullopt;
 }
 
 #ifdef CSCD_WITH_TIFF
@@ -757,31 +704,54 @@ std::unique_ptr<Volume_file> open_tiff(const std::string& filename)
 #endif
 }
 
+template <Volume_header read_header(const std::string&)>
+std::unique_ptr<Volume_file> open_bytes(const std::string& filename)
+{
+  return std::make_unique<Byte_volume_file>(filename, read_header(filename));
+}
+
+using Open_volume = std::unique_ptr<Volume_file>(const std::string& filename);
+
+constexpr std::array<std::pair<const char*, Open_volume*>, 8> volume_formats{
+    {{".nrrd", open_bytes<read_nrrd_header>},
+     {".nhdr", open_bytes<read_nrrd_header>},
+     {".nii", open_bytes<read_nifti_header>},
+     {".nii.gz", open_bytes<read_nifti_header>},
+     {".mha", open_bytes<read_meta_image_header>},
+     {".mhd", open_bytes<read_meta_image_header>},
+     {".tif", open_tiff},
+     {".tiff", open_tiff}}};
+
+/// What opens a file with this ending; null if nothing does.
+Open_volume* find_volume_format(const std::string& filename)
+{
+  for (const auto& [ending, open] : volume_formats) {
+    if (boost::algorithm::iends_with(filename, ending, std::locale::classic())) {
+      return open;
+    }
+  }
+  return nullptr;
+}
+
 std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
   std::error_code error;
   if (std::filesystem::is_directory(filename, error)) {
     fail_in_file(filename, "is a folder", "name a file in it");
   }
-  const std::optional<Volume_format> format = find_volume_format(filename);
-  if (!format) {
+  Open_volume* const open = find_volume_format(filename);
+  if (open == nullptr) {
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
-  if (*format == Volume_format::tiff) {
-    return open_tiff(filename);
-  }
-  const Volume_header header = *format == Volume_format::nrrd    ? read_nrrd_header(filename)
-                               : *format == Volume_format::nifti ? read_nifti_header(filename)
-                                                                 : read_meta_image_header(filename);
-  return std::make_unique<Byte_volume_file>(filename, header);
+  return open(filename);
 }
 
 } // namespace internal
 
 bool is_volume_filename(const std::string& filename)
 {
-  return internal::find_volume_format(filename).has_value();
+  return internal::find_volume_format(filename) != nullptr;
 }
 
 Volume_reader::Volume_reader(const std::string& filename, const Voxel_selection& selection)
@@ -808,27 +778,25 @@ void Volume_reader::read_slice(std::vector<std::uint32_t>& labels)
 {
   m_file->read_slice(m_values);
   labels.resize(m_values.size());
-  if (m_selection.threshold) {
-    std::transform(m_values.begin(), m_values.end(), labels.begin(),
-                   [&](double value) { return value >= *m_selection.threshold ? 1U : 0U; });
-  } else if (m_selection.label) {
-    std::transform(m_values.begin(), m_values.end(), labels.begin(),
-                   [&](double value) { return value == double(*m_selection.label) ? *m_selection.label : 0U; });
-  } else if (!m_selection.separates_labels) {
-    std::transform(m_values.begin(), m_values.end(), labels.begin(),
-                   [](double value) { return value != 0 && !std::isnan(value) ? 1U : 0U; });
-  } else {
-    for (std::size_t i = 0; i < m_values.size(); ++i) {
-      const double value = std::isnan(m_values[i]) ? 0 : m_values[i];
-      if (!(value >= 0) || value > double(std::numeric_limits<std::uint32_t>::max()) || value != std::floor(value)) {
-        internal::fail_in_file(m_file->filename,
-                               "a voxel has the value " + std::to_string(value) +
-                                   ", which is not a label from 0 to 2^32 - 1",
-                               "choose a threshold");
-      }
-      labels[i] = std::uint32_t(value);
+  std::transform(m_values.begin(), m_values.end(), labels.begin(), [this](double value) -> std::uint32_t {
+    if (m_selection.threshold) {
+      return value >= *m_selection.threshold ? 1 : 0;
     }
-  }
+    if (m_selection.label) {
+      return value == double(*m_selection.label) ? *m_selection.label : 0;
+    }
+    value = std::isnan(value) ? 0 : value;
+    if (!m_selection.separates_labels) {
+      return value != 0 ? 1 : 0;
+    }
+    if (!(value >= 0) || value > double(std::numeric_limits<std::uint32_t>::max()) || value != std::floor(value)) {
+      internal::fail_in_file(m_file->filename,
+                             "a voxel has the value " + std::to_string(value) +
+                                 ", which is not a label from 0 to 2^32 - 1",
+                             "choose a threshold");
+    }
+    return std::uint32_t(value);
+  });
 }
 
 Volume read_volume(const std::string& filename, const Voxel_selection& selection)

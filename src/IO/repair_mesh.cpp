@@ -3,7 +3,7 @@
 //
 // Makes manifold triangle meshes of the polygons of a file.
 
-#include "Point_merger.h"
+#include "IO/Point_merger.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Skeletonization_report.h>
@@ -36,41 +36,35 @@ namespace CSCD::internal {
 
 namespace {
 
-/// The sides of triangles, sorted so that those at one edge are together.
-class Sides_of_edges
+/// Calls `function(faces)` for each edge of triangles with the faces at it; the argument is reused. O(n log n).
+template <class Function>
+void for_each_edge(const std::vector<std::array<Index, 3>>& faces, const Function& function)
 {
-public:
-  /// O(n log n).
-  explicit Sides_of_edges(const std::vector<std::array<Index, 3>>& faces)
-  {
-    m_sides.reserve(3 * faces.size());
-    for (Index face = 0; face < faces.size(); ++face) {
-      const auto [a, b, c] = faces[face];
-      for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
-        m_sides.push_back({std::min(from, to), std::max(from, to), face});
-      }
-    }
-    std::sort(m_sides.begin(), m_sides.end());
-  }
-
-  /// Calls `function(faces)` for each edge with the faces at it. The argument is reused.
-  template <class Function>
-  void for_each_edge(const Function& function) const
-  {
-    std::vector<Index> faces;
-    for (std::size_t i = 0; i < m_sides.size(); ++i) {
-      const auto& [first, second, face] = m_sides[i];
-      faces.push_back(face);
-      if (i + 1 == m_sides.size() || m_sides[i + 1][0] != first || m_sides[i + 1][1] != second) {
-        function(std::as_const(faces));
-        faces.clear();
-      }
+  std::vector<std::array<Index, 3>> sides; // the two vertices, the smaller one first, and the face
+  sides.reserve(3 * faces.size());
+  for (Index face = 0; face < faces.size(); ++face) {
+    const auto [a, b, c] = faces[face];
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)}) {
+      sides.push_back({std::min(from, to), std::max(from, to), face});
     }
   }
+  std::sort(sides.begin(), sides.end());
+  std::vector<Index> faces_of_edge;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    faces_of_edge.push_back(sides[i][2]);
+    if (i + 1 == sides.size() || sides[i + 1][0] != sides[i][0] || sides[i + 1][1] != sides[i][1]) {
+      function(std::as_const(faces_of_edge));
+      faces_of_edge.clear();
+    }
+  }
+}
 
-private:
-  std::vector<std::array<Index, 3>> m_sides; ///< the two vertices, the smaller one first, and the face
-};
+/// Whether a triangle names a vertex twice.
+template <class Triangle>
+bool is_degenerate(const Triangle& t)
+{
+  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
+}
 
 /// Finds the faces of flaps: parts of the surface, joined by edges of two faces, that meet a part of a hundred times
 /// their area at an edge of three faces or more. Without them, that edge joins the two faces of the larger part, which
@@ -80,9 +74,8 @@ std::vector<char> find_flaps(const Indexed_triangles& triangles)
 {
   constexpr double max_area = 0.01; // relative to that of the larger part
   const std::size_t number_of_faces = triangles.faces.size();
-  const Sides_of_edges sides(triangles.faces);
   Disjoint_sets sets(number_of_faces);
-  sides.for_each_edge([&](const std::vector<Index>& faces) {
+  for_each_edge(triangles.faces, [&](const std::vector<Index>& faces) {
     if (faces.size() == 2) {
       sets.join(faces[0], faces[1]);
     }
@@ -95,7 +88,7 @@ std::vector<char> find_flaps(const Indexed_triangles& triangles)
     area[part[face]] += face_area[face];
   }
   std::vector<char> is_flap(number_of_parts, 0);
-  sides.for_each_edge([&](const std::vector<Index>& faces) {
+  for_each_edge(triangles.faces, [&](const std::vector<Index>& faces) {
     if (faces.size() > 2) {
       double largest = 0;
       for (const Index face : faces) {
@@ -155,7 +148,10 @@ private:
   /// Looks for a corner from which the polygon is seen whole, as it is from all corners of a convex one.
   bool triangulate_as_fan()
   {
-    const Vector_3 normal = twice_area_vector();
+    Vector_3 normal = Vector_3::Zero();
+    for (std::size_t i = 1; i + 1 < m_size; ++i) {
+      normal += (point(i) - point(0)).cross(point(i + 1) - point(0));
+    }
     const std::size_t number_of_tries = m_size <= max_size_to_try_all_fans ? m_size : 1;
     for (std::size_t apex = 0; apex < number_of_tries; ++apex) {
       if (is_fan_unfolded(apex, normal)) {
@@ -178,15 +174,6 @@ private:
     return true;
   }
 
-  Vector_3 twice_area_vector() const
-  {
-    Vector_3 sum = Vector_3::Zero();
-    for (std::size_t i = 1; i + 1 < m_size; ++i) {
-      sum += (point(i) - point(0)).cross(point(i + 1) - point(0));
-    }
-    return sum;
-  }
-
   bool triangulate_by_cgal()
   {
     if (m_size > max_size_for_cgal) {
@@ -203,16 +190,12 @@ private:
       return false;
     }
     for (const auto& t : triangles) {
-      append_in_order({std::size_t(t.first), std::size_t(t.second), std::size_t(t.third)});
+      // The order in which the corners stand in the polygon is their orientation.
+      std::array<int, 3> corners{t.first, t.second, t.third};
+      std::sort(corners.begin(), corners.end());
+      append(std::size_t(corners[0]), std::size_t(corners[1]), std::size_t(corners[2]));
     }
     return true;
-  }
-
-  /// The corners of a triangle in the order in which they stand in the polygon: this is its orientation.
-  void append_in_order(std::array<std::size_t, 3> corners)
-  {
-    std::sort(corners.begin(), corners.end());
-    append(corners[0], corners[1], corners[2]);
   }
 
   const Vector_3& point(std::size_t corner) const { return m_soup.points[m_corners[corner]]; }
@@ -246,8 +229,8 @@ Indexed_triangles triangulate_polygon_soup(Shape_file&& polygons)
 /// Pairs the halfedges of `triangles` if these form an oriented manifold, with or without borders. Linear.
 std::optional<Halfedge_pairing> pair_manifold(const Indexed_triangles& triangles, unsigned number_of_threads = 1)
 {
-  const auto is_degenerate = [](const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
-  if (triangles.faces.empty() || std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate)) {
+  if (triangles.faces.empty() ||
+      std::any_of(triangles.faces.begin(), triangles.faces.end(), is_degenerate<std::array<Index, 3>>)) {
     return std::nullopt;
   }
   Halfedge_pairing pairing(triangles.faces, triangles.points.size(), number_of_threads);
@@ -327,9 +310,9 @@ std::size_t remove_flaps(Cgal_soup& soup)
 void remove_useless_elements(Cgal_soup& soup, Mesh_repair_report& report)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
-  const auto is_degenerate = [](const Cgal_soup::Polygon& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
   const std::size_t number_of_polygons = soup.polygons.size();
-  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate), soup.polygons.end());
+  soup.polygons.erase(std::remove_if(soup.polygons.begin(), soup.polygons.end(), is_degenerate<Cgal_soup::Polygon>),
+                      soup.polygons.end());
   PMP::merge_duplicate_polygons_in_polygon_soup(soup.points, soup.polygons);
   report.number_of_removed_faces += number_of_polygons - soup.polygons.size();
   report.number_of_removed_flap_faces += remove_flaps(soup);

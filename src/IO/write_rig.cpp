@@ -3,7 +3,7 @@
 //
 // Writes rigs as binary glTF.
 
-#include "write_little_endian.h"
+#include "IO/scanners.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_rig.h>

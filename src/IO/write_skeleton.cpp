@@ -3,7 +3,7 @@
 //
 // Writes skeletons in all formats.
 
-#include "formats.h"
+#include "IO/formats.h"
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/internal/json_branches.h>
 #include <CSCD/IO/write_file.h>
@@ -26,7 +26,9 @@
 #include <utility>
 #include <vector>
 
-namespace CSCD::internal {
+namespace CSCD {
+
+namespace internal {
 
 namespace {
 
@@ -135,12 +137,14 @@ nlohmann::ordered_json json_branches(const std::vector<Skeleton_branch>& branche
   return result;
 }
 
-void write_gel_graph(std::ostream& out, const Skeleton_content& skeleton)
+} // namespace internal
+
+void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  Exact_format format(out);
+  internal::Exact_format format(out);
   for (const Vector_3& point : skeleton.points) {
     out << "n ";
-    write_coordinates(out, point);
+    internal::write_coordinates(out, point);
     out << '\n';
   }
   for (const auto& [source, target] : skeleton.edges) {
@@ -149,15 +153,15 @@ void write_gel_graph(std::ostream& out, const Skeleton_content& skeleton)
   format.finish();
 }
 
-void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
+void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  Exact_format format(out);
+  internal::Exact_format format(out);
   out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
          "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
          "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
          "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
-  write_graphml_keys(out, skeleton.has_radius);
+  internal::write_graphml_keys(out, skeleton.has_radius);
   out << "  <graph id=\"G\" edgedefault=\"undirected\" parse.nodeids=\"canonical\" parse.edgeids=\"canonical\" "
          "parse.order=\"nodesfirst\">\n";
   const auto write_value = [&](int key, double value) {
@@ -173,12 +177,12 @@ void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
     }
     out << "    </node>\n";
   }
-  const std::vector<double> significances = edge_significances(skeleton);
+  const std::vector<double> significances = internal::edge_significances(skeleton);
   for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
     out << "    <edge id=\"e" << e << "\" source=\"n" << skeleton.edges[e][0] << "\" target=\"n" << skeleton.edges[e][1]
         << "\">\n";
     if (skeleton.has_radius) {
-      write_value(1, finite_significance(significances[e]));
+      write_value(1, internal::finite_significance(significances[e]));
     }
     out << "    </edge>\n";
   }
@@ -186,7 +190,7 @@ void write_graphml(std::ostream& out, const Skeleton_content& skeleton)
   format.finish();
 }
 
-void write_json(std::ostream& out, const Skeleton_content& skeleton)
+void write_json(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
   std::vector<std::size_t> degree(skeleton.number_of_nodes(), 0);
   for (const auto& [source, target] : skeleton.edges) {
@@ -214,27 +218,27 @@ void write_json(std::ostream& out, const Skeleton_content& skeleton)
     document["edges"].push_back({source, target});
   }
   if (skeleton.has_radius) {
-    document["branches"] = json_branches(internal::measure_branches(skeleton).branches);
+    document["branches"] = internal::json_branches(internal::measure_branches(skeleton).branches);
   }
   for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
     if (skeleton.is_joined[e] != 0) {
       document["joined_edges"].push_back(skeleton.edges[e]);
     }
   }
-  Exact_format format(out);
+  internal::Exact_format format(out);
   out << document.dump() << '\n';
   format.finish();
 }
 
-void write_obj(std::ostream& out, const Skeleton_content& skeleton)
+void write_obj(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  Exact_format format(out);
+  internal::Exact_format format(out);
   for (const Vector_3& point : skeleton.points) {
     out << "v ";
-    write_coordinates(out, point);
+    internal::write_coordinates(out, point);
     out << '\n';
   }
-  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+  for (const std::vector<Index>& branch : internal::split_into_branches(internal::node_neighbors(skeleton))) {
     out << (branch.size() == 1 ? 'p' : 'l');
     for (const Index v : branch) {
       out << ' ' << v + 1;
@@ -244,68 +248,69 @@ void write_obj(std::ostream& out, const Skeleton_content& skeleton)
   format.finish();
 }
 
-void write_ply(std::ostream& out, const Skeleton_content& skeleton)
+void write_ply(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  Exact_format format(out);
+  internal::Exact_format format(out);
   out << "ply\nformat ascii 1.0\nelement vertex " << skeleton.number_of_nodes()
       << "\nproperty double x\nproperty double y\nproperty double z\n"
       << (skeleton.has_radius ? "property double radius\n" : "") << "element edge " << skeleton.edges.size()
       << "\nproperty int vertex1\nproperty int vertex2\n"
       << (skeleton.has_radius ? "property double significance\n" : "") << "end_header\n";
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
-    write_coordinates(out, skeleton.points[v]);
+    internal::write_coordinates(out, skeleton.points[v]);
     if (skeleton.has_radius) {
       out << ' ' << skeleton.radii[v];
     }
     out << '\n';
   }
-  const std::vector<double> significances = edge_significances(skeleton);
+  const std::vector<double> significances = internal::edge_significances(skeleton);
   for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
     out << skeleton.edges[e][0] << ' ' << skeleton.edges[e][1];
     if (skeleton.has_radius) {
-      out << ' ' << finite_significance(significances[e]);
+      out << ' ' << internal::finite_significance(significances[e]);
     }
     out << '\n';
   }
   format.finish();
 }
 
-void write_polylines(std::ostream& out, const Skeleton_content& skeleton)
+void write_polylines(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  Exact_format format(out);
-  for (const std::vector<Index>& branch : split_into_branches(node_neighbors(skeleton))) {
+  internal::Exact_format format(out);
+  for (const std::vector<Index>& branch : internal::split_into_branches(internal::node_neighbors(skeleton))) {
     out << branch.size();
     for (const Index v : branch) {
       out << ' ';
-      write_coordinates(out, skeleton.points[v]);
+      internal::write_coordinates(out, skeleton.points[v]);
     }
     out << '\n';
   }
   format.finish();
 }
 
-void write_swc(std::ostream& out, const Skeleton_content& skeleton, const Swc_options& options)
+void write_swc(std::ostream& out, const internal::Skeleton_content& skeleton, const Swc_options& options)
 {
   constexpr int soma_type = 1;
-  const Index soma = find_soma(skeleton, options.min_soma_radius);
+  const Index soma = internal::find_soma(skeleton, options.min_soma_radius);
   std::vector<Index> roots = options.roots;
   if (soma != no_index) {
     roots.insert(roots.begin(), soma);
   }
-  const Rooted_forest forest(skeleton, roots);
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  const internal::Rooted_forest forest(skeleton, roots);
+  const std::vector<std::vector<Index>> neighbors = internal::node_neighbors(skeleton);
   std::vector<std::size_t> id(skeleton.number_of_nodes());
   for (std::size_t i = 0; i < forest.order().size(); ++i) {
     id[forest.order()[i]] = i + 1;
   }
-  Exact_format format(out);
+  internal::Exact_format format(out);
   out << "# id type x y z radius parent\n";
   for (const auto& [u, v] : forest.loops()) {
     out << "# loop " << id[u] << ' ' << id[v] << '\n';
   }
   for (const Index v : forest.order()) {
-    out << id[v] << ' ' << (v == soma ? soma_type : options.type.value_or(swc_type(neighbors[v].size()))) << ' ';
-    write_coordinates(out, options.scale * skeleton.points[v]);
+    out << id[v] << ' ' << (v == soma ? soma_type : options.type.value_or(internal::swc_type(neighbors[v].size())))
+        << ' ';
+    internal::write_coordinates(out, options.scale * skeleton.points[v]);
     out << ' ' << (skeleton.has_radius ? options.scale * skeleton.radii[v] : 0) << ' ';
     if (forest.is_root(v)) {
       out << "-1\n";
@@ -316,19 +321,14 @@ void write_swc(std::ostream& out, const Skeleton_content& skeleton, const Swc_op
   format.finish();
 }
 
-void write_swc(std::ostream& out, const Skeleton_content& skeleton)
-{
-  write_swc(out, skeleton, {});
-}
-
-void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
+void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
   const std::vector<Skeleton_branch> branches = internal::measure_branches(skeleton).branches;
   std::vector<std::size_t> numbers(branches.size());
   std::iota(numbers.begin(), numbers.end(), std::size_t(0));
   const auto lines = std::stable_partition(
       numbers.begin(), numbers.end(), [&branches](std::size_t number) { return branches[number].nodes.size() == 1; });
-  Exact_format format(out);
+  internal::Exact_format format(out);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<PolyData>\n<Piece NumberOfPoints=\""
       << skeleton.number_of_nodes() << "\" NumberOfVerts=\"" << lines - numbers.begin() << "\" NumberOfLines=\""
@@ -358,30 +358,31 @@ void write_vtp(std::ostream& out, const Skeleton_content& skeleton)
   if (skeleton.has_radius) {
     out << "</DataArray>\n<DataArray type=\"Float64\" Name=\"Significance\" format=\"ascii\">\n";
     for (const std::size_t number : numbers) {
-      out << finite_significance(branches[number].significance) << '\n';
+      out << internal::finite_significance(branches[number].significance) << '\n';
     }
   }
   out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
          "format=\"ascii\">\n";
   for (const Vector_3& point : skeleton.points) {
-    write_coordinates(out, point);
+    internal::write_coordinates(out, point);
     out << '\n';
   }
   out << "</DataArray>\n</Points>\n";
-  write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
-  write_vtp_cells(out, "Lines", branches, lines, numbers.end());
+  internal::write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
+  internal::write_vtp_cells(out, "Lines", branches, lines, numbers.end());
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";
   format.finish();
 }
 
-void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton_content& skeleton)
+void write_skeleton(std::ostream& out, const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  written_skeleton_format(filename).write(out, skeleton);
+  internal::written_skeleton_format(filename).write(out, skeleton);
 }
 
-void write_skeleton(const std::string& filename, const Skeleton_content& skeleton)
+void write_skeleton(const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  write_file(filename, [&](std::ostream& out) { write_skeleton(out, filename, skeleton); });
+  const internal::File_format& format = internal::written_skeleton_format(filename); // before there is any file
+  write_file(filename, [&](std::ostream& out) { format.write(out, skeleton); });
 }
 
-} // namespace CSCD::internal
+} // namespace CSCD

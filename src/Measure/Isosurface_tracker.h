@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 #define CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 
-#include "Measure/Position_measurement.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Triangles.h>
@@ -294,16 +294,16 @@ inline std::size_t max_number_of_cells(const Skeleton& skeleton)
 /// Triangulates the zero set of `field` on a lattice, seeded along `skeleton`.
 /// Where that takes more cells than allowed, since radii or the skeleton are huge, the lattice is made coarser.
 /// \param cell_size of the lattice, positive
-/// \param maximum_number the greatest number of cells
+/// \param maximum_number the greatest number of cells; 0 for that of the skeleton
 template <class Field>
 Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size,
-                                std::size_t maximum_number)
+                                std::size_t maximum_number = 0)
 {
+  maximum_number = maximum_number > 0 ? maximum_number : max_number_of_cells(skeleton);
   for (;; cell_size *= 2) {
     Isosurface_tracker<Field> tracker(field, cell_size, maximum_number);
     constexpr std::size_t max_number_of_samples = 1 << 20; // as many as cells at most
-    const std::vector<Edge_sample> samples =
-        sample_edges(skeleton, bounded_spacing(skeleton, cell_size, max_number_of_samples));
+    const std::vector<Edge_sample> samples = sample_edges(skeleton, cell_size, max_number_of_samples);
     std::size_t number_unresolved = 0;
     for (const Edge_sample& sample : samples) {
       if (tracker.is_too_large()) {
@@ -323,13 +323,6 @@ Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, do
       return {tracker.release(), cell_size, fraction};
     }
   }
-}
-
-/// The same with as many cells as the skeleton may have.
-template <class Field>
-Field_surface triangulate_field(const Field& field, const Skeleton& skeleton, double cell_size)
-{
-  return triangulate_field(field, skeleton, cell_size, max_number_of_cells(skeleton));
 }
 
 } // namespace CSCD::internal

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Roots, and forests that grow from them.
+// The branches of a skeleton, its roots, and forests that grow from them.
 
 #include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
@@ -13,9 +14,51 @@
 #include <cstddef>
 #include <functional>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+std::vector<std::vector<Index>> split_into_branches(const std::vector<std::vector<Index>>& neighbors)
+{
+  std::vector<std::vector<Index>> branches;
+  std::vector<char> is_walked(neighbors.size(), 0);
+  const auto is_inner = [&neighbors](Index v) { return neighbors[v].size() == 2; };
+  const auto walk = [&](Index previous, Index current) {
+    std::vector<Index> branch{previous};
+    while (is_inner(current) && is_walked[current] == 0) {
+      is_walked[current] = 1;
+      branch.push_back(current);
+      const Index next = neighbors[current][neighbors[current][0] == previous ? 1 : 0];
+      previous = std::exchange(current, next);
+    }
+    branch.push_back(current);
+    branches.push_back(std::move(branch));
+  };
+  for (Index end = 0; end < neighbors.size(); ++end) {
+    if (is_inner(end)) {
+      continue;
+    }
+    if (neighbors[end].empty()) {
+      branches.push_back({end});
+    }
+    std::size_t number_of_loop_ends = 0; // an edge from a node to itself is listed twice among its edges
+    for (const Index next : neighbors[end]) {
+      if (!is_inner(next) && (end < next || (end == next && number_of_loop_ends++ % 2 == 0))) {
+        branches.push_back({end, next});
+      } else if (is_inner(next) && is_walked[next] == 0) {
+        walk(end, next);
+      }
+    }
+  }
+  for (Index v = 0; v < neighbors.size(); ++v) { // cycles
+    if (is_inner(v) && is_walked[v] == 0) {
+      is_walked[v] = 1;
+      walk(v, neighbors[v][0]);
+    }
+  }
+  return branches;
+}
 
 Rooted_forest::Rooted_forest(const Skeleton& skeleton, const std::vector<Index>& roots)
     : m_parent(skeleton.number_of_nodes(), no_index)
@@ -45,17 +88,11 @@ std::vector<std::vector<Index>> Rooted_forest::cut_cycles(const Skeleton& skelet
   for (const Index e : edges) {
     is_loop[e] = trees.join(skeleton.edges[e][0], skeleton.edges[e][1]) ? 0 : 1;
   }
-  std::vector<std::vector<Index>> neighbors(skeleton.number_of_nodes());
+  Skeleton forest{skeleton.points};
   for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
-    const auto& [u, v] = skeleton.edges[e];
-    if (is_loop[e] != 0) {
-      m_loops.push_back({u, v});
-    } else {
-      neighbors[u].push_back(v);
-      neighbors[v].push_back(u);
-    }
+    (is_loop[e] != 0 ? m_loops : forest.edges).push_back(skeleton.edges[e]);
   }
-  return neighbors;
+  return node_neighbors(forest);
 }
 
 void Rooted_forest::grow_from(Index root, const std::vector<std::vector<Index>>& neighbors)

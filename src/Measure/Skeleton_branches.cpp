@@ -103,88 +103,44 @@ private:
   boost::unordered_map<std::pair<Index, Index>, double> m_significance;
 };
 
-/// A junction belongs to the branch of the greatest mean radius, the first of several.
-inline std::vector<Index> branches_of_nodes(const std::vector<Skeleton_branch>& branches, std::size_t number_of_nodes)
-{
-  std::vector<Index> result(number_of_nodes, no_index);
-  for (Index b = 0; b < branches.size(); ++b) {
-    for (const Index node : branches[b].nodes) {
-      if (result[node] == no_index || branches[b].mean_radius > branches[result[node]].mean_radius) {
-        result[node] = b;
-      }
-    }
-  }
-  return result;
-}
-
 /// Gives branches their parents and orders.
-class Branch_order
+void assign_orders(const Rooted_forest& forest, std::vector<Skeleton_branch>& branches)
 {
-public:
-  Branch_order(const Rooted_forest& forest, std::vector<Skeleton_branch>& branches)
-      : m_forest(forest), m_branches(branches), m_branch_of_inner_node(forest.order().size(), no_index),
-        m_branch_before(forest.order().size(), no_index)
-  {
-    for (Index b = 0; b < branches.size(); ++b) {
-      const std::vector<Index>& nodes = branches[b].nodes;
-      for (std::size_t i = 1; i + 1 < nodes.size(); ++i) {
-        m_branch_of_inner_node[nodes[i]] = b;
-      }
-      if (nodes.size() == 2) {
-        m_branch_of_edge.emplace(std::minmax(nodes[0], nodes[1]), b);
-      } else if (branches[b].ends[0] == Branch_end::closed) {
-        m_branch_of_inner_node[nodes[0]] = b;
-      }
+  boost::unordered_map<std::pair<Index, Index>, Index> branch_of_edge;
+  for (Index b = 0; b < branches.size(); ++b) {
+    for (std::size_t i = 1; i < branches[b].nodes.size(); ++i) {
+      branch_of_edge.emplace(std::minmax(branches[b].nodes[i - 1], branches[b].nodes[i]), b);
     }
   }
-
-  void assign()
-  {
-    for (const Index node : m_forest.order()) {
-      if (!m_forest.is_root(node)) {
-        m_branch_before[node] = branch_between(m_forest.parent(node), node);
-        enter(m_branch_before[node], m_forest.parent(node));
-      }
-    }
-    // What the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
-    for (Index b = 0; b < m_branches.size(); ++b) {
-      if (!m_branches[b].order) {
-        enter(b, m_branches[b].nodes.front());
-        enter(b, m_branches[b].nodes.back());
-      }
-    }
-  }
-
-private:
-  Index branch_between(Index u, Index v) const
-  {
-    if (m_branch_of_inner_node[v] != no_index) {
-      return m_branch_of_inner_node[v];
-    }
-    return m_branch_of_inner_node[u] != no_index ? m_branch_of_inner_node[u] : m_branch_of_edge.at(std::minmax(u, v));
-  }
-
-  /// A branch that is entered at both ends, as a cycle is cut in it, keeps the lesser order.
-  void enter(Index b, Index node)
-  {
-    const Index before = m_branch_before[node];
+  std::vector<Index> branch_before(forest.order().size(), no_index); // of the edge to the parent; of roots none
+  // A branch that is entered at both ends, as a cycle is cut in it, keeps the lesser order.
+  const auto enter = [&](Index b, Index node) {
+    const Index before = branch_before[node];
     if (before == b) {
       return;
     }
-    const std::size_t order = before == no_index ? 0 : *m_branches[before].order + 1;
-    Skeleton_branch& branch = m_branches[b];
+    Skeleton_branch& branch = branches[b];
+    const std::size_t order = before == no_index ? 0 : *branches[before].order + 1;
     if (!branch.order || order < *branch.order) {
       branch.order = order;
       branch.parent = before == no_index ? std::nullopt : std::optional<std::size_t>(before);
     }
+  };
+  for (const Index node : forest.order()) {
+    if (!forest.is_root(node)) {
+      const Index parent = forest.parent(node);
+      branch_before[node] = branch_of_edge.at(std::minmax(parent, node));
+      enter(branch_before[node], parent);
+    }
   }
-
-  const Rooted_forest& m_forest;
-  std::vector<Skeleton_branch>& m_branches;
-  std::vector<Index> m_branch_of_inner_node; ///< for nodes between the ends of a branch
-  std::vector<Index> m_branch_before;        ///< of the edge to the parent; of roots none
-  boost::unordered_map<std::pair<Index, Index>, Index> m_branch_of_edge;
-};
+  // What the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
+  for (Index b = 0; b < branches.size(); ++b) {
+    if (!branches[b].order) {
+      enter(b, branches[b].nodes.front());
+      enter(b, branches[b].nodes.back());
+    }
+  }
+}
 
 /// The node of two corners of each triangle, or the least of three different ones; `no_index` if no corner has any.
 inline std::vector<Index> nodes_of_faces(const Assigned_surface& surface)
@@ -259,16 +215,16 @@ private:
     m_borders = Disjoint_sets(m_surface.points.size());
     m_middle.assign(m_surface.points.size(), Vector_3::Zero());
     std::vector<double> number(m_surface.points.size(), 0);
+    std::vector<Index> border;
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       if (m_pairing.twin(h) == no_index) {
         m_borders.join(origin(h), origin(Halfedge_pairing::next(h)));
+        border.push_back(origin(h));
       }
     }
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      if (m_pairing.twin(h) == no_index) {
-        m_middle[m_borders.find(origin(h))] += m_surface.points[origin(h)];
-        ++number[m_borders.find(origin(h))];
-      }
+    for (const Index vertex : border) {
+      m_middle[m_borders.find(vertex)] += m_surface.points[vertex];
+      ++number[m_borders.find(vertex)];
     }
     for (std::size_t v = 0; v < number.size(); ++v) {
       m_middle[v] /= std::max(number[v], 1.);
@@ -529,10 +485,17 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<I
   for (std::vector<Index>& nodes : split_into_branches(node_neighbors(skeleton))) {
     result.branches.push_back(measure(std::move(nodes)));
   }
-  result.branch_of_node = branches_of_nodes(result.branches, skeleton.number_of_nodes());
+  result.branch_of_node.assign(skeleton.number_of_nodes(), no_index);
+  for (Index b = 0; b < result.branches.size(); ++b) {
+    for (const Index node : result.branches[b].nodes) {
+      Index& its_branch = result.branch_of_node[node];
+      const bool is_first = its_branch == no_index;
+      its_branch =
+          is_first || result.branches[b].mean_radius > result.branches[its_branch].mean_radius ? b : its_branch;
+    }
+  }
   if (!roots.empty()) {
-    const Rooted_forest forest(skeleton, roots);
-    Branch_order(forest, result.branches).assign();
+    assign_orders(Rooted_forest(skeleton, roots), result.branches);
   }
   return result;
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CSCD::internal {
@@ -107,20 +108,9 @@ private:
   static double pairs(double n) { return n * (n - 1) / 2; }
   static double number_of_pairs(const std::vector<double>& sizes)
   {
-    double result = 0;
-    for (const double size : sizes) {
-      result += pairs(size);
-    }
-    return result;
+    return std::accumulate(sizes.begin(), sizes.end(), 0., [](double sum, double size) { return sum + pairs(size); });
   }
-  static double sum(const std::vector<double>& values)
-  {
-    double result = 0;
-    for (const double value : values) {
-      result += value;
-    }
-    return result;
-  }
+  static double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.); }
 
   /// Calls `use(i, j, n)` for the parts i of the first and j of the second that share n > 0 faces.
   template <class Use>
@@ -169,7 +159,10 @@ public:
         search.reach(v, 0);
       }
     }
-    const std::vector<Index> halfedge_of = one_halfedge_of_each_vertex();
+    std::vector<Index> halfedge_of(m_triangles.points.size(), no_index);
+    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
+      halfedge_of[origin(h)] = h;
+    }
     search.spread([&](Index vertex, float distance) {
       for_each_in_fan(m_pairing, halfedge_of[vertex], [&](Index h) {
         for (const Index end : {Halfedge_pairing::next(h), Halfedge_pairing::previous(h)}) { // both sides of the face
@@ -212,15 +205,6 @@ public:
 
 private:
   Index origin(Index halfedge) const { return m_triangles.faces[Halfedge_pairing::face(halfedge)][halfedge % 3]; }
-
-  std::vector<Index> one_halfedge_of_each_vertex() const
-  {
-    std::vector<Index> halfedge_of(m_triangles.points.size(), no_index);
-    for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
-      halfedge_of[origin(h)] = h;
-    }
-    return halfedge_of;
-  }
 
   const Indexed_triangles& m_triangles;
   const Halfedge_pairing& m_pairing;

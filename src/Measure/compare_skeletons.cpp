@@ -3,8 +3,7 @@
 //
 // Distances between two skeletons, what they have at the same place, and whether they are joined in the same way.
 
-#include "Measure/Position_measurement.h"
-#include "Measure/Segment_tree.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Measure/split_into_branches.h>
@@ -19,8 +18,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -76,9 +77,7 @@ std::vector<Index> refine_colors(const std::vector<std::vector<Index>>& neighbor
   std::vector<Index> color(neighbors.size(), 0);
   std::vector<std::size_t> size{neighbors.size()}; // of each class
   std::vector<Index> touched(neighbors.size());
-  for (Index v = 0; v < touched.size(); ++v) {
-    touched[v] = v;
-  }
+  std::iota(touched.begin(), touched.end(), Index(0));
   while (!touched.empty()) {
     std::map<Index, std::map<std::vector<Index>, std::vector<Index>>> groups; // by class and classes of neighbors
     for (const Index v : touched) {
@@ -147,71 +146,6 @@ bool have_same_structure(const Branch_graph& a, const Branch_graph& b)
   return std::all_of(excess.begin(), excess.end(), [](std::ptrdiff_t number) { return number == 0; });
 }
 
-/// Pairs of objects of two skeletons, nearest first.
-class Pair_matching
-{
-public:
-  /// Adds the pair of objects `i` and `j`, unless their `distance` is greater than `match_distance`.
-  void add(double distance, Index i, Index j, double match_distance)
-  {
-    if (distance <= match_distance) {
-      m_pairs.emplace_back(distance, i, j);
-    }
-  }
-
-  /// Takes note that one more pair is compared. \throw Input_error if these are too many
-  void count()
-  {
-    constexpr std::size_t most = std::size_t(1) << 22; // some seconds; skeletons of bodies have some thousand
-    if (++m_number > most) {
-      throw Input_error("too many tips, junctions or branches of the skeletons are near each other to be matched: "
-                        "choose a smaller match distance or simplify the skeletons first");
-    }
-  }
-
-  /// Matches `m` with `n` objects, each at most once, nearest pairs first, on ties those of least numbers.
-  Match_count match(std::size_t m, std::size_t n)
-  {
-    std::sort(m_pairs.begin(), m_pairs.end());
-    std::vector<char> is_first_taken(m, 0);
-    std::vector<char> is_second_taken(n, 0);
-    Match_count result{m, n, 0};
-    for (const auto& [distance, i, j] : m_pairs) {
-      if (is_first_taken[i] == 0 && is_second_taken[j] == 0) {
-        is_first_taken[i] = is_second_taken[j] = 1;
-        ++result.number_matched;
-      }
-    }
-    return result;
-  }
-
-private:
-  std::vector<std::tuple<double, Index, Index>> m_pairs;
-  std::size_t m_number = 0; // that were compared
-};
-
-Match_count match_points(const std::vector<Vector_3>& first, const std::vector<Vector_3>& second, double match_distance)
-{
-  std::vector<Bounding_box> boxes(second.size());
-  for (std::size_t j = 0; j < second.size(); ++j) {
-    boxes[j].extend(second[j]);
-  }
-  const Box_tree tree(boxes);
-  Pair_matching matching;
-  for (Index i = 0; i < first.size(); ++i) {
-    tree.visit(
-        [&](const Bounding_box& box) {
-          constexpr double slack = 1 - 1e-12; // far above rounding
-          return slack * box.squared_distance(first[i]) <= match_distance * match_distance;
-        },
-        [&](Index j) {
-          matching.count();
-          matching.add((first[i] - second[j]).norm(), i, j, match_distance);
-        });
-  }
-  return matching.match(first.size(), second.size());
-}
-
 /// A branch as a curve of its own.
 class Branch_curve
 {
@@ -277,98 +211,123 @@ private:
   Bounding_box m_box;
 };
 
-/// Matches branches by the distances of their curves.
-Match_count match_curves(const std::vector<Branch_curve>& first, const std::vector<Branch_curve>& second,
-                         double match_distance)
+Bounding_box box_of(const Vector_3& point)
 {
+  Bounding_box box;
+  box.extend(point);
+  return box;
+}
+const Bounding_box& box_of(const Branch_curve& curve)
+{
+  return curve.box();
+}
+
+double distance_up_to(const Vector_3& a, const Vector_3& b, double /* max_distance */)
+{
+  return (a - b).norm();
+}
+double distance_up_to(const Branch_curve& a, const Branch_curve& b, double max_distance)
+{
+  return a.distance(b, max_distance);
+}
+
+/// Matches points, or curves, that are not farther apart than `match_distance`, each at most once: the nearest first,
+/// on ties those of least numbers. \throw Input_error if too many are near each other
+template <class Object>
+Match_count match(const std::vector<Object>& first, const std::vector<Object>& second, double match_distance)
+{
+  constexpr std::size_t most = std::size_t(1) << 22; // some seconds; skeletons of bodies have some thousand
   std::vector<Bounding_box> boxes;
-  boxes.reserve(second.size());
-  for (const Branch_curve& curve : second) {
-    boxes.push_back(curve.box());
-  }
+  std::transform(second.begin(), second.end(), std::back_inserter(boxes),
+                 [](const Object& object) { return box_of(object); });
   const Box_tree tree(boxes);
-  Pair_matching matching;
+  std::vector<std::tuple<double, Index, Index>> pairs;
+  std::size_t number_compared = 0;
   for (Index i = 0; i < first.size(); ++i) {
-    // Where the boxes are farther apart, no point of one curve is nearer to the other.
-    const auto is_near = [&](const Bounding_box& box) { return first[i].box().distance(box) <= match_distance; };
+    // Where the boxes are farther apart, no point of one is nearer to the other.
+    const auto is_near = [&, box = box_of(first[i])](const Bounding_box& b) {
+      return box.distance(b) <= match_distance;
+    };
     tree.visit(is_near, [&](Index j) {
-      if (is_near(second[j].box())) {
-        matching.count();
-        matching.add(first[i].distance(second[j], match_distance), i, j, match_distance);
+      if (!is_near(boxes[j])) {
+        return;
+      }
+      if (++number_compared > most) {
+        throw Input_error("too many tips, junctions or branches of the skeletons are near each other to be matched: "
+                          "choose a smaller match distance or simplify the skeletons first");
+      }
+      const double distance = distance_up_to(first[i], second[j], match_distance);
+      if (distance <= match_distance) {
+        pairs.emplace_back(distance, i, j);
       }
     });
   }
-  return matching.match(first.size(), second.size());
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<char> is_first_taken(first.size(), 0);
+  std::vector<char> is_second_taken(second.size(), 0);
+  Match_count result{first.size(), second.size(), 0};
+  for (const auto& [distance, i, j] : pairs) {
+    if (is_first_taken[i] == 0 && is_second_taken[j] == 0) {
+      is_first_taken[i] = is_second_taken[j] = 1;
+      ++result.number_matched;
+    }
+  }
+  return result;
 }
 
 /// A skeleton prepared for comparison, in coordinates in which lengths are relative to the common diagonal.
-class Compared_skeleton
+struct Compared_skeleton
 {
-public:
   /// \pre the skeleton has nodes
-  explicit Compared_skeleton(Skeleton skeleton)
-      : m_skeleton(std::move(skeleton)), m_graph(m_skeleton), m_tree(m_skeleton, segment_ends(m_skeleton))
+  explicit Compared_skeleton(Skeleton&& its_skeleton)
+      : skeleton(std::move(its_skeleton)), graph(skeleton), tree(skeleton)
   {
-    for (const std::vector<Index>& branch : m_graph.branches) {
-      m_curves.emplace_back(m_skeleton, branch);
+    for (const std::vector<Index>& branch : graph.branches) {
+      curves.emplace_back(skeleton, branch);
     }
-    for (std::size_t i = 0; i < m_graph.nodes.size(); ++i) {
-      const Vector_3& point = m_skeleton.points[m_graph.nodes[i]];
-      if (m_graph.degrees[i] == 1) {
-        m_tips.push_back(point);
-      } else if (m_graph.degrees[i] > 2) {
-        m_junctions.push_back(point);
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
+      if (graph.degrees[i] > 0) {
+        (graph.degrees[i] == 1 ? tips : junctions).push_back(skeleton.points[graph.nodes[i]]);
       }
     }
   }
-
-  const Branch_graph& graph() const { return m_graph; }
-  const std::vector<Vector_3>& tips() const { return m_tips; }
-  const std::vector<Vector_3>& junctions() const { return m_junctions; }
-  const std::vector<Branch_curve>& curves() const { return m_curves; }
 
   /// Measures how far this skeleton is from `other`.
   /// \throw Input_error if there are too many edges near each other
   Skeleton_distance distance(const Compared_skeleton& other, double match_distance) const
   {
+    constexpr double spacing = 1. / 1000;
+    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would be no better
+    std::vector<Vector_3> samples;                         // of the edges; the nodes where there is no length
+    for (const Edge_sample& sample : sample_edges(skeleton, spacing, max_number_of_samples)) {
+      samples.push_back(sample.point);
+    }
+    if (samples.empty()) {
+      samples = skeleton.points;
+    }
     Skeleton_distance result;
     Work_limit work;
     std::size_t number_matched = 0;
-    const std::vector<Vector_3> samples = sample_by_length();
     for (const Vector_3& sample : samples) {
-      const double d = other.m_tree.nearest(sample, work).distance;
+      const double d = other.tree.nearest(sample, work).distance;
       result.mean += d;
       result.maximum = std::max(result.maximum, d);
       number_matched += d <= match_distance ? 1 : 0;
     }
     result.mean /= double(samples.size());
     result.fraction_matched = double(number_matched) / double(samples.size());
-    for (const Vector_3& point : m_skeleton.points) {
-      result.maximum = std::max(result.maximum, other.m_tree.nearest(point, work).distance);
+    for (const Vector_3& point : skeleton.points) {
+      result.maximum = std::max(result.maximum, other.tree.nearest(point, work).distance);
     }
     return result;
   }
 
-private:
-  /// Samples of the edges; the nodes where there is no length.
-  std::vector<Vector_3> sample_by_length() const
-  {
-    constexpr double spacing = 1. / 1000;
-    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would be no better
-    std::vector<Vector_3> samples;
-    for (const Edge_sample& sample :
-         sample_edges(m_skeleton, bounded_spacing(m_skeleton, spacing, max_number_of_samples))) {
-      samples.push_back(sample.point);
-    }
-    return samples.empty() ? m_skeleton.points : samples;
-  }
-
-  Skeleton m_skeleton;
-  Branch_graph m_graph;
-  Segment_tree m_tree;
-  std::vector<Branch_curve> m_curves;
-  std::vector<Vector_3> m_tips;
-  std::vector<Vector_3> m_junctions;
+  Skeleton skeleton;
+  Branch_graph graph;
+  Segment_tree tree;
+  std::vector<Branch_curve> curves;
+  std::vector<Vector_3> tips;
+  std::vector<Vector_3> junctions;
 };
 
 /// \throw Input_error if `skeleton`, called `name`, has no nodes or one that is not finite
@@ -378,10 +337,7 @@ void check_skeleton(const Skeleton& skeleton, const std::string& name)
     throw Input_error("the " + name + " skeleton has no nodes: there is nothing to compare");
   }
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
-    if (!skeleton.points[v].allFinite()) {
-      throw Input_error("node " + std::to_string(v) + " of the " + name +
-                        " skeleton has a coordinate that is not finite: correct it or remove the node");
-    }
+    check_finite(skeleton, v, name + ' ');
   }
 }
 
@@ -425,10 +381,10 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
   result.match_distance = match_distance;
   result.from_first_to_second = a.distance(b, match_distance);
   result.from_second_to_first = b.distance(a, match_distance);
-  result.tips = match_points(a.tips(), b.tips(), match_distance);
-  result.junctions = match_points(a.junctions(), b.junctions(), match_distance);
-  result.branches = match_curves(a.curves(), b.curves(), match_distance);
-  result.has_same_structure = have_same_structure(a.graph(), b.graph());
+  result.tips = match(a.tips, b.tips, match_distance);
+  result.junctions = match(a.junctions, b.junctions, match_distance);
+  result.branches = match(a.curves, b.curves, match_distance);
+  result.has_same_structure = have_same_structure(a.graph, b.graph);
   return result;
 }
 

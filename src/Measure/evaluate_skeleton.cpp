@@ -4,13 +4,10 @@
 // Measures a skeleton against a mesh or points.
 
 #include "Measure/Isosurface_tracker.h"
-#include "Measure/Position_measurement.h"
-#include "Measure/Segment_tree.h"
-#include "Measure/Surface_limbs.h"
-#include "Measure/count_skeleton.h"
+#include "Measure/body_measures.h"
 #include "Measure/reconstruction_fields.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
-#include <CSCD/Measure/estimate_radii.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Surface/Normalization.h>
@@ -22,9 +19,12 @@
 #include <CSCD/Surface/refine_large_faces.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/assertions.h>
 
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
 #include <boost/math/constants/constants.hpp>
 
 #include <algorithm>
@@ -39,6 +39,96 @@
 #include <vector>
 
 namespace CSCD::internal {
+namespace {
+
+/// Gives the nodes that `is_known` leaves out the radii of the harmonic function on the edges, weighted by the
+/// reciprocals of their lengths, that has the known radii: along a branch it is linear in length. Where nothing is
+/// known in a connected part, radii are `default_radius`. \throw Input_error if there are too many cycles
+void interpolate_radii(const Skeleton& skeleton, std::vector<char> is_known, double default_radius,
+                       std::vector<double>& radii)
+{
+  Disjoint_sets parts(radii.size());
+  for (const auto& [u, v] : skeleton.edges) {
+    parts.join(u, v);
+  }
+  std::vector<char> has_known(radii.size(), 0);
+  for (Index v = 0; v < radii.size(); ++v) {
+    has_known[parts.find(v)] = has_known[parts.find(v)] != 0 || is_known[v] != 0 ? 1 : 0;
+  }
+  std::vector<int> place(radii.size(), -1); // of unknown nodes, in the system of equations
+  std::vector<Index> nodes;
+  for (Index v = 0; v < radii.size(); ++v) {
+    if (has_known[parts.find(v)] == 0) {
+      radii[v] = default_radius;
+    } else if (is_known[v] == 0) {
+      place[v] = int(nodes.size());
+      nodes.push_back(v);
+    }
+  }
+  constexpr std::size_t max_number_of_cycles = 1 << 11; // factors have at most the square of it more entries
+  if (skeleton.edges.size() > skeleton.number_of_nodes() + max_number_of_cycles) {
+    throw Input_error("the skeleton has more than 2048 cycles, too many to estimate its radii: simplify it first");
+  }
+  if (nodes.empty()) {
+    return;
+  }
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(Eigen::Index(nodes.size()));
+  for (int i = 0; i < int(nodes.size()); ++i) {
+    const Index v = nodes[std::size_t(i)];
+    for (const Index w : neighbors[v]) {
+      if (w == v) {
+        continue;
+      }
+      constexpr double min_length = 1e-9; // in the coordinates of the skeleton: equal nodes have equal radii
+      const double weight = 1 / std::max(skeleton.length({w, v}), min_length);
+      entries.emplace_back(i, i, weight);
+      if (place[w] >= 0) {
+        entries.emplace_back(i, place[w], -weight);
+      } else {
+        right[i] += weight * radii[w];
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> laplacian(right.size(), right.size());
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::VectorXd solution = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(laplacian).solve(right);
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    radii[nodes[i]] = std::max(solution[Eigen::Index(i)], 0.);
+  }
+}
+
+} // namespace
+
+std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Skeleton& skeleton)
+{
+  CGAL_precondition(!points.empty() && skeleton.number_of_nodes() > 0);
+  const Segment_tree tree(skeleton);
+  std::vector<double> radii(skeleton.number_of_nodes(), 0.);
+  std::vector<double> weight(skeleton.number_of_nodes(), 0.);
+  double total = 0;
+  Work_limit work;
+  for (const Vector_3& point : points) {
+    const Segment_point nearest = tree.nearest(point, work);
+    const double t = nearest.parameter;
+    const auto& [source, target] = tree.ends(nearest.segment);
+    radii[source] += (1 - t) * nearest.distance;
+    weight[source] += 1 - t;
+    radii[target] += t * nearest.distance;
+    weight[target] += t;
+    total += nearest.distance;
+  }
+  constexpr double min_weight = 1e-9; // in points
+  std::vector<char> is_known(radii.size(), 0);
+  for (std::size_t v = 0; v < radii.size(); ++v) {
+    is_known[v] = weight[v] > min_weight ? 1 : 0;
+    radii[v] = is_known[v] != 0 ? radii[v] / weight[v] : 0;
+  }
+  interpolate_radii(skeleton, std::move(is_known), total / double(points.size()), radii);
+  return radii;
+}
+
 namespace {
 
 /// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
@@ -135,11 +225,55 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
   }
 }
 
+/// What a skeleton is measured against, in coordinates in which the diagonal of the bounding box is 1.
+struct Measured_surface
+{
+  Normalization normalization;
+  std::vector<Vector_3> points;
+  /// The distance of a point; neighboring points are answered faster one after the other.
+  std::function<double(const Vector_3&)> distance;
+  std::unique_ptr<const Measured_body> body; ///< null for points
+};
+
+/// \throw Input_error if a mesh has no extent, or if there are no points, or not finite ones, or all are equal
+Measured_surface measured_surface(Measured_input&& input)
+{
+  if (input.is_mesh) {
+    auto body = std::make_unique<const Measured_body>(std::move(input.triangles), std::move(input.pairing));
+    auto distance = [&queries = body->queries(), near = no_index](const Vector_3& point) mutable {
+      const Surface_point nearest = queries.closest_point(point, near);
+      near = nearest.face;
+      return (nearest.point - point).norm();
+    };
+    return {body->normalization(), body->points(), std::move(distance), std::move(body)};
+  }
+  std::vector<Vector_3> points = std::move(input.points);
+  if (points.empty()) {
+    throw Input_error("there are no points to measure the skeleton against: check how the input was read");
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!points[i].allFinite()) {
+      throw Input_error("point " + std::to_string(i) +
+                        " has a coordinate that is not finite: correct it or remove the point");
+    }
+  }
+  const Normalization normalization = normalize_diagonal(points);
+  std::vector<std::array<Index, 2>> segments;
+  segments.reserve(points.size());
+  for (Index i = 0; i < points.size(); ++i) {
+    segments.push_back({i, i});
+  }
+  const auto tree = std::make_shared<const Segment_tree>(points, std::move(segments));
+  return {normalization,
+          std::move(points),
+          [tree, work = Work_limit()](const Vector_3& point) mutable { return tree->nearest(point, work).distance; },
+          {}};
+}
+
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
 /// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
 /// which the faces of a cell follow each other does not matter.
-void measure_reverse(const Triangulated_surface& surface,
-                     const std::function<double(const Vector_3&)>& distance_to_input, Reconstruction_error& error)
+void measure_reverse(const Triangulated_surface& surface, const Measured_surface& measured, Reconstruction_error& error)
 {
   constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
   const std::size_t number_of_faces = surface.number_of_faces();
@@ -157,7 +291,7 @@ void measure_reverse(const Triangulated_surface& surface,
                              surface.point(surface.opposite_vertex(3 * f))) /
                             3;
     const double area = surface.face_vector(f).norm() / 2;
-    const double distance = distance_to_input(center);
+    const double distance = measured.distance(center);
     total_area += area;
     sum += area * distance;
     error.reverse_maximum = std::max(error.reverse_maximum, distance);
@@ -165,11 +299,9 @@ void measure_reverse(const Triangulated_surface& surface,
   error.reverse_mean = sum / total_area;
 }
 
-/// Measures the distances between `points`, those of the input, and the faces of `reconstruction`, both ways.
+/// Measures the distances between the points of the input and the faces of `reconstruction`, both ways.
 /// O((p + f) log f) for p points and f faces.
-/// \param distance_to_input gives the distance of a point from the input
-Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const std::vector<Vector_3>& points,
-                                            const std::function<double(const Vector_3&)>& distance_to_input)
+Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, const Measured_surface& measured)
 {
   Reconstruction_error error;
   error.unresolved_fraction = reconstruction.unresolved_fraction;
@@ -185,7 +317,7 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
   double sum_of_squares = 0;
   error.maximum = 0;
   Index near = no_index;
-  for (const Vector_3& point : points) {
+  for (const Vector_3& point : measured.points) {
     const Surface_point nearest = queries.closest_point(point, near);
     near = nearest.face;
     const double square = (nearest.point - point).squaredNorm();
@@ -193,53 +325,10 @@ Reconstruction_error measure_reconstruction(Field_surface&& reconstruction, cons
     sum_of_squares += square;
     error.maximum = std::max(error.maximum, std::sqrt(square));
   }
-  error.mean = sum / double(points.size());
-  error.mean_square = sum_of_squares / double(points.size());
-  measure_reverse(surface, distance_to_input, error);
+  error.mean = sum / double(measured.points.size());
+  error.mean_square = sum_of_squares / double(measured.points.size());
+  measure_reverse(surface, measured, error);
   return error;
-}
-
-/// What a skeleton is measured against, in coordinates in which the diagonal of the bounding box is 1.
-struct Measured_surface
-{
-  Normalization normalization;
-  std::vector<Vector_3> points;
-  /// The distance of a point; neighboring points are answered faster one after the other.
-  std::function<double(const Vector_3&)> distance;
-};
-
-/// The surface of `body`, which is referred to.
-Measured_surface measured_surface(const Measured_body& body)
-{
-  return {body.normalization(), body.points(), [&body, near = no_index](const Vector_3& point) mutable {
-            const Surface_point nearest = body.queries().closest_point(point, near);
-            near = nearest.face;
-            return (nearest.point - point).norm();
-          }};
-}
-
-/// The points of a cloud.
-/// \throw Input_error if there are no points, or not finite ones, or all are equal
-Measured_surface measured_cloud(std::vector<Vector_3> points)
-{
-  if (points.empty()) {
-    throw Input_error("there are no points to measure the skeleton against: check how the input was read");
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!points[i].allFinite()) {
-      throw Input_error("point " + std::to_string(i) +
-                        " has a coordinate that is not finite: correct it or remove the point");
-    }
-  }
-  const Normalization normalization = normalize_diagonal(points);
-  std::vector<Segment_tree::Segment> segments;
-  segments.reserve(points.size());
-  for (const Vector_3& point : points) {
-    segments.push_back({point, point});
-  }
-  const auto tree = std::make_shared<const Segment_tree>(std::move(segments));
-  return {normalization, std::move(points),
-          [tree, work = Work_limit()](const Vector_3& point) mutable { return tree->nearest(point, work).distance; }};
 }
 
 /// A skeleton in the coordinates of a surface, with radii.
@@ -286,10 +375,8 @@ public:
     result.diagonal = m_measured.normalization.unit;
     result.counts = count_skeleton(m_skeleton);
     measure_turning(m_skeleton, result.counts);
-    result.convolution =
-        measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured.points, m_measured.distance);
-    result.round_cones =
-        measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured.points, m_measured.distance);
+    result.convolution = measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured);
+    result.round_cones = measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured);
     const Round_cone_field field(m_skeleton);
     double sum = 0;
     for (const Vector_3& point : m_measured.points) {
@@ -312,15 +399,10 @@ private:
     }
     for (std::size_t v = 0; v < m_skeleton.number_of_nodes(); ++v) {
       Vector_3& point = m_skeleton.points[v];
-      if (!point.allFinite()) {
-        throw Input_error("node " + std::to_string(v) +
-                          " of the skeleton has a coordinate that is not finite: "
-                          "correct it or remove the node");
-      }
+      check_finite(m_skeleton, v);
       point = m_measured.normalization.from_input(point);
       if (!(point.norm() <= max_length)) {
-        throw Input_error("node " + std::to_string(v) +
-                          " of the skeleton is far from the surface: check that both have the same unit and place");
+        fail_at_node(v, "is far from the surface: check that both have the same unit and place");
       }
     }
   }
@@ -335,9 +417,8 @@ private:
       double& radius = m_skeleton.radii[v];
       radius /= m_measured.normalization.unit;
       if (!(radius >= 0 && radius <= max_length)) {
-        throw Input_error("node " + std::to_string(v) +
-                          " of the skeleton has a radius that is negative, not finite or "
-                          "too large for the surface: let radii be estimated");
+        fail_at_node(v, "has a radius that is negative, not finite or too large for the surface: let radii be "
+                        "estimated");
       }
       sum += radius;
     }
@@ -351,38 +432,24 @@ private:
   std::size_t m_resolution;
 };
 
-/// The surface that `skeleton` describes, in the coordinates of the input.
-Indexed_triangles reconstruct(const Measured_surface& measured, Skeleton&& skeleton,
-                              const Evaluation_parameters& parameters, Reconstruction_method method)
-{
-  Indexed_triangles result =
-      Skeleton_evaluation(measured, std::move(skeleton), parameters).reconstruct(method).triangles;
-  for (Vector_3& point : result.points) {
-    point = measured.normalization.to_input(point);
-  }
-  return result;
-}
-
 } // namespace
 
 Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters)
 {
-  if (!input.is_mesh) {
-    const Measured_surface cloud = measured_cloud(std::move(input.points));
-    return Skeleton_evaluation(cloud, std::move(skeleton), parameters).measure();
-  }
-  const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-  const Measured_surface surface = measured_surface(body);
-  const Skeleton_evaluation evaluation(surface, std::move(skeleton), parameters);
+  const Measured_surface measured = measured_surface(std::move(input));
+  const Skeleton_evaluation evaluation(measured, std::move(skeleton), parameters);
   Skeleton_measures result = evaluation.measure();
-  result.position = Position_measurement(body.queries(), evaluation.skeleton())();
-  result.position.number_of_surface_components = body.number_of_components();
-  result.position.genus = body.genus();
-  result.position.number_of_borders = body.number_of_borders();
-  result.limbs = measure_limbs(body.surface(), body.queries(), evaluation.skeleton());
-  for (Surface_limb& limb : result.limbs.limbs) {
-    limb.tip = body.normalization().to_input(limb.tip);
+  if (measured.body) {
+    const Measured_body& body = *measured.body;
+    result.position = Position_measurement(body.queries(), evaluation.skeleton())();
+    result.position.number_of_surface_components = body.number_of_components();
+    result.position.genus = body.genus();
+    result.position.number_of_borders = body.number_of_borders();
+    result.limbs = measure_limbs(body.surface(), body.queries(), evaluation.skeleton());
+    for (Surface_limb& limb : result.limbs.limbs) {
+      limb.tip = body.normalization().to_input(limb.tip);
+    }
   }
   return result;
 }
@@ -390,11 +457,13 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
 Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
                                       const Evaluation_parameters& parameters, Reconstruction_method method)
 {
-  if (input.is_mesh) {
-    const Measured_body body(std::move(input.triangles), std::move(input.pairing));
-    return reconstruct(measured_surface(body), std::move(skeleton), parameters, method);
+  const Measured_surface measured = measured_surface(std::move(input));
+  Indexed_triangles result =
+      Skeleton_evaluation(measured, std::move(skeleton), parameters).reconstruct(method).triangles;
+  for (Vector_3& point : result.points) {
+    point = measured.normalization.to_input(point);
   }
-  return reconstruct(measured_cloud(std::move(input.points)), std::move(skeleton), parameters, method);
+  return result;
 }
 
 } // namespace CSCD::internal

@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_MEASURE_RECONSTRUCTION_FIELDS_H
 #define CSCD_SRC_MEASURE_RECONSTRUCTION_FIELDS_H
 
-#include "Measure/Segment_tree.h"
+#include "Measure/skeleton_tools.h"
 #include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Box_tree.h>

@@ -1,21 +1,262 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Finds the limbs of a scanned tree.
+// From a scan of a tree to slices by the distance from its root, and from these to limbs.
 
 #ifndef CSCD_SRC_TREE_LIMB_FINDER_H
 #define CSCD_SRC_TREE_LIMB_FINDER_H
 
-#include "Tree/Tree_limb.h"
+#include "Tree/Neighbor_graph.h"
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
+#include <CSCD/internal/flat_arrays.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 namespace CSCD::internal {
+
+/// A connected piece of a band of distances from the root.
+struct Slice
+{
+  Index parent = no_index; ///< the slice through which the shortest paths to the root go
+  float begin = 0;         ///< the band
+  float end = 0;
+  std::vector<Index> points;
+  Vector_3 centroid = Vector_3::Zero();
+  double spacing = 0; ///< mean over the points
+  double radius = 0;  ///< scatter around the direction of growth
+};
+
+/// A section of a limb, derived from a slice.
+struct Section
+{
+  Vector_3 center = Vector_3::Zero();
+  Vector_3 direction = Vector_3::Zero(); ///< of the limb, unit length
+  double radius = 0;
+  double confidence = 0; ///< of center and radius, in [0, 1]
+  bool is_rough = true;  ///< whether no circle near it gives the radius
+  Circle_outcome outcome = Circle_outcome::few_points;
+
+  /// Whether center and radius are those of a circle.
+  bool is_circle() const { return outcome == Circle_outcome::fitted; }
+};
+
+/// A limb from its base to its tip.
+struct Tree_limb
+{
+  Index parent = no_index; ///< the limb from which it grows; none for a trunk
+  Index joint = no_index;  ///< the slice of the parent from which it grows
+  std::vector<Index> slices;
+};
+
+/// Cuts an object into slices, from the root outwards. Every slice grows into the points whose shortest paths leave it,
+/// as far as its own thickness demands: so there are as many slices to a thick limb as to a thin one of the same
+/// proportions, and a limb forks where the points fall apart.
+class Slice_growth
+{
+public:
+  Slice_growth(const std::vector<Vector_3>& points, const Neighbor_graph& graph, const Root_distances& distances)
+      : m_points(points), m_graph(graph), m_distances(distances), m_slice_of_point(points.size(), no_index),
+        m_group(points.size(), no_index), m_children(points.size(), [&](const auto& add) {
+          for (Index point = 0; point < points.size(); ++point) {
+            if (distances.parent(point) != no_index) {
+              add(distances.parent(point), point);
+            }
+          }
+        })
+  {
+  }
+
+  /// Appends the slices of the object with the given roots to `slices`, each after its parent.
+  void grow(const std::vector<Index>& roots, std::vector<Slice>& slices)
+  {
+    Slice foot;
+    foot.points = roots;
+    measure(foot, nullptr);
+    std::vector<Task> tasks{{no_index, roots, width_beyond(foot)}};
+    while (!tasks.empty()) {
+      Task task = std::move(tasks.back());
+      tasks.pop_back();
+      grow_band(task, slices, tasks);
+    }
+  }
+
+private:
+  /// The width of a band, relative to the spacing of the points: wide enough for what is around a limb to hang
+  /// together.
+  static constexpr double min_width = 3;
+  /// And relative to the radius.
+  static constexpr double width_in_radii = 1;
+  /// How far back points still connect those of a band, relative to its width.
+  static constexpr double overlap = 0.5;
+
+  static constexpr Index unnumbered = no_index - 1;
+
+  /// Points that begin a band beyond a slice, and what is beyond them.
+  struct Task
+  {
+    Index parent;
+    std::vector<Index> starts;
+    float width;
+  };
+
+  /// Collects the points of a band by going up the tree of shortest paths; those behind it are the ends.
+  void gather(const std::vector<Index>& starts, float end, std::vector<Index>& band, std::vector<Index>& ends) const
+  {
+    std::vector<Index> open = starts;
+    while (!open.empty()) {
+      const Index point = open.back();
+      open.pop_back();
+      if (m_distances.distance(point) >= end) {
+        ends.push_back(point);
+        continue;
+      }
+      band.push_back(point);
+      open.insert(open.end(), m_children[point].begin(), m_children[point].end());
+    }
+    std::sort(band.begin(), band.end());
+  }
+
+  void grow_band(const Task& task, std::vector<Slice>& slices, std::vector<Task>& tasks)
+  {
+    float begin = std::numeric_limits<float>::max();
+    for (Index point : task.starts) {
+      begin = std::min(begin, m_distances.distance(point));
+    }
+    if (task.parent != no_index) {
+      begin = std::max(begin, slices[task.parent].end); // a shortest path may leap over its end
+    }
+    // Where all points are at one place, the width is 0.
+    const float end = std::max(begin + task.width, std::nextafter(begin, std::numeric_limits<float>::max()));
+    std::vector<Index> band;
+    std::vector<Index> ends;
+    gather(task.starts, end, band, ends);
+    const auto first = Index(slices.size());
+    split(task, begin, end, band, slices);
+    for (Index slice = first; slice < slices.size(); ++slice) {
+      measure(slices[slice], task.parent == no_index ? nullptr : &slices[task.parent]);
+    }
+    // What a path reaches over the whole band belongs to the slice that it comes from.
+    std::vector<std::vector<Index>> starts(slices.size() - first);
+    std::vector<Index> leaps;
+    for (Index point : ends) {
+      const Index from = m_slice_of_point[m_distances.parent(point)];
+      if (from >= first && from != no_index) {
+        starts[from - first].push_back(point);
+      } else {
+        leaps.push_back(point);
+      }
+    }
+    if (!leaps.empty()) {
+      tasks.push_back({task.parent, leaps, task.width});
+    }
+    for (Index slice = first; slice < slices.size(); ++slice) {
+      if (!starts[slice - first].empty()) {
+        tasks.push_back({slice, std::move(starts[slice - first]), width_beyond(slices[slice])});
+      }
+    }
+  }
+
+  /// Numbers the connected groups of the points of a band, connected if need be by points just before it.
+  /// \return the number of groups
+  Index connect(const Task& task, float begin, const std::vector<Index>& band, const std::vector<Slice>& slices)
+  {
+    std::vector<Index> connecting = band;
+    if (task.parent != no_index) {
+      for (Index point : slices[task.parent].points) {
+        if (m_distances.distance(point) >= begin - float(overlap) * task.width) {
+          connecting.push_back(point);
+        }
+      }
+    }
+    for (Index point : connecting) {
+      m_group[point] = unnumbered;
+    }
+    if (task.parent == no_index) {
+      for (Index point : band) {
+        m_group[point] = 0; // an object has one root, though its foot may have gaps
+      }
+      return 1;
+    }
+    Index number = 0;
+    std::vector<Index> open;
+    for (Index start : band) {
+      if (m_group[start] != unnumbered) {
+        continue;
+      }
+      m_group[start] = number;
+      open.assign(1, start);
+      while (!open.empty()) {
+        const Index point = open.back();
+        open.pop_back();
+        for (Index neighbor : m_graph.neighbors(point)) {
+          if (m_group[neighbor] == unnumbered) {
+            m_group[neighbor] = number;
+            open.push_back(neighbor);
+          }
+        }
+      }
+      ++number;
+    }
+    return number;
+  }
+
+  /// Makes a slice of each group of the points of a band.
+  void split(const Task& task, float begin, float end, const std::vector<Index>& band, std::vector<Slice>& slices)
+  {
+    const Index number_of_groups = connect(task, begin, band, slices);
+    const auto first = Index(slices.size());
+    slices.resize(first + number_of_groups, {task.parent, begin, end, {}, Vector_3::Zero(), 0, 0});
+    for (Index point : band) {
+      m_slice_of_point[point] = first + m_group[point];
+      slices[m_slice_of_point[point]].points.push_back(point);
+    }
+    for (Index point : band) {
+      m_group[point] = no_index;
+    }
+    if (task.parent != no_index) {
+      for (Index point : slices[task.parent].points) {
+        m_group[point] = no_index;
+      }
+    }
+  }
+
+  /// Measures a slice beyond another one, or a root.
+  void measure(Slice& slice, const Slice* parent) const
+  {
+    const double number = double(slice.points.size());
+    for (Index point : slice.points) {
+      slice.centroid += m_points[point] / number;
+      slice.spacing += m_graph.spacing(point) / number;
+    }
+    const Vector_3 step = parent != nullptr ? Vector_3(slice.centroid - parent->centroid) : Vector_3::UnitZ();
+    const Vector_3 direction = step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
+    double sum = 0;
+    for (Index point : slice.points) {
+      sum += (m_points[point] - slice.centroid).cross(direction).squaredNorm() / number;
+    }
+    slice.radius = std::sqrt(sum);
+  }
+
+  /// The width of the bands beyond a slice.
+  static float width_beyond(const Slice& slice)
+  {
+    return float(std::max(min_width * slice.spacing, width_in_radii * slice.radius));
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const Neighbor_graph& m_graph;
+  const Root_distances& m_distances;
+  std::vector<Index> m_slice_of_point;
+  std::vector<Index> m_group;        // of the points of the band at work
+  Compressed_rows<Index> m_children; // in the tree of shortest paths
+};
 
 /// Joins slices to limbs. First, where slices fork, a limb goes on into the part that reaches farthest; what is then
 /// too short to be distinguished from a bump of the bark is given up. Of what remains, a limb goes on into the part
@@ -25,9 +266,7 @@ class Limb_finder
 public:
   explicit Limb_finder(const std::vector<Slice>& slices) : m_slices(slices), m_host(slices.size())
   {
-    for (Index slice = 0; slice < slices.size(); ++slice) {
-      m_host[slice] = slice;
-    }
+    std::iota(m_host.begin(), m_host.end(), Index(0));
   }
 
   void operator()()
@@ -173,9 +412,7 @@ public:
       : m_slices(slices), m_sections(sections), m_limbs(limbs), m_new_slice(slices.size()),
         m_limb_of_slice(slices.size(), no_index)
   {
-    for (Index slice = 0; slice < slices.size(); ++slice) {
-      m_new_slice[slice] = slice;
-    }
+    std::iota(m_new_slice.begin(), m_new_slice.end(), Index(0));
   }
 
   /// \return for every slice itself, or the slice that its points went to

@@ -1,23 +1,30 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The graph of neighboring points of a scan, and distances from the root in it.
+// The graph of neighboring points of a scan, distances from the root in it, and which pieces belong to one object.
 
 #ifndef CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 #define CSCD_SRC_TREE_NEIGHBOR_GRAPH_H
 
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
+#include <CSCD/Points/insert_points.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 #include <CSCD/internal/flat_arrays.h>
 
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Iterator_range.h>
+#include <CGAL/Triangulation_data_structure_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -162,6 +169,233 @@ private:
   std::vector<float> m_cost;
   std::vector<float> m_distance;
   std::vector<Index> m_parent;
+};
+
+/// A gap between two pieces: the points that are nearest to each other.
+struct Point_gap
+{
+  double length;
+  Index a;
+  Index b;
+  bool operator<(const Point_gap& other) const
+  {
+    return std::tie(length, a, b) < std::tie(other.length, other.a, other.b);
+  }
+};
+
+/// Joins the pieces of a neighbor graph across gaps, the shortest first, as far as they can be missing data of one
+/// object. Pieces are joined
+/// - across a gap of a few spacings: twigs are hit by few points;
+/// - across any gap that is not longer than the smaller piece, unless both stand on the ground, by their lowest points:
+///   then they are two objects.
+class Gap_bridging
+{
+public:
+  Gap_bridging(const std::vector<Vector_3>& points, const Neighbor_graph& graph)
+      : m_points(points), m_graph(graph), m_pieces(points.size()), m_joined_to(points.size(), no_index),
+        m_join_width(points.size(), std::numeric_limits<double>::max())
+  {
+    for (Index a = 0; a < points.size(); ++a) {
+      m_moments.push_back({1, points[a], points[a].squaredNorm(), points[a].z(), points[a].z()});
+      for (Index b : graph.neighbors(a)) {
+        m_pieces.join(a, b);
+      }
+    }
+    for (Index a = 0; a < points.size(); ++a) {
+      m_piece.push_back(m_pieces.find(a));
+      if (m_piece[a] != a) {
+        m_moments[m_piece[a]].add(m_moments[a]);
+      }
+    }
+    const std::vector<Point_gap> gaps = find_gaps();
+    for (const Point_gap& gap : gaps) {
+      if (m_pieces.find(gap.a) != m_pieces.find(gap.b) && is_one_object(gap)) {
+        join(gap);
+      }
+    }
+    find_objects();
+    choose_bridges(gaps);
+  }
+
+  /// The gaps that may be bridged, the shortest first: between two pieces there may be several.
+  const std::vector<Point_gap>& bridges() const { return m_bridges; }
+  /// Of the bridges, those by which the shortest paths `distances` enter each piece first: so every piece but one hangs
+  /// on one other. The shortest first.
+  std::vector<Point_gap> entries(const Root_distances& distances) const
+  {
+    std::vector<char> has_root(m_points.size(), 0); // of every piece
+    for (Index point = 0; point < m_points.size(); ++point) {
+      if (distances.parent(point) == no_index) {
+        has_root[m_piece[point]] = 1;
+      }
+    }
+    std::vector<Index> first(m_points.size(), no_index); // of every piece, the point that is reached first
+    for (Index point = 0; point < m_points.size(); ++point) {
+      const Index parent = distances.parent(point);
+      if (parent != no_index && m_piece[parent] != m_piece[point] && has_root[m_piece[point]] == 0) {
+        Index& of_piece = first[m_piece[point]];
+        if (of_piece == no_index || distances.cost(point) < distances.cost(of_piece)) {
+          of_piece = point;
+        }
+      }
+    }
+    std::vector<Point_gap> result;
+    for (const Point_gap& gap : m_bridges) {
+      const auto is_entry = [&](Index from, Index to) {
+        return first[m_piece[to]] == to && distances.parent(to) == from;
+      };
+      if (is_entry(gap.a, gap.b) || is_entry(gap.b, gap.a)) {
+        result.push_back(gap);
+      }
+    }
+    return result;
+  }
+  Index number_of_objects() const { return m_number_of_objects; }
+  /// The object of a point, the one of most points first; `no_index` for debris.
+  Index object(Index point) const { return m_object[point]; }
+
+private:
+  /// A gap of so many spacings may be chance.
+  static constexpr double chance_gap = 6;
+  /// Of a gap that may be bridged, relative to the shortest gap around the more isolated piece.
+  static constexpr double longest_alternative = 3;
+  /// Two pieces stand on the ground if their lowest points differ by at most this part of the lesser height.
+  static constexpr double ground_tolerance = 0.15;
+  /// Pieces of fewer points, or of a lesser part of the points of the largest object, that nothing joins are debris.
+  static constexpr double min_object = 20;
+  static constexpr double min_object_part = 0.005;
+
+  /// What is known of a piece, and adds up.
+  struct Moments
+  {
+    double number;
+    Vector_3 sum;
+    double sum_of_squares;
+    double bottom;
+    double top;
+
+    void add(const Moments& other)
+    {
+      number += other.number;
+      sum += other.sum;
+      sum_of_squares += other.sum_of_squares;
+      bottom = std::min(bottom, other.bottom);
+      top = std::max(top, other.top);
+    }
+    /// The length of a stick of the same scatter.
+    double extent() const
+    {
+      constexpr double stick = 12; // squared length over variance of points that are uniform on a segment
+      return std::sqrt(stick * std::max(0., sum_of_squares / number - (sum / number).squaredNorm()));
+    }
+  };
+
+  /// The edges of the Delaunay triangulation between pieces, among which are the shortest ways between any two parts.
+  std::vector<Point_gap> find_gaps()
+  {
+    std::vector<Point_gap> result;
+    if (std::all_of(m_piece.begin(), m_piece.end(), [this](Index piece) { return piece == m_piece.front(); })) {
+      return result;
+    }
+    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+    using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
+    using Triangulation = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex_base>>;
+    Triangulation triangulation;
+    insert_points(triangulation, m_points);
+    for (const auto& edge : triangulation.finite_edges()) {
+      const auto [a, b] = std::minmax(edge.first->vertex(edge.second)->info(), edge.first->vertex(edge.third)->info());
+      if (m_pieces.find(a) != m_pieces.find(b)) {
+        result.push_back({(m_points[a] - m_points[b]).norm(), a, b});
+      }
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  bool is_one_object(const Point_gap& gap)
+  {
+    const Moments& a = m_moments[m_pieces.find(gap.a)];
+    const Moments& b = m_moments[m_pieces.find(gap.b)];
+    if (gap.length <= chance_gap * std::max(m_graph.spacing(gap.a), m_graph.spacing(gap.b))) {
+      return true;
+    }
+    const double lesser_height = std::min(a.top - a.bottom, b.top - b.bottom);
+    const bool both_stand = std::abs(a.bottom - b.bottom) <= ground_tolerance * lesser_height;
+    return !both_stand && gap.length <= std::min(a.extent(), b.extent());
+  }
+
+  void join(const Point_gap& gap)
+  {
+    const Index a = m_pieces.find(gap.a);
+    const Index b = m_pieces.find(gap.b);
+    if (m_pieces.join(a, b)) {
+      const Index joined = m_pieces.find(a);
+      const Index other = joined == a ? b : a;
+      m_moments[joined].add(m_moments[other]);
+      m_joined_to[other] = joined;
+      m_join_width[other] = gap.length;
+    }
+  }
+
+  /// The width of the gap across which the pieces of two points were joined, directly or over others.
+  /// \pre they are of one object
+  double width_of_joint(Index a, Index b) const
+  {
+    // Up the joins, which get wider: the pieces met at the last one before both are under the same.
+    double width = 0;
+    while (a != b) {
+      Index& narrower = m_join_width[a] <= m_join_width[b] ? a : b;
+      width = m_join_width[narrower];
+      narrower = m_joined_to[narrower];
+    }
+    return width;
+  }
+
+  /// Where a piece is joined is not decided by its shortest gap alone, which may be that between two twigs that nearly
+  /// touch: gaps that are not much longer are alternatives.
+  void choose_bridges(const std::vector<Point_gap>& gaps)
+  {
+    for (const Point_gap& gap : gaps) {
+      if (m_object[gap.a] == m_object[gap.b] && m_object[gap.a] != no_index &&
+          gap.length <= longest_alternative * width_of_joint(m_piece[gap.a], m_piece[gap.b])) {
+        m_bridges.push_back(gap);
+      }
+    }
+  }
+
+  void find_objects()
+  {
+    std::vector<Index> roots;
+    for (Index point = 0; point < m_points.size(); ++point) {
+      if (m_pieces.find(point) == point) {
+        roots.push_back(point);
+      }
+    }
+    std::stable_sort(roots.begin(), roots.end(),
+                     [this](Index a, Index b) { return m_moments[a].number > m_moments[b].number; });
+    const double least = std::max(min_object, min_object_part * m_moments[roots.front()].number);
+    std::vector<Index> object_of_root(m_points.size(), no_index);
+    for (Index root : roots) {
+      if (root == roots.front() || m_moments[root].number >= least) {
+        object_of_root[root] = m_number_of_objects++;
+      }
+    }
+    m_object.resize(m_points.size());
+    for (Index point = 0; point < m_points.size(); ++point) {
+      m_object[point] = object_of_root[m_pieces.find(point)];
+    }
+  }
+
+  const std::vector<Vector_3>& m_points;
+  const Neighbor_graph& m_graph;
+  Disjoint_sets m_pieces;
+  std::vector<Index> m_piece;       // of every point, before any gap was bridged: named by a point of it
+  std::vector<Moments> m_moments;   // of every piece, at the point that represents it
+  std::vector<Index> m_joined_to;   // of a piece, the one that it became part of ...
+  std::vector<double> m_join_width; // ... and across what gap
+  std::vector<Point_gap> m_bridges;
+  std::vector<Index> m_object;
+  Index m_number_of_objects = 0;
 };
 
 } // namespace CSCD::internal

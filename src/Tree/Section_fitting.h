@@ -6,7 +6,7 @@
 #ifndef CSCD_SRC_TREE_SECTION_FITTING_H
 #define CSCD_SRC_TREE_SECTION_FITTING_H
 
-#include "Tree/Tree_limb.h"
+#include "Tree/Limb_finder.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -35,30 +36,25 @@ struct Circle_fit
   double coverage = 0;    ///< all of the circle but its longest arc without points: an angle
 };
 
-/// The algebraic fit of Taubin to weighted points, by the method of Chernov, Circular and Linear Regression
-/// (2010), 5.9. \return nothing if the points are at one place or on a line
-inline std::optional<Circle_fit> fit_circle_algebraically(const std::vector<Eigen::Vector2d>& points,
-                                                          const std::vector<double>& weights)
+/// The algebraic fit of Taubin to points, by the method of Chernov, Circular and Linear Regression (2010), 5.9.
+/// \return nothing if the points are at one place or on a line
+inline std::optional<Circle_fit> fit_circle_algebraically(const std::vector<Eigen::Vector2d>& points)
 {
-  double sum = 0;
-  Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    sum += weights[i];
-    mean += weights[i] * points[i];
-  }
-  mean /= sum;
+  const double number = double(points.size());
+  const Eigen::Vector2d mean =
+      std::accumulate(points.begin(), points.end(), Eigen::Vector2d(Eigen::Vector2d::Zero())) / number;
   double mean_square = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    mean_square += weights[i] * (points[i] - mean).squaredNorm() / sum;
+  for (const Eigen::Vector2d& point : points) {
+    mean_square += (point - mean).squaredNorm() / number;
   }
   if (!(mean_square > 0)) {
     return std::nullopt;
   }
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d p = points[i] - mean;
+  for (const Eigen::Vector2d& point : points) {
+    const Eigen::Vector2d p = point - mean;
     const Eigen::Vector3d row((p.squaredNorm() - mean_square) / (2 * std::sqrt(mean_square)), p.x(), p.y());
-    moments += weights[i] / sum * row * row.transpose();
+    moments += 1 / number * row * row.transpose();
   }
   const Eigen::Vector3d solution = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvectors().col(0);
   const double quadratic = solution[0] / (2 * std::sqrt(mean_square));
@@ -143,7 +139,7 @@ inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& 
 {
   constexpr int rounds = 12;   // of reweighting
   constexpr double cutoff = 4; // in standard deviations: weights vanish
-  std::optional<Circle_fit> circle = fit_circle_algebraically(points, std::vector<double>(points.size(), 1.));
+  std::optional<Circle_fit> circle = fit_circle_algebraically(points);
   if (!circle) {
     return std::nullopt;
   }
@@ -234,9 +230,9 @@ private:
   /// Directions across which circles are fitted are those of the centroids first, then those of the centers.
   static constexpr int rounds = 2;
   /// The slices to either side that give the direction.
-  static constexpr std::ptrdiff_t direction_reach = 2;
+  static constexpr std::size_t direction_reach = 2;
   /// The slices to either side whose offsets from centroids to centers are averaged.
-  static constexpr std::ptrdiff_t offset_reach = 3;
+  static constexpr std::size_t offset_reach = 3;
   /// How far from the joint there is bark of the parent, relative to its radius.
   static constexpr double crotch = 2;
   /// The radius of a limb relative to that of its parent.
@@ -247,19 +243,25 @@ private:
   /// The scatter of fewer points does not give a radius.
   static constexpr std::size_t min_scatter_points = 4;
 
+  Section& section(const Tree_limb& limb, std::size_t i) { return m_sections[limb.slices[i]]; }
+  const Section& section(const Tree_limb& limb, std::size_t i) const { return m_sections[limb.slices[i]]; }
+
+  /// The first and the last place in a limb that are at most `reach` from `i`.
+  static std::pair<std::size_t, std::size_t> window(const Tree_limb& limb, std::size_t i, std::size_t reach)
+  {
+    return {i - std::min(i, reach), std::min(limb.slices.size() - 1, i + reach)};
+  }
+
   void find_directions(const Tree_limb& limb)
   {
-    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-      const Vector_3& before =
-          m_sections[limb.slices[std::size_t(std::max<std::ptrdiff_t>(0, i - direction_reach))]].center;
-      const Vector_3& after = m_sections[limb.slices[std::size_t(std::min(last, i + direction_reach))]].center;
-      Vector_3 step = after - before;
+    for (std::size_t i = 0; i < limb.slices.size(); ++i) {
+      const auto [first, last] = window(limb, i, direction_reach);
+      const Vector_3& after = section(limb, last).center;
+      Vector_3 step = after - section(limb, first).center;
       if (step.norm() == 0 && limb.joint != no_index) {
         step = after - m_sections[limb.joint].center;
       }
-      m_sections[limb.slices[std::size_t(i)]].direction =
-          step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
+      section(limb, i).direction = step.norm() > 0 ? Vector_3(step.normalized()) : Vector_3::UnitZ();
     }
   }
 
@@ -343,59 +345,56 @@ private:
   /// centroid as around: limbs are seen from one side for a long way.
   void place_centers(const Tree_limb& limb)
   {
-    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
+    const std::size_t size = limb.slices.size();
     std::vector<Vector_3> centers;
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-      const Section& section = m_sections[limb.slices[std::size_t(i)]];
-      centers.push_back(section.is_circle() ? section.center
-                                            : m_slices[limb.slices[std::size_t(i)]].centroid + offset_around(limb, i));
+    for (std::size_t i = 0; i < size; ++i) {
+      centers.push_back(section(limb, i).is_circle() ? section(limb, i).center
+                                                     : m_slices[limb.slices[i]].centroid + offset_around(limb, i));
     }
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
-      Section& section = m_sections[limb.slices[std::size_t(i)]];
-      section.center = centers[std::size_t(i)];
-      if (i > 0 && i < last) {
-        section.center = centers[std::size_t(i)] / 2 + (centers[std::size_t(i - 1)] + centers[std::size_t(i + 1)]) / 4;
-      }
+    for (std::size_t i = 0; i < size; ++i) {
+      const bool is_end = i == 0 || i + 1 == size;
+      section(limb, i).center = is_end ? centers[i] : centers[i] / 2 + (centers[i - 1] + centers[i + 1]) / 4;
     }
-    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+    for (std::size_t i = 0; i < size; ++i) {
       find_rough_radius(limb, i);
     }
   }
 
   /// Gives a section without a circle the radius of those around it, or of the scatter.
-  void find_rough_radius(const Tree_limb& limb, std::ptrdiff_t i)
+  void find_rough_radius(const Tree_limb& limb, std::size_t i)
   {
-    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
-    Section& section = m_sections[limb.slices[std::size_t(i)]];
-    section.is_rough = false;
-    if (section.is_circle()) {
+    Section& its_section = section(limb, i);
+    its_section.is_rough = false;
+    if (its_section.is_circle()) {
       return;
     }
     double radius = 0;
     double sum = 0;
-    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
-      const Section& other = m_sections[limb.slices[std::size_t(j)]];
+    const auto [first, last] = window(limb, i, offset_reach);
+    for (std::size_t j = first; j <= last; ++j) {
+      const Section& other = section(limb, j);
       if (other.is_circle()) {
         radius += other.confidence * other.radius;
         sum += other.confidence;
       }
     }
-    section.is_rough = sum == 0;
-    section.radius = section.is_rough ? scatter_radius(limb.slices[std::size_t(i)]) : radius / sum;
-    section.confidence = min_confidence;
+    its_section.is_rough = sum == 0;
+    its_section.radius = its_section.is_rough ? scatter_radius(limb.slices[i]) : radius / sum;
+    its_section.confidence = min_confidence;
   }
 
   /// How far the centers of circles around a slice without one are from the centroids.
-  Vector_3 offset_around(const Tree_limb& limb, std::ptrdiff_t i) const
+  Vector_3 offset_around(const Tree_limb& limb, std::size_t i) const
   {
-    const auto last = std::ptrdiff_t(limb.slices.size()) - 1;
     Vector_3 offset = Vector_3::Zero();
     double sum = min_confidence;
-    for (std::ptrdiff_t j = std::max<std::ptrdiff_t>(0, i - offset_reach); j <= std::min(last, i + offset_reach); ++j) {
-      const Section& other = m_sections[limb.slices[std::size_t(j)]];
+    const auto [first, last] = window(limb, i, offset_reach);
+    for (std::size_t j = first; j <= last; ++j) {
+      const Section& other = section(limb, j);
       if (other.is_circle()) {
-        const double weight = other.confidence / (1 + 2 * double((i - j) * (i - j)));
-        offset += weight * (other.center - m_slices[limb.slices[std::size_t(j)]].centroid);
+        const double steps = double(i) - double(j);
+        const double weight = other.confidence / (1 + 2 * steps * steps);
+        offset += weight * (other.center - m_slices[limb.slices[j]].centroid);
         sum += weight;
       }
     }

@@ -3,12 +3,9 @@
 //
 // From a scan of trees to slices, sections, nodes and branches.
 
-#include "Tree/Gap_bridging.h"
 #include "Tree/Limb_finder.h"
 #include "Tree/Neighbor_graph.h"
 #include "Tree/Section_fitting.h"
-#include "Tree/Slice_growth.h"
-#include "Tree/Tree_limb.h"
 #include <CSCD/Points/Cloud_sampling.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Points/Point_cloud.h>
@@ -23,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -145,7 +143,7 @@ class Tree_nodes
 public:
   Tree_nodes(const std::vector<Vector_3>& points, const std::vector<Slice>& slices,
              const std::vector<Section>& sections, const std::vector<Tree_limb>& limbs)
-      : m_points(points), m_slices(slices), m_sections(sections), m_node_of_slice(slices.size(), no_index)
+      : node_of_slice(slices.size(), no_index), m_points(points), m_slices(slices), m_sections(sections)
   {
     for (const Tree_limb& limb : limbs) {
       add(limb);
@@ -153,14 +151,10 @@ public:
     find_strahler_orders();
   }
 
-  /// Parents first, and each branch in one piece.
-  const std::vector<Tree_node>& nodes() const { return m_nodes; }
-  /// One for each limb; lengths are in the unit of the points, objects are not named.
-  const std::vector<Tree_branch>& branches() const { return m_branches; }
-  /// The node of a slice of a limb.
-  Index node(Index slice) const { return m_node_of_slice[slice]; }
-  /// How many sections had which outcome.
-  const std::array<std::size_t, number_of_circle_outcomes>& number_of_outcomes() const { return m_number_of_outcomes; }
+  std::vector<Tree_node> nodes;      ///< parents first, and each branch in one piece
+  std::vector<Tree_branch> branches; ///< one for each limb; lengths are in the unit of the points
+  std::vector<Index> node_of_slice;  ///< of the slices of limbs
+  std::array<std::size_t, number_of_circle_outcomes> number_of_outcomes{}; ///< of the sections
 
 private:
   /// The least distance of an end from the next center, relative to the spacing of the points.
@@ -175,17 +169,19 @@ private:
     Tree_branch branch;
     if (limb.joint != no_index) {
       branch.parent = limb.parent;
-      branch.order = m_branches[limb.parent].order + 1;
-      branch.nodes.push_back(m_node_of_slice[limb.joint]);
-    } else {
+      branch.object = branches[limb.parent].object;
+      branch.order = branches[limb.parent].order + 1;
+      branch.nodes.push_back(node_of_slice[limb.joint]);
+    } else { // trunks stand in the order of the objects
+      branch.object = m_number_of_trunks++;
       add_end(limb.slices.front(), -1, branch);
     }
     for (Index slice : limb.slices) {
       const Section& section = m_sections[slice];
       add_node(section.center, section.radius, branch);
-      m_node_of_slice[slice] = Index(m_nodes.size() - 1);
+      node_of_slice[slice] = Index(nodes.size() - 1);
       branch.number_of_circles += section.is_circle() ? 1 : 0;
-      ++m_number_of_outcomes[std::size_t(section.outcome)];
+      ++number_of_outcomes[std::size_t(section.outcome)];
     }
     branch.number_of_sections = limb.slices.size();
     add_end(limb.slices.back(), 1, branch);
@@ -193,17 +189,17 @@ private:
       move_joint(branch);
     }
     branch.radius_at_base = m_sections[limb.slices.front()].radius;
-    branch.radius_at_tip = m_nodes[branch.nodes.back()].radius;
+    branch.radius_at_tip = nodes[branch.nodes.back()].radius;
     for (std::size_t i = 1; i < branch.nodes.size(); ++i) {
-      branch.length += (m_nodes[branch.nodes[i]].position - m_nodes[branch.nodes[i - 1]].position).norm();
+      branch.length += (nodes[branch.nodes[i]].position - nodes[branch.nodes[i - 1]].position).norm();
     }
-    m_branches.push_back(std::move(branch));
+    branches.push_back(std::move(branch));
   }
 
   void add_node(const Vector_3& position, double radius, Tree_branch& branch)
   {
-    m_nodes.push_back({position, radius, branch.nodes.empty() ? no_index : Index(branch.nodes.back())});
-    branch.nodes.push_back(m_nodes.size() - 1);
+    nodes.push_back({position, radius, branch.nodes.empty() ? no_index : Index(branch.nodes.back())});
+    branch.nodes.push_back(nodes.size() - 1);
   }
 
   /// Adds a node where the axis leaves the points of a slice, backward or forward.
@@ -223,19 +219,19 @@ private:
   /// apart in the crotch, beyond the place where their axes meet.
   void move_joint(Tree_branch& branch)
   {
-    const Vector_3 base = m_nodes[branch.nodes[1]].position;
-    const Vector_3 far = m_nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
+    const Vector_3 base = nodes[branch.nodes[1]].position;
+    const Vector_3 far = nodes[branch.nodes[std::min(branch.nodes.size() - 1, line_nodes)]].position;
     if (far == base) {
       return;
     }
     const Vector_3 direction = (far - base).normalized();
-    const Tree_branch& parent = m_branches[branch.parent];
-    const Tree_node& old_joint = m_nodes[branch.nodes.front()];
+    const Tree_branch& parent = branches[branch.parent];
+    const Tree_node& old_joint = nodes[branch.nodes.front()];
     double least = std::numeric_limits<double>::max();
     std::size_t joint = branch.nodes.front();
     // The first node of a branch belongs to another one.
     for (std::size_t i = parent.parent == no_branch ? 0 : 1; i < parent.nodes.size(); ++i) {
-      const Vector_3& place = m_nodes[parent.nodes[i]].position;
+      const Vector_3& place = nodes[parent.nodes[i]].position;
       if ((place - old_joint.position).norm() > farthest_move * old_joint.radius) {
         continue;
       }
@@ -247,15 +243,15 @@ private:
       }
     }
     branch.nodes.front() = joint;
-    m_nodes[branch.nodes[1]].parent = Index(joint);
+    nodes[branch.nodes[1]].parent = Index(joint);
   }
 
   /// Horton's orders as of Strahler, from tips to bases.
   void find_strahler_orders()
   {
-    std::vector<std::size_t> order_at_node(m_nodes.size(), 0); // the highest of the branches that begin there
-    for (std::size_t b = m_branches.size(); b-- > 0;) {
-      Tree_branch& branch = m_branches[b];
+    std::vector<std::size_t> order_at_node(nodes.size(), 0); // the highest of the branches that begin there
+    for (std::size_t b = branches.size(); b-- > 0;) {
+      Tree_branch& branch = branches[b];
       branch.strahler_order = 1;
       for (std::size_t i = branch.nodes.size(); i-- > (branch.parent == no_branch ? 0u : 1u);) {
         const std::size_t joining = order_at_node[branch.nodes[i]];
@@ -270,13 +266,10 @@ private:
     }
   }
 
+  std::size_t m_number_of_trunks = 0;
   const std::vector<Vector_3>& m_points;
   const std::vector<Slice>& m_slices;
   const std::vector<Section>& m_sections;
-  std::vector<Index> m_node_of_slice;
-  std::vector<Tree_node> m_nodes;
-  std::vector<Tree_branch> m_branches;
-  std::array<std::size_t, number_of_circle_outcomes> m_number_of_outcomes{};
 };
 
 /// Makes the skeletons of the objects in a cloud, step by step.
@@ -299,32 +292,18 @@ public:
     finder();
     m_limbs = finder.limbs();
     const std::vector<Index> host = fit_sections(finder);
-    const Tree_nodes tree_nodes(m_points, m_slices, m_sections, m_limbs);
-    m_nodes = tree_nodes.nodes();
-    m_branches = tree_nodes.branches();
-    m_number_of_outcomes = tree_nodes.number_of_outcomes();
-    assign_points(tree_nodes, host);
-    name_objects();
+    m_nodes.emplace(m_points, m_slices, m_sections, m_limbs);
+    m_node_of_point.assign(m_points.size(), no_index);
+    for (Index slice = 0; slice < m_slices.size(); ++slice) {
+      for (Index point : m_slices[slice].points) {
+        m_node_of_point[point] = m_nodes->node_of_slice[host[slice]];
+      }
+    }
+    assign_to_nearest(m_points, m_node_of_point);
   }
 
-  const std::vector<Tree_node>& nodes() const { return m_nodes; }
-  /// The node of every point.
-  const std::vector<Index>& node_of_points() const { return m_node_of_point; }
-  const std::vector<Tree_branch>& branches() const { return m_branches; }
-  /// The gaps that were bridged, the shortest first.
-  const std::vector<Point_gap>& gaps() const { return m_gaps; }
-  Index number_of_objects() const { return m_bridging.number_of_objects(); }
-  bool is_debris(Index point) const { return m_bridging.object(point) == no_index; }
-  const std::array<std::size_t, number_of_circle_outcomes>& number_of_outcomes() const { return m_number_of_outcomes; }
-  /// The median of the spacing of the points.
-  double spacing() const
-  {
-    std::vector<double> spacings;
-    for (Index point = 0; point < m_points.size(); ++point) {
-      spacings.push_back(m_graph.spacing(point));
-    }
-    return quantile(std::move(spacings), 0.5);
-  }
+  /// The skeletons, with all that is reported but time.
+  Tree_skeleton release(const Point_cloud& cloud) &&;
 
 private:
   /// Measures twice: the first time, to see by which bridge each piece is entered.
@@ -394,26 +373,6 @@ private:
     }
   }
 
-  void assign_points(const Tree_nodes& tree_nodes, const std::vector<Index>& host)
-  {
-    m_node_of_point.assign(m_points.size(), no_index);
-    for (Index slice = 0; slice < m_slices.size(); ++slice) {
-      for (Index point : m_slices[slice].points) {
-        m_node_of_point[point] = tree_nodes.node(host[slice]);
-      }
-    }
-    assign_to_nearest(m_points, m_node_of_point);
-  }
-
-  /// Limbs stand in the order of their slices, trunks in that of the objects.
-  void name_objects()
-  {
-    std::size_t number_of_trunks = 0;
-    for (Tree_branch& branch : m_branches) {
-      branch.object = branch.parent == no_branch ? number_of_trunks++ : m_branches[branch.parent].object;
-    }
-  }
-
   const std::vector<Vector_3>& m_points;
   Neighbor_graph m_graph;
   Gap_bridging m_bridging;
@@ -423,9 +382,7 @@ private:
   std::vector<Slice> m_slices;
   std::vector<Tree_limb> m_limbs;
   std::vector<Section> m_sections; // of every slice
-  std::vector<Tree_node> m_nodes;
-  std::vector<Tree_branch> m_branches;
-  std::array<std::size_t, number_of_circle_outcomes> m_number_of_outcomes{};
+  std::optional<Tree_nodes> m_nodes;
   std::vector<Index> m_node_of_point;
 };
 
@@ -433,26 +390,21 @@ private:
 std::vector<std::string> tree_warnings(const Tree_report& report)
 {
   std::vector<std::string> result;
-  if (report.number_of_duplicates > 0) {
-    result.push_back(counted(report.number_of_duplicates, "point at the place of another: it belongs to the same node",
-                             "points at the place of others: they belong to the same nodes"));
-  }
-  if (report.number_of_thinned_points > 0) {
-    result.push_back(counted(report.number_of_thinned_points,
-                             "point nearer to others than twice the noise: it belongs to the node of the nearest",
-                             "points nearer to others than twice the noise: they belong to the nodes of the nearest"));
-  }
-  if (report.number_of_debris > 0) {
-    result.push_back(counted(report.number_of_debris, "point of no object: it belongs to the node of the nearest",
-                             "points of no object: they belong to the nodes of the nearest"));
-  }
-  if (!report.gaps.empty()) {
-    result.push_back(counted(report.gaps.size(), "gap") + " between pieces of the scan: bridged");
-  }
-  std::size_t number_of_sections = 0;
-  for (std::size_t number : report.number_of_sections) {
-    number_of_sections += number;
-  }
+  const auto add = [&result](std::size_t count, const char* one, const char* many) {
+    if (count > 0) {
+      result.push_back(counted(count, one, many));
+    }
+  };
+  add(report.number_of_duplicates, "point at the place of another: it belongs to the same node",
+      "points at the place of others: they belong to the same nodes");
+  add(report.number_of_thinned_points,
+      "point nearer to others than twice the noise: it belongs to the node of the nearest",
+      "points nearer to others than twice the noise: they belong to the nodes of the nearest");
+  add(report.number_of_debris, "point of no object: it belongs to the node of the nearest",
+      "points of no object: they belong to the nodes of the nearest");
+  add(report.gaps.size(), "gap between pieces of the scan: bridged", "gaps between pieces of the scan: bridged");
+  const std::size_t number_of_sections =
+      std::accumulate(report.number_of_sections.begin(), report.number_of_sections.end(), std::size_t(0));
   const std::size_t number_without_circle =
       number_of_sections - report.number_of_sections[std::size_t(Circle_outcome::fitted)];
   if (number_without_circle > 0) {
@@ -462,23 +414,26 @@ std::vector<std::string> tree_warnings(const Tree_report& report)
   return result;
 }
 
-/// Everything but number of points, time and warnings.
-Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const Point_cloud& cloud)
+Tree_skeleton Tree_skeletonization::release(const Point_cloud& cloud) &&
 {
   Tree_report report;
   report.number_of_points = cloud.input_point.size();
   report.number_of_duplicates = cloud.number_of_duplicates();
   report.number_of_thinned_points = cloud.number_of_thinned_points;
   for (Index point : cloud.input_point) {
-    report.number_of_debris += skeletonization.is_debris(point) ? 1 : 0;
+    report.number_of_debris += m_bridging.object(point) == no_index ? 1 : 0;
+  }
+  std::vector<double> spacings;
+  for (Index point = 0; point < m_points.size(); ++point) {
+    spacings.push_back(m_graph.spacing(point));
   }
   const Normalization& normalization = cloud.normalization;
-  report.number_of_objects = skeletonization.number_of_objects();
-  report.spacing = normalization.unit * skeletonization.spacing();
-  report.number_of_sections = skeletonization.number_of_outcomes();
-  report.number_of_nodes = skeletonization.nodes().size();
+  report.number_of_objects = m_bridging.number_of_objects();
+  report.spacing = normalization.unit * quantile(std::move(spacings), 0.5);
+  report.number_of_sections = m_nodes->number_of_outcomes;
+  report.number_of_nodes = m_nodes->nodes.size();
   report.number_of_edges = report.number_of_nodes - report.number_of_objects;
-  report.branches = skeletonization.branches();
+  report.branches = std::move(m_nodes->branches);
   for (Tree_branch& branch : report.branches) {
     branch.length *= normalization.unit;
     branch.radius_at_base *= normalization.unit;
@@ -488,11 +443,11 @@ Tree_report make_tree_report(const Tree_skeletonization& skeletonization, const 
     const Vector_3 p = normalization.to_input(cloud.points[point]);
     return {p.x(), p.y(), p.z()};
   };
-  for (const Point_gap& gap : skeletonization.gaps()) {
+  for (const Point_gap& gap : m_gaps) {
     report.gaps.push_back({coordinates(gap.a), coordinates(gap.b), normalization.unit * gap.length});
   }
   report.warnings = tree_warnings(report);
-  return report;
+  return {std::move(m_nodes->nodes), std::move(m_node_of_point), std::move(report)};
 }
 
 /// How far `points` deviate from the bark: from quadrics through some of them and their neighbors, at the quarter of
@@ -555,8 +510,7 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
 
 Tree_skeleton skeletonize_trees(const Point_cloud& cloud, const std::optional<Vector_3>& root)
 {
-  const Tree_skeletonization skeletonization(cloud.points, root);
-  return {skeletonization.nodes(), skeletonization.node_of_points(), make_tree_report(skeletonization, cloud)};
+  return Tree_skeletonization(cloud.points, root).release(cloud);
 }
 
 } // namespace CSCD::internal

@@ -4,8 +4,8 @@
 // Points and normals from all formats, and files that are refused.
 
 #include "support/Temporary_folder.h"
-#include <CSCD/IO/read_mesh_or_points.h>
 #include <CSCD/IO/read_points.h>
+#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>

@@ -5,7 +5,7 @@
 
 #include "Measure/Isosurface_tracker.h"
 #include "Measure/reconstruction_fields.h"
-#include <CSCD/Measure/estimate_radii.h>
+#include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Triangulated_surface.h>

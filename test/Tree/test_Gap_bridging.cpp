@@ -3,7 +3,6 @@
 //
 // Which pieces of poles, standing and floating, are one object.
 
-#include "Tree/Gap_bridging.h"
 #include "Tree/Neighbor_graph.h"
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -11,6 +11,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <istream>
+#include <string>
 #include <vector>
 
 namespace CSCD {
@@ -91,6 +93,19 @@ struct Shape_file
   /// Ends the polygon whose corners were appended last.
   void end_polygon() { first_corner.push_back(corners.size()); }
 };
+
+namespace internal {
+
+/// All that is left in `in`, decompressed if `format` ends as the name of a compressed file.
+/// \param name for messages
+/// \throw File_error if reading fails, or if it cannot be decompressed
+std::string read_content(std::istream& in, const std::string& name, const std::string& format = "");
+
+/// The content of the file `filename`, decompressed if it ends as the name of a compressed file.
+/// \throw File_error if it cannot be read
+std::string read_content(const std::string& filename);
+
+} // namespace internal
 
 } // namespace CSCD
 

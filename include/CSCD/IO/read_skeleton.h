@@ -6,8 +6,8 @@
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
@@ -25,12 +25,12 @@ namespace internal {
 
 /// Reads the skeleton that a file holds.
 /// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
-Indexed_skeleton read_indexed_skeleton(const std::string& filename);
-Indexed_skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
+Skeleton read_indexed_skeleton(const std::string& filename);
+Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Makes a graph of `indexed`, nodes and edges in their order.
 template <class Skeleton>
-Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
+Skeleton to_skeleton_graph(const CSCD::Skeleton& indexed)
 {
   Skeleton result;
   std::vector<typename boost::graph_traits<Skeleton>::vertex_descriptor> nodes;
@@ -80,7 +80,7 @@ Skeleton to_skeleton_graph(const Indexed_skeleton& indexed)
 template <class Skeleton>
 bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 {
-  const internal::Indexed_skeleton indexed = internal::read_indexed_skeleton(filename);
+  const CSCD::Skeleton indexed = internal::read_indexed_skeleton(filename);
   skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
   return indexed.has_radii();
 }
@@ -91,7 +91,7 @@ bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 template <class Skeleton>
 bool read_skeleton(std::istream& in, const std::string& ending, const std::string& name, Skeleton& skeleton)
 {
-  const internal::Indexed_skeleton indexed = internal::read_indexed_skeleton(in, ending, name);
+  const CSCD::Skeleton indexed = internal::read_indexed_skeleton(in, ending, name);
   skeleton = internal::to_skeleton_graph<Skeleton>(indexed);
   return indexed.has_radii();
 }

@@ -8,6 +8,7 @@
 
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
@@ -43,7 +44,7 @@ namespace internal {
 
 /// \param node_of_vertex `no_index` for vertices of no node
 std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
-                                         const Indexed_skeleton& skeleton, const Skeleton_branches& branches);
+                                         const Skeleton& skeleton, const Skeleton_branches& branches);
 
 /// The values of the points of a file of which a mesh was made, from those of the vertices of the mesh. Repairs merge,
 /// double and drop points, but never move one: a point has the value of the vertex at its place; of several, that of

@@ -32,127 +32,67 @@ struct Swc_options
   std::vector<Index> roots{};
 };
 
-namespace internal {
-
-using Skeleton_writer = void(std::ostream& out, const Skeleton_content& skeleton);
-
-Skeleton_writer write_gel_graph;
-Skeleton_writer write_graphml;
-Skeleton_writer write_json;
-Skeleton_writer write_obj;
-Skeleton_writer write_ply;
-Skeleton_writer write_polylines;
-Skeleton_writer write_swc;
-Skeleton_writer write_vtp;
-void write_swc(std::ostream& out, const Skeleton_content& skeleton, const Swc_options& options);
-
-void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton_content& skeleton);
-void write_skeleton(const std::string& filename, const Skeleton_content& skeleton);
-
-} // namespace internal
-
 /// checks that `write_skeleton()` knows the ending of `filename`, before there is anything to write.
 /// \throw File_error if not
 void check_skeleton_filename(const std::string& filename);
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
 /// `.polylines.txt`, `.swc`, `.vtp` or `.graphml`. When it fails there is no new file. Linear.
-/// \tparam Skeleton a `Skeleton_graph`, or the skeleton type of CGAL's `Mean_curvature_flow_skeletonization`
+/// \param skeleton a `Skeleton_graph`, the skeleton type of CGAL's `Mean_curvature_flow_skeletonization`, or another
+///        model of `CurveSkeletonGraph`, as for all writers
 /// \throw File_error if the ending is unknown or the file cannot be written
-template <class Skeleton>
-void write_skeleton(const std::string& filename, const Skeleton& skeleton)
-{
-  check_skeleton_filename(filename);
-  internal::write_skeleton(filename, internal::skeleton_content(skeleton));
-}
+void write_skeleton(const std::string& filename, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` to `out` in the format that the ending of `filename` names. Linear.
-/// \tparam Skeleton as of the other function
 /// \throw File_error if the ending is unknown or the stream fails
-template <class Skeleton>
-void write_skeleton(std::ostream& out, const std::string& filename, const Skeleton& skeleton)
-{
-  internal::write_skeleton(out, filename, internal::skeleton_content(skeleton));
-}
+void write_skeleton(std::ostream& out, const std::string& filename, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in GEL's `.graph` format: a line `n x y z` for each node, then a line `c i j` for each edge, with
 /// nodes counted from 0. Linear.
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_gel_graph(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_gel_graph(out, internal::skeleton_content(skeleton));
-}
+void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` as GraphML: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they have one,
 /// `radius`; edges then have `significance`, the greatest double for what is never cut. O(n log n).
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_graphml(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_graphml(out, internal::skeleton_content(skeleton));
-}
+void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` as a JSON object of arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
 /// have one), `degree` and `number_of_sites`, the number of vertices or points of the input that belong to the node;
 /// `edges`, each an array of two nodes counted from 0; `branches` (if the nodes have radii), each with the members of
 /// `Skeleton_branch` that need no surface and no root, null for what is infinite; and `joined_edges`, if there are any,
 /// those of the edges that were added to join components. O(n log n). \throw File_error if `out` fails
-template <class Skeleton>
-void write_json(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_json(out, internal::skeleton_content(skeleton));
-}
+void write_json(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in OBJ format: a line `v x y z` for each node, then a line `l i j k ...` for each branch, with
 /// nodes counted from 1; an isolated node is a line `p i`. Linear.
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_obj(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_obj(out, internal::skeleton_content(skeleton));
-}
+void write_obj(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in ASCII PLY: elements `vertex` with `x y z` and, if the nodes have one, `radius`, and elements
 /// `edge` with `vertex1 vertex2` and, if the nodes have radii, `significance`, the greatest double for what is never
 /// cut. O(n log n).
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_ply(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_ply(out, internal::skeleton_content(skeleton));
-}
+void write_ply(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in the format `.polylines.txt`: a line for each branch, the number of its nodes and then
 /// `x y z` of each; closed branches repeat their first node. Linear.
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_polylines(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_polylines(out, internal::skeleton_content(skeleton));
-}
+void write_polylines(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in SWC format: a line `id type x y z radius parent` for each node, identifiers counted from 1,
 /// parents before children, -1 as the parent of the root of each component; radius 0 if the nodes have none.
 /// SWC holds forests only: each cycle is cut at its thinnest edge, which stands in a comment line `# loop i j` instead,
 /// with the identifiers of its ends. O(n log n).
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_swc(std::ostream& out, const Skeleton& skeleton, const Swc_options& options = {})
-{
-  internal::write_swc(out, internal::skeleton_content(skeleton), options);
-}
+void write_swc(std::ostream& out, const internal::Skeleton_content& skeleton, const Swc_options& options = {});
 
 /// writes `skeleton` as an ASCII `.vtp` file, XML PolyData of VTK: a poly-line for each branch (a vertex cell for each
 /// isolated node), the cell array `BranchId`, the numbers of `measure_branches()`, and, if the nodes have radii, the
 /// point arrays `Radius` and, the same for VMTK, `MaximumInscribedSphereRadius`, and the cell array `Significance`, the
 /// greatest double for edges that are never cut. O(n log n).
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_vtp(std::ostream& out, const Skeleton& skeleton)
-{
-  internal::write_vtp(out, internal::skeleton_content(skeleton));
-}
+void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 } // namespace CSCD
 

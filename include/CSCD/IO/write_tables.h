@@ -16,13 +16,6 @@
 
 namespace CSCD {
 
-namespace internal {
-
-void write_node_table(std::ostream& out, const Skeleton_content& skeleton, const Skeleton_branches& branches,
-                      const std::vector<Node_measures>& measures);
-
-} // namespace internal
-
 /// writes the table of branches as CSV, a line for each branch under a line of names: the number of the branch, its
 /// end nodes and their kinds, the number of its nodes, and the members of `Skeleton_branch`. What is not known is
 /// empty, what is infinite is `inf`. Linear.
@@ -32,16 +25,12 @@ void write_branch_table(std::ostream& out, const Skeleton_branches& branches);
 /// writes the table of nodes as CSV, a line for each node under a line of names: number, coordinates, degree, branch,
 /// radius, how many vertices or points belong to it, and the members of `Node_measures`. What is not known is empty.
 /// Linear.
-/// \tparam Skeleton a model of `CurveSkeletonGraph`
+/// \param skeleton a model of `CurveSkeletonGraph`
 /// \param branches of `skeleton`, as `measure_branches()` gives them
 /// \param measures of the nodes of `skeleton`, as `measure_nodes()` gives them; may be empty
 /// \throw File_error if `out` fails
-template <class Skeleton>
-void write_node_table(std::ostream& out, const Skeleton& skeleton, const Skeleton_branches& branches,
-                      const std::vector<Node_measures>& measures = {})
-{
-  internal::write_node_table(out, internal::skeleton_content(skeleton), branches, measures);
-}
+void write_node_table(std::ostream& out, const internal::Skeleton_content& skeleton, const Skeleton_branches& branches,
+                      const std::vector<Node_measures>& measures = {});
 
 /// writes cylinders as CSV in the columns of TreeQSM's text files (`save_model_text`, version 2.4): indices are counted
 /// from 1, 0 is none. The columns on the fit of TreeQSM (`mad`, `SurfCov`) are `NaN`. Linear.

@@ -82,6 +82,15 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
   return result;
 }
 
+/// Estimates the radius of each node from points of the surface, and nothing else.
+/// Each point is assigned to the nearest point of the skeleton, at distance d and at parameter t of an edge; it counts
+/// for the source of the edge with weight 1 - t and for the target with weight t. The radius of a node is the weighted
+/// mean of the distances; nodes to which no point was assigned are interpolated from their neighbors.
+/// O(p log e) for p points and e edges, where those are well spread.
+/// \throw Input_error if the edges are too many near each other, or make too many cycles
+/// \pre there are points and nodes
+std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Skeleton& skeleton);
+
 Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters);
 

@@ -53,31 +53,34 @@ private:
   std::ostream& m_out;
 };
 
-/// What files hold of a skeleton.
-struct Skeleton_content : Indexed_skeleton
+/// How many vertices of the input belong to each node; nothing if none belong to any, as of a skeleton from a file.
+template <class Graph>
+std::vector<std::size_t> numbers_of_vertices([[maybe_unused]] const Graph& graph)
 {
-  bool has_radius = false;                     ///< whether the type of the nodes has a radius, even if there are none
-  std::vector<std::size_t> number_of_vertices; ///< of the input, that belong to each node; empty if no node has any
-};
-
-/// Copies what files hold of `skeleton`, a model of `CurveSkeletonGraph` or a graph of points, such as a
-/// `Cut_locus_graph`; expectedly linear.
-template <class Skeleton>
-Skeleton_content skeleton_content(const Skeleton& skeleton)
-{
-  Skeleton_content result{index_skeleton(skeleton), has_radius_v<Skeleton>, {}};
-  if constexpr (CSCD_IS_VALID(const Skeleton&, t[*vertices(t).first].vertices.size())) {
-    result.number_of_vertices.reserve(result.number_of_nodes());
-    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-      result.number_of_vertices.push_back(skeleton[node].vertices.size());
-    }
-    if (std::none_of(result.number_of_vertices.begin(), result.number_of_vertices.end(),
-                     [](std::size_t number) { return number > 0; })) {
-      result.number_of_vertices.clear(); // of a skeleton from a file
+  std::vector<std::size_t> result;
+  if constexpr (CSCD_IS_VALID(const Graph&, t[*vertices(t).first].vertices.size())) {
+    for (const auto node : boost::make_iterator_range(vertices(graph))) {
+      result.push_back(graph[node].vertices.size());
     }
   }
-  return result;
+  const bool has_any = std::any_of(result.begin(), result.end(), [](std::size_t number) { return number > 0; });
+  return has_any ? result : std::vector<std::size_t>();
 }
+
+/// What files hold of a skeleton: writers take it, and it is made of whatever they are called with.
+struct Skeleton_content : Skeleton
+{
+  bool has_radius;                             ///< whether the type of the nodes has a radius, even if there are none
+  std::vector<std::size_t> number_of_vertices; ///< see `numbers_of_vertices()`
+
+  /// Copies what files hold of `graph`, a model of `CurveSkeletonGraph` or a graph of points, such as a
+  /// `Cut_locus_graph`; expectedly linear.
+  template <class Graph>
+  Skeleton_content(const Graph& graph)
+      : Skeleton(index_skeleton(graph)), has_radius(has_radius_v<Graph>), number_of_vertices(numbers_of_vertices(graph))
+  {
+  }
+};
 
 } // namespace CSCD::internal
 

@@ -1,0 +1,517 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Numbers from bytes and from text, the only places where either become numbers, and the tags of XML.
+
+#ifndef CSCD_SRC_IO_SCANNERS_H
+#define CSCD_SRC_IO_SCANNERS_H
+
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+
+#include <boost/algorithm/string/case_conv.hpp>
+#include <boost/endian/conversion.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <locale>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+namespace CSCD::internal {
+
+using Byte_order = boost::endian::order;
+
+/// How a number is stored.
+struct Number_type
+{
+  char kind = 'f';      ///< `i` an integer, `u` one without sign, `f` a floating-point number
+  std::size_t size = 0; ///< in bytes: 1, 2, 4 or 8, of floating-point numbers 4 or 8
+
+  /// Whether there is such a type.
+  bool is_valid() const
+  {
+    const bool has_floating_size = size == 4 || size == 8;
+    return has_floating_size ? kind == 'i' || kind == 'u' || kind == 'f'
+                             : (size == 1 || size == 2) && (kind == 'i' || kind == 'u');
+  }
+};
+
+inline bool operator==(const Number_type& a, const Number_type& b)
+{
+  return a.kind == b.kind && a.size == b.size;
+}
+
+/// Calls `use` with a zero of the type of C++ that `type` means. \pre the type is valid
+template <class Use>
+auto with_number_type(const Number_type& type, const Use& use)
+{
+  const bool has_sign = type.kind == 'i';
+  switch (type.size) {
+  case 1:
+    return has_sign ? use(std::int8_t(0)) : use(std::uint8_t(0));
+  case 2:
+    return has_sign ? use(std::int16_t(0)) : use(std::uint16_t(0));
+  case 4:
+    return type.kind == 'f' ? use(float(0)) : has_sign ? use(std::int32_t(0)) : use(std::uint32_t(0));
+  default:
+    return type.kind == 'f' ? use(double(0)) : has_sign ? use(std::int64_t(0)) : use(std::uint64_t(0));
+  }
+}
+
+/// The number that is stored at `bytes`.
+template <class Number>
+Number stored_number(const char* bytes, Byte_order order)
+{
+  std::array<char, sizeof(Number)> raw;
+  std::memcpy(raw.data(), bytes, sizeof(Number));
+  if (order != Byte_order::native) {
+    std::reverse(raw.begin(), raw.end());
+  }
+  Number number;
+  std::memcpy(&number, raw.data(), sizeof(Number));
+  return number;
+}
+
+/// Numbers of one type in memory, each `stride` bytes behind the one before. Integers beyond 2^53 are rounded.
+struct Number_view
+{
+  const char* bytes = nullptr; ///< of the first one
+  Number_type type;
+  Byte_order order = Byte_order::little;
+  std::size_t stride = 0;
+  std::size_t count = 0;
+
+  /// \pre i < count
+  double operator[](std::size_t i) const
+  {
+    return with_number_type(
+        type, [this, i](auto zero) { return double(stored_number<decltype(zero)>(bytes + i * stride, order)); });
+  }
+
+  /// Calls `use(i, number)` for all of them in their order.
+  template <class Use>
+  void for_each(const Use& use) const
+  {
+    with_number_type(type, [this, &use](auto zero) {
+      for (std::size_t i = 0; i < count; ++i) {
+        use(i, double(stored_number<decltype(zero)>(bytes + i * stride, order)));
+      }
+    });
+  }
+};
+
+/// Goes through binary data number by number.
+class Byte_scanner
+{
+public:
+  /// \param bytes must outlive the scanner
+  /// \param filename for messages
+  Byte_scanner(std::string_view bytes, Byte_order order, std::string filename)
+      : m_bytes(bytes), m_order(order), m_filename(std::move(filename))
+  {
+  }
+
+  /// The size of the rest of the data, in bytes.
+  std::size_t remaining() const { return m_bytes.size(); }
+  /// Where the data that are left begin.
+  const char* data() const { return m_bytes.data(); }
+  Byte_order order() const { return m_order; }
+
+  /// Reads a number. \throw File_error if the data end before
+  template <class Number>
+  Number number()
+  {
+    return stored_number<Number>(skip(sizeof(Number)), m_order);
+  }
+
+  /// Reads three numbers. \throw File_error if the data end before
+  template <class Number>
+  Vector_3 vector()
+  {
+    Vector_3 result = Vector_3::Zero();
+    for (double& coordinate : result) {
+      coordinate = double(number<Number>());
+    }
+    return result;
+  }
+
+  /// Reads a number of any type. \pre the type is valid \throw File_error if the data end before
+  double number(const Number_type& type) { return Number_view{skip(type.size), type, m_order, 0, 1}[0]; }
+
+  /// Reads `count` numbers, one behind the other. \throw File_error if the data end before
+  Number_view numbers(const Number_type& type, std::size_t count)
+  {
+    check(count <= m_bytes.size() / type.size);
+    return {skip(count * type.size), type, m_order, type.size, count};
+  }
+
+  /// Passes over `size` bytes and returns where they begin. \throw File_error if the data end before
+  const char* skip(std::size_t size)
+  {
+    check(size <= m_bytes.size());
+    const char* const first = m_bytes.data();
+    m_bytes.remove_prefix(size);
+    return first;
+  }
+
+private:
+  void check(bool fits) const
+  {
+    if (!fits) {
+      throw File_error(m_filename + ": the file ends before all that its header promises; it seems truncated, fetch or "
+                                    "write it again");
+    }
+  }
+
+  std::string_view m_bytes;
+  Byte_order m_order;
+  std::string m_filename;
+};
+
+/// Writes a number in binary.
+template <class Number>
+void write_little_endian(std::ostream& out, Number number)
+{
+  boost::endian::native_to_little_inplace(number);
+  out.write(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+
+/// As `std::from_chars()`, which not every standard library has for floating-point numbers; where it is
+/// missing, an underflow gives 0, and the locale of C has to be "C".
+inline std::from_chars_result number_from_chars(const char* first, const char* last, double& value)
+{
+#ifdef __cpp_lib_to_chars
+  return std::from_chars(first, last, value);
+#else
+  const auto belongs = [&](const char* at) {
+    const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(*at)));
+    return (lower != 'x' && std::isalnum(static_cast<unsigned char>(*at)) != 0) || *at == '.' ||
+           (*at == '-' && at == first) || ((*at == '-' || *at == '+') && (at[-1] == 'e' || at[-1] == 'E'));
+  };
+  const char* end = first;
+  while (end != last && belongs(end)) {
+    ++end;
+  }
+  const std::string text(first, end);
+  char* text_end = nullptr;
+  const double number = std::strtod(text.c_str(), &text_end);
+  if (text_end == text.c_str()) {
+    return {first, std::errc::invalid_argument};
+  }
+  const bool is_out_of_range = std::isinf(number) && text.find_first_of("0123456789") != std::string::npos;
+  if (is_out_of_range) {
+    return {first + (text_end - text.c_str()), std::errc::result_out_of_range};
+  }
+  value = number;
+  return {first + (text_end - text.c_str()), std::errc()};
+#endif
+}
+
+inline bool is_blank(char c)
+{
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// `text` in lower case, whatever the locale is.
+inline std::string lower_case(std::string_view text)
+{
+  return boost::algorithm::to_lower_copy(std::string(text), std::locale::classic());
+}
+
+/// Goes through a text token by token, in the C locale whatever the global one is. Tokens end at blanks.
+/// `CGAL::IO::read_OFF()` and its like are not used: they take some fifteen times as long, allocate what a header
+/// promises before it is checked, and are undefined on some malformed files.
+class Text_scanner
+{
+public:
+  /// \param text must outlive the scanner
+  /// \param filename for messages
+  Text_scanner(std::string_view text, std::string filename)
+      : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_filename(std::move(filename))
+  {
+  }
+
+  /// The size of the rest of the text, in bytes.
+  std::size_t remaining() const { return static_cast<std::size_t>(m_end - m_at); }
+  /// The rest of the text.
+  std::string_view rest() const { return {m_at, remaining()}; }
+
+  /// Passes over `size` bytes. \pre there are as many
+  void skip(std::size_t size) { m_at += size; }
+  /// Goes back by `size` bytes. \pre so many were read
+  void unread(std::size_t size) { m_at -= size; }
+
+  /// Goes on to the next token, over line ends and, if `comment` is not 0, over all that follows it in a line.
+  /// \return false at the end of the text
+  bool skip_blanks(char comment = 0)
+  {
+    while (m_at != m_end) {
+      if (is_blank(*m_at)) {
+        ++m_at;
+      } else if (comment != 0 && *m_at == comment) {
+        skip_line();
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Goes on to the next token of this line. \return false if there is none
+  bool skip_blanks_in_line()
+  {
+    while (m_at != m_end && *m_at != '\n' && is_blank(*m_at)) {
+      ++m_at;
+    }
+    return m_at != m_end && *m_at != '\n';
+  }
+
+  /// Goes on to the beginning of the next line.
+  void skip_line()
+  {
+    m_at = std::find(m_at, m_end, '\n');
+    m_at += m_at != m_end ? 1 : 0;
+  }
+
+  /// Whether the next character is a digit.
+  bool is_at_digit() const { return m_at != m_end && *m_at >= '0' && *m_at <= '9'; }
+
+  /// Whether a number is next.
+  bool is_at_number() const
+  {
+    double value = 0;
+    const bool has_plus = m_at != m_end && *m_at == '+';
+    return number_from_chars(m_at + (has_plus ? 1 : 0), m_end, value).ec != std::errc::invalid_argument;
+  }
+
+  /// Whether `text` is next.
+  bool is_at(std::string_view text) const { return std::string_view(m_at, remaining()).substr(0, text.size()) == text; }
+
+  /// Passes over `character` if it is the next one. \return whether it is
+  bool skip_character(char character)
+  {
+    const bool is_next = m_at != m_end && *m_at == character;
+    m_at += is_next ? 1 : 0;
+    return is_next;
+  }
+
+  /// Reads up to the next blank; empty if there is nothing before it.
+  std::string_view word()
+  {
+    const char* const first = m_at;
+    m_at = std::find_if(m_at, m_end, is_blank);
+    return {first, static_cast<std::size_t>(m_at - first)};
+  }
+
+  /// Reads a number, which may be infinite or not a number.
+  /// \throw File_error if none is at this place
+  double number()
+  {
+    skip_plus();
+    double value = 0;
+    const std::from_chars_result result = number_from_chars(m_at, m_end, value);
+    if (result.ec == std::errc::result_out_of_range && is_underflow(m_at, result.ptr)) {
+      value = 0;
+    } else if (result.ec != std::errc() || (result.ptr != m_end && !is_blank(*result.ptr))) {
+      fail("a number with a decimal point is expected");
+    }
+    m_at = result.ptr;
+    return value;
+  }
+
+  /// Reads a number which is finite.
+  /// \throw File_error if there is none at this place
+  double coordinate()
+  {
+    const double value = number();
+    if (!std::isfinite(value)) {
+      fail("a coordinate is not finite", "correct or remove this line");
+    }
+    return value;
+  }
+
+  /// Reads three finite numbers of this line.
+  /// \param too_few what is wrong if there are fewer
+  /// \throw File_error if there are fewer, or one that is not finite
+  Vector_3 point_in_line(const char* too_few, const char* remedy = "correct this line or write the file again")
+  {
+    Vector_3 point = Vector_3::Zero();
+    for (double& number : point) {
+      if (!skip_blanks_in_line()) {
+        fail(too_few, remedy);
+      }
+      number = coordinate();
+    }
+    return point;
+  }
+
+  /// Reads an integer.
+  /// \throw File_error if there is none at this place
+  std::int64_t integer(const char* meaning)
+  {
+    skip_plus();
+    std::int64_t value = 0;
+    const std::from_chars_result result = std::from_chars(m_at, m_end, value);
+    if (result.ec != std::errc()) {
+      fail(std::string(meaning) + " is expected, an integer");
+    }
+    m_at = result.ptr;
+    return value;
+  }
+
+  /// Reads a number that must not be negative.
+  /// \throw File_error if there is none at this place
+  std::size_t count(const char* meaning)
+  {
+    const std::int64_t value = integer(meaning);
+    if (value < 0) {
+      fail(std::string(meaning) + " is negative");
+    }
+    return static_cast<std::size_t>(value);
+  }
+
+  /// \throw File_error naming the file, the line, the fault and the remedy
+  [[noreturn]] void fail(const std::string& fault,
+                         const std::string& remedy = "correct this line or write the file again") const
+  {
+    const auto line = 1 + std::count(m_begin, m_at, '\n');
+    throw File_error(m_filename + ", line " + std::to_string(line) + ": " + fault + "; " + remedy);
+  }
+
+  /// \throw File_error telling that the file ends too early
+  [[noreturn]] void fail_at_end(const std::string& what) const
+  {
+    throw File_error(m_filename + ": the file ends before " + what + "; it seems truncated, fetch or write it again");
+  }
+
+private:
+  void skip_plus()
+  {
+    if (m_at != m_end && *m_at == '+') {
+      ++m_at;
+    }
+  }
+
+  /// Whether a number out of range is one of very small magnitude.
+  static bool is_underflow(const char* first, const char* last)
+  {
+    const std::string_view number(first, static_cast<std::size_t>(last - first));
+    const std::size_t exponent = number.find_first_of("eE");
+    return exponent != std::string_view::npos && exponent + 1 < number.size() && number[exponent + 1] == '-';
+  }
+
+  const char* m_begin;
+  const char* m_at;
+  const char* m_end;
+  std::string m_filename;
+};
+
+/// Goes through XML tag by tag and holds nothing but the current one, so that large files take no more memory than
+/// their text, and binary data may follow. Comments and declarations are passed over; character references are left as
+/// they are.
+class Xml_scanner
+{
+public:
+  /// \param text must outlive the scanner
+  /// \param filename for messages
+  Xml_scanner(std::string_view text, std::string filename) : m_text(text), m_filename(std::move(filename)) {}
+
+  /// Goes on to the next tag. \return false if there is none
+  /// \throw File_error if it does not end
+  bool next()
+  {
+    constexpr std::string_view comment = "<!--";
+    while (true) {
+      const std::size_t begin = m_text.find('<', m_end);
+      if (begin == std::string_view::npos) {
+        return false;
+      }
+      const bool is_comment = m_text.substr(begin, comment.size()) == comment;
+      const std::size_t end = is_comment ? m_text.find("-->", begin) : end_of_tag(begin);
+      if (end == std::string_view::npos) {
+        fail("an XML tag does not end");
+      }
+      m_end = end + (is_comment ? 3 : 1);
+      const char first = m_text[begin + 1];
+      if (!is_comment && first != '?' && first != '!') {
+        m_tag = m_text.substr(begin + 1, end - begin - 1);
+        return true;
+      }
+    }
+  }
+
+  /// Whether the tag closes an element; one without content is not closed by a tag of its own.
+  bool is_closing() const { return m_tag.front() == '/'; }
+  bool is_empty() const { return m_tag.back() == '/'; }
+
+  /// The name of the element, without its name space.
+  std::string_view name() const
+  {
+    const std::string_view tag = m_tag.substr(is_closing() ? 1 : 0);
+    const std::string_view name = tag.substr(0, tag.find_first_of(" \t\r\n/"));
+    const std::size_t colon = name.find(':');
+    return colon == std::string_view::npos ? name : name.substr(colon + 1);
+  }
+
+  /// The value of an attribute; empty if there is none.
+  std::string_view attribute(std::string_view name) const
+  {
+    for (std::size_t at = m_tag.find(name); at != std::string_view::npos; at = m_tag.find(name, at + 1)) {
+      const std::size_t equals = m_tag.find_first_not_of(" \t\r\n", at + name.size());
+      const bool is_name =
+          at > 0 && is_blank(m_tag[at - 1]) && equals != std::string_view::npos && m_tag[equals] == '=';
+      const std::size_t quote = is_name ? m_tag.find_first_of("\"'", equals) : std::string_view::npos;
+      if (quote != std::string_view::npos) {
+        return m_tag.substr(quote + 1, m_tag.find(m_tag[quote], quote + 1) - quote - 1);
+      }
+    }
+    return {};
+  }
+
+  /// The text up to the next tag.
+  std::string_view content() const { return m_text.substr(m_end, m_text.find('<', m_end) - m_end); }
+
+  /// \throw File_error naming the file and `fault`
+  [[noreturn]] void fail(const std::string& fault) const
+  {
+    throw File_error(m_filename + ": " + fault + "; fetch or write the file again");
+  }
+
+private:
+  /// The `>` that ends the tag, which is not one within quotes.
+  std::size_t end_of_tag(std::size_t begin) const
+  {
+    char quote = 0;
+    for (std::size_t i = begin + 1; i < m_text.size(); ++i) {
+      const char c = m_text[i];
+      if (quote != 0) {
+        quote = c == quote ? char(0) : quote;
+      } else if (c == '"' || c == '\'') {
+        quote = c;
+      } else if (c == '>' && i > begin + 1) {
+        return i;
+      }
+    }
+    return std::string_view::npos;
+  }
+
+  std::string_view m_text;
+  std::string m_filename;
+  std::string_view m_tag;
+  std::size_t m_end = 0; ///< of the tag
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SRC_IO_SCANNERS_H

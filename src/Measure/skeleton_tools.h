@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the measures of skeletons share: checks, counts, samples of edges, and the nearest edge.
+
+#ifndef CSCD_SRC_MEASURE_SKELETON_TOOLS_H
+#define CSCD_SRC_MEASURE_SKELETON_TOOLS_H
+
+#include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+#include <CSCD/exceptions.h>
+#include <CSCD/internal/Box_tree.h>
+#include <CSCD/internal/flat_arrays.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CSCD::internal {
+
+/// \param which skeleton, with a blank behind it, where there are two
+[[noreturn]] inline void fail_at_node(std::size_t node, const std::string& fault, const std::string& which = "")
+{
+  throw Input_error("node " + std::to_string(node) + " of the " + which + "skeleton " + fault);
+}
+
+/// \throw Input_error if a coordinate of `node` is not finite
+inline void check_finite(const Skeleton& skeleton, std::size_t node, const std::string& which = "")
+{
+  if (!skeleton.points[node].allFinite()) {
+    fail_at_node(node, "has a coordinate that is not finite: correct it or remove the node", which);
+  }
+}
+
+/// Counts nodes, edges, components, cycles, tips and junctions, and measures the length. Near linear.
+inline Skeleton_counts count_skeleton(const Skeleton& skeleton)
+{
+  Skeleton_counts counts;
+  counts.number_of_nodes = skeleton.number_of_nodes();
+  counts.number_of_edges = skeleton.edges.size();
+  counts.number_of_components = skeleton.number_of_nodes();
+  Disjoint_sets sets(skeleton.number_of_nodes());
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    counts.number_of_components -= sets.join(edge[0], edge[1]) ? 1 : 0;
+    counts.length += skeleton.length(edge);
+  }
+  counts.betti_number = counts.number_of_edges + counts.number_of_components - counts.number_of_nodes;
+  for (const std::vector<Index>& around : node_neighbors(skeleton)) {
+    counts.number_of_isolated_nodes += around.empty() ? 1 : 0;
+    counts.number_of_tips += around.size() == 1 ? 1 : 0;
+    counts.number_of_junctions += around.size() > 2 ? 1 : 0;
+  }
+  return counts;
+}
+
+/// A point of a skeleton, and the unit direction of its edge.
+struct Edge_sample
+{
+  Vector_3 point = Vector_3::Zero();
+  Vector_3 tangent = Vector_3::Zero();
+};
+
+/// Samples the edges of `skeleton` evenly: they are laid end to end in their order, and every piece of length `spacing`
+/// gets a sample at its middle. So each sample stands for the same length, however the skeleton is cut into edges.
+/// O(e + l / spacing) for e edges of total length l.
+/// \param max_number of samples, for which the spacing is made greater
+/// \pre `spacing` is positive
+inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing,
+                                             std::size_t max_number = std::numeric_limits<std::size_t>::max())
+{
+  double total = 0;
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    total += skeleton.length(edge);
+  }
+  spacing = std::max(spacing, total / double(max_number));
+  std::vector<Edge_sample> samples;
+  double to_next = spacing / 2;
+  for (const std::array<Index, 2>& edge : skeleton.edges) {
+    const double length = skeleton.length(edge);
+    if (!(length > 0)) {
+      continue;
+    }
+    const Vector_3& source = skeleton.points[edge[0]];
+    const Vector_3 tangent = (skeleton.points[edge[1]] - source) / length;
+    while (to_next <= length) {
+      samples.push_back({source + to_next * tangent, tangent});
+      to_next += spacing;
+    }
+    to_next -= length;
+  }
+  return samples;
+}
+
+/// Counts steps of searches, and refuses what would take hours: the edges of a skeleton that are all near each other,
+/// as those of a complete graph.
+class Work_limit
+{
+public:
+  /// Adds the steps of one search. \throw Input_error if these were too many
+  void add(std::size_t steps)
+  {
+    constexpr std::size_t most = std::size_t(1) << 31; // half a minute
+    constexpr std::size_t most_of_each = 1024;         // on the average; in skeletons of bodies there are a hundred
+    m_steps += steps;
+    ++m_number;
+    if (m_steps > std::max(most, most_of_each * m_number)) {
+      throw Input_error("too many edges of the skeleton are near each other to be measured: simplify it first");
+    }
+  }
+
+private:
+  std::size_t m_steps = 0;
+  std::size_t m_number = 0; // of searches
+};
+
+/// The ends of the edges of `skeleton`, in order, and after them twice the number of each node that has no edge: such a
+/// node is a segment of length zero. Linear.
+inline std::vector<std::array<Index, 2>> segment_ends(const Skeleton& skeleton)
+{
+  std::vector<std::array<Index, 2>> ends = skeleton.edges;
+  std::vector<char> has_edge(skeleton.number_of_nodes(), 0);
+  for (const auto& [u, v] : skeleton.edges) {
+    has_edge[u] = has_edge[v] = 1;
+  }
+  for (Index v = 0; v < skeleton.number_of_nodes(); ++v) {
+    if (has_edge[v] == 0) {
+      ends.push_back({v, v});
+    }
+  }
+  return ends;
+}
+
+/// A point of a segment.
+struct Segment_point
+{
+  Index segment = no_index;
+  double parameter = 0; ///< 0 at the source of the segment, 1 at its target
+  double distance = 0;  ///< from the query point
+};
+
+/// A search structure over segments; those of length zero are points. A query is O(log n) if segments are well spread.
+class Segment_tree
+{
+public:
+  /// O(n log n).
+  /// \param segments by the numbers of their ends in `points`
+  Segment_tree(std::vector<Vector_3> points, std::vector<std::array<Index, 2>> segments)
+      : m_points(std::move(points)), m_segments(std::move(segments))
+  {
+    std::vector<Bounding_box> boxes(m_segments.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      boxes[i].extend(m_points[m_segments[i][0]]);
+      boxes[i].extend(m_points[m_segments[i][1]]);
+    }
+    m_tree = Box_tree(boxes);
+  }
+  /// Over the edges of `skeleton` and its nodes without edges.
+  explicit Segment_tree(const Skeleton& skeleton) : Segment_tree(skeleton.points, segment_ends(skeleton)) {}
+
+  /// The ends of the segment with this number.
+  const std::array<Index, 2>& ends(Index segment) const { return m_segments[segment]; }
+
+  /// The point of all segments that is nearest to `point`; on ties that of the first segment. \pre there are segments
+  /// \throw Input_error see `Work_limit`
+  Segment_point nearest(const Vector_3& point, Work_limit& work) const
+  {
+    constexpr double slack = 1 - 1e-12; // far above rounding: boxes that are as near as what was found are entered
+    double least = std::numeric_limits<double>::infinity();
+    Index nearest = no_index;
+    std::size_t steps = 0;
+    m_tree.minimize([&](const Bounding_box& box) { return slack * box.squared_distance(point); },
+                    [&](Index i) {
+                      ++steps;
+                      const Vector_3& source = m_points[m_segments[i][0]];
+                      const Vector_3& target = m_points[m_segments[i][1]];
+                      const double square = (source + parameter(i, point) * (target - source) - point).squaredNorm();
+                      if (square < least || (square == least && i < nearest)) {
+                        least = square;
+                        nearest = i;
+                      }
+                      return square;
+                    });
+    work.add(steps);
+    return {nearest, parameter(nearest, point), std::sqrt(least)};
+  }
+
+private:
+  double parameter(Index i, const Vector_3& point) const
+  {
+    const Vector_3& source = m_points[m_segments[i][0]];
+    const Vector_3 along = m_points[m_segments[i][1]] - source;
+    const double squared_length = along.squaredNorm();
+    return squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+  }
+
+  std::vector<Vector_3> m_points;
+  std::vector<std::array<Index, 2>> m_segments;
+  Box_tree m_tree;
+};
+
+} // namespace CSCD::internal
+
+#endif // CSCD_SRC_MEASURE_SKELETON_TOOLS_H
