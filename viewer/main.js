@@ -4,13 +4,12 @@
 // Starts the page.
 
 /* global THREE */
-import { address_of, apply_address } from './address.js';
 import { make_coloring } from './colors.js';
 import { detail_of, read_model } from './model.js';
 import { Panel } from './panel.js';
 import { connect_pointer } from './pointer.js';
-import { connect_savers, svg_of } from './save.js';
 import { make_objects } from './scene.js';
+import { address_of, apply_address, connect_savers, svg_of } from './share.js';
 import { View } from './view.js';
 
 function start() {

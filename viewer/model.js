@@ -16,6 +16,7 @@ export function read_model(text) {
     model[name] = new array_types[type](bytes_of_base64(base64).buffer);
   model.number_of_nodes = model.node_positions.length / 3;
   model.number_of_edges = model.edges.length / 2;
+  if (model.node_radii) model.node_radii = Float32Array.from(model.node_radii, (radius) => radius / model.frame[3]);
   return model;
 }
 

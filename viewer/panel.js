@@ -21,15 +21,14 @@ const switches = [
   ['repairs', 'Repairs of the surface', 'E', false],
 ];
 
-const help = [
-  ['drag', 'turn'],
-  ['wheel, or two fingers', 'zoom'],
-  ['right drag', 'pan'],
-  ['click on a node or branch', 'show its measures'],
-  ['R', 'reset the view'],
-  ['H', 'hide or show the panel'],
-  ['?', 'hide or show this help'],
-];
+const choices = {
+  coloring: ['branch', 'region', 'radius', 'significance'],
+  clip_axis: ['x', 'y', 'z'],
+  background: Object.keys(backgrounds),
+};
+
+// The sliders and lists.
+export const inputs = ['opacity', 'significance', 'length', 'coloring', 'background', 'clip_axis', 'clip'];
 
 const element = (id) => document.getElementById(id);
 
@@ -44,14 +43,12 @@ export class Panel {
     this.element.classList.toggle('folded', window.innerWidth <= narrow);
     this.show_figures();
     for (const [name, label, key, is_on] of switches) this.add_switch(name, label, key, is_on);
-    this.fill_help();
     for (const id of ['significance', 'length']) {
       element(id).disabled = !model.node_radii;
       element(id).closest('.row').hidden = !model.node_radii;
     }
-    for (const id of ['opacity', 'significance', 'length', 'clip', 'coloring', 'background', 'clip_axis']) {
-      element(id).addEventListener('input', () => this.set(id, element(id).value));
-    }
+    for (const [id, names] of Object.entries(choices)) element(id).append(...names.map((name) => new Option(name)));
+    for (const id of inputs) element(id).addEventListener('input', () => this.set(id, element(id).value));
     this.set_opacity();
     this.set_clip();
     for (const button of this.element.querySelectorAll('[data-up]'))
@@ -89,16 +86,6 @@ export class Panel {
     box.disabled = item.hidden = name !== 'color' && !this.objects[name];
     box.addEventListener('change', () => this.set_visible(name, box.checked));
     this.set_visible(name, is_on);
-  }
-
-  // Lists the mouse, and the keys of the switches that are there.
-  fill_help() {
-    const present = switches.filter(([name]) => name in this.visible).map(([, label, key]) => [key, label]);
-    for (const [key, effect] of [...help.slice(0, 4), ...present, ...help.slice(4)]) {
-      const row = element('help').insertRow();
-      row.insertCell().textContent = key;
-      row.insertCell().textContent = effect;
-    }
   }
 
   set_visible(name, is_on) {

@@ -25,10 +25,8 @@ function nearest(distances, within) {
 // The shown node nearest to a place of the window, within reach, or null.
 function node_at(panel, x, y, within) {
   if (!panel.visible.nodes && !panel.visible.skeleton) return null;
-  return nearest(
-    places_of_nodes(panel).map((place) => (place ? Math.hypot(place.x - x, place.y - y) : Infinity)),
-    within,
-  );
+  const distances = places_of_nodes(panel).map((place) => (place ? Math.hypot(place.x - x, place.y - y) : Infinity));
+  return nearest(distances, within);
 }
 
 // The distance of a place from the segment between two others, and at which part of the segment it is.
@@ -47,10 +45,8 @@ function node_or_end_at(panel, x, y, within) {
     const [a, b] = ends_of_edge(panel.model, edge).map((end) => places[end]);
     return is_shown && a && b ? distance_to_segment(x, y, a, b) : { distance: Infinity };
   });
-  const edge = nearest(
-    segments.map((segment) => segment.distance),
-    within,
-  );
+  const distances = segments.map(({ distance }) => distance);
+  const edge = nearest(distances, within);
   return edge === null ? null : ends_of_edge(panel.model, edge)[segments[edge].part < 0.5 ? 0 : 1];
 }
 

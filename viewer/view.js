@@ -43,7 +43,7 @@ export class View {
     this.camera = new THREE.PerspectiveCamera(field_of_view, 1, 0.01, 100);
     this.points = model.positions.length > 0 ? model.positions : model.node_positions;
     this.box = box_of(this.points);
-    this.frame = model.frame;
+    this.unit = model.frame[3];
     this.turn = 0; // degrees around the up direction
     this.margin_left = 0; // pixels
     this.is_stale = true;
@@ -135,10 +135,10 @@ export class View {
   // A bar of 1, 2 or 5 times a power of ten, in the unit of the input, at the depth of the target.
   draw_scale() {
     const bar = document.getElementById('scale');
-    const longest = (140 / this.pixels(1)) * this.frame[3]; // of 140 pixels
+    const longest = (140 / this.pixels(1)) * this.unit; // of 140 pixels
     const power = 10 ** Math.floor(Math.log10(longest));
     const length = [5, 2, 1].map((factor) => factor * power).find((candidate) => candidate <= longest);
-    bar.style.width = `${this.pixels(length / this.frame[3])}px`;
+    bar.style.width = `${this.pixels(length / this.unit)}px`;
     bar.textContent = Number(length.toPrecision(1));
   }
 
@@ -169,19 +169,8 @@ export class View {
     if (this.is_stale) this.draw();
   }
 
-  // The two points of the camera, by their names in the address, in coordinates of the input.
-  camera_points() {
-    const { position } = this.camera;
-    return Object.entries({ eye: position, target: this.controls.target }).map(([name, point]) => [
-      name,
-      point.toArray().map((value, k) => this.frame[k] + this.frame[3] * value),
-    ]);
-  }
-
-  set_camera_point(name, values) {
-    const point = name === 'eye' ? this.camera.position : this.controls.target;
-    point.fromArray(values.map((value, k) => (value - this.frame[k]) / this.frame[3]));
-    this.is_fitted = false;
-    this.settle();
+  // The place of the camera and the point that it looks at, by their names in the address.
+  ends_of_sight() {
+    return { eye: this.camera.position, target: this.controls.target };
   }
 }

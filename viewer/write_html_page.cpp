@@ -62,15 +62,6 @@ public:
   /// Center and half extent.
   std::vector<double> numbers() const { return {m_center[0], m_center[1], m_center[2], m_half_extent}; }
 
-  std::vector<float> lengths(const std::vector<double>& lengths) const
-  {
-    std::vector<float> result;
-    for (const double length : lengths) {
-      result.push_back(float(length / m_half_extent));
-    }
-    return result;
-  }
-
   std::vector<float> positions(const std::vector<Vector_3>& points) const
   {
     std::vector<float> result;
@@ -202,20 +193,11 @@ Json data_of(const Html_page_content& content)
               {"cut_handles", encode(frame.positions(content.cloud.cut_handles))},
               {"joined_gaps", encode(frame.positions(content.cloud.joined_gaps))}};
   if (content.skeleton.has_radii()) {
-    arrays["node_radii"] = encode(frame.lengths(content.skeleton.radii));
+    arrays["node_radii"] = encode(content.skeleton.radii);
   }
   add_branches(content.skeleton, arrays);
   add_separators(content.skeleton.separators, frame, arrays);
   return {{"number_of_points", content.cloud.number_of_points}, {"arrays", std::move(arrays)}};
-}
-
-/// `text` such that a page shows it literally.
-std::string escape_html(std::string text)
-{
-  boost::algorithm::replace_all(text, "&", "&amp;");
-  boost::algorithm::replace_all(text, "<", "&lt;");
-  boost::algorithm::replace_all(text, ">", "&gt;");
-  return text;
 }
 
 } // namespace
@@ -228,8 +210,10 @@ void write_html_page(std::ostream& out, const Html_page_content& content, const 
   const std::size_t title_begin = page.find(title_mark);
   const std::size_t title_end = title_begin + title_mark.size();
   const std::size_t data_begin = page.find(data_mark);
-  out << page.substr(0, title_begin) << escape_html(title) << page.substr(title_end, data_begin - title_end)
-      << data_of(content) << page.substr(data_begin + data_mark.size());
+  const std::string title_text =
+      boost::algorithm::replace_all_copy(boost::algorithm::replace_all_copy(title, "&", "&amp;"), "<", "&lt;");
+  out << page.substr(0, title_begin) << title_text << page.substr(title_end, data_begin - title_end) << data_of(content)
+      << page.substr(data_begin + data_mark.size());
   if (!out.flush()) {
     throw File_error(
         "the page could not be written to the stream: check that it is open and that the disk is not full");

@@ -121,8 +121,7 @@ TEST(Write_html_page, keeps_positions_far_from_the_origin)
       EXPECT_NEAR(frame[i] + frame[3] * static_cast<double>(coordinate), mesh.point(v)[static_cast<int>(i)], rounding);
     }
   }
-  EXPECT_EQ(array_of<float>(data, "node_radii"),
-            std::vector<float>(5, static_cast<float>(CSCD::test::fork_radius / frame[3])));
+  EXPECT_EQ(array_of<double>(data, "node_radii"), std::vector<double>(5, CSCD::test::fork_radius));
 }
 
 TEST(Write_html_page, survives_extreme_and_missing_extents)
@@ -252,7 +251,7 @@ TEST(Write_html_page, numbers_vertices_without_the_removed_ones)
 TEST(Write_html_page, escapes_the_title)
 {
   const std::string page = page_of(Mesh(), Skeleton(), {}, "<b>\"&'</title>@DATA@");
-  EXPECT_NE(page.find("<title>&lt;b&gt;\"&amp;'&lt;/title&gt;@DATA@</title>"), std::string::npos);
+  EXPECT_NE(page.find("<title>&lt;b>\"&amp;'&lt;/title>@DATA@</title>"), std::string::npos);
   EXPECT_EQ(occurrences(page, "<b>\""), 0u);
 }
 

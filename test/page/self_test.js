@@ -135,7 +135,7 @@ function check_movements() {
     () => press('S'),
   );
   press('?');
-  check(!element('help').hidden && /drag.*turn/.test(element('help').textContent), 'key ? shows the help');
+  check(!element('help').hidden && /Drag: turn/.test(element('help').textContent), 'key ? shows the help');
   press('Escape');
   check(element('help').hidden, 'key Escape hides the help');
 }

@@ -20,8 +20,8 @@ function model_of(overrides = {}) {
       Float32Array.from({ length: 24 }, (_, i) => (i % 3 === 0 ? i / 24 : 0)),
     ),
     node_radii: encode(
-      'f',
-      Float32Array.from({ length: 8 }, (_, i) => (i + 1) / 10),
+      'd',
+      Float64Array.from({ length: 8 }, (_, i) => (i + 1) / 5),
     ),
     edges: encode('u', Uint32Array.of(0, 1, 1, 2, 2, 0, 2, 3, 3, 4, 4, 5, 4, 6)),
     branch_of_edge: encode('u', Uint32Array.of(0, 0, 0, 1, 1, 2, 3)),
@@ -44,6 +44,7 @@ test('read_model decodes arrays of every type', () => {
   assert.equal(model.number_of_nodes, 8);
   assert.equal(model.number_of_edges, 7);
   assert.equal(model.node_positions[3], Math.fround(3 / 24));
+  assert.equal(model.node_radii[2], Math.fround(0.3));
   assert.equal(model.branch_of_node[2], data.NONE);
   assert.equal(model.significance_limits[0], Infinity);
 });

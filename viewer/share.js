@@ -1,12 +1,48 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Pictures as files.
+// Views to keep: the address, and pictures as files.
 
 import { download } from './bytes.js';
 import { ends_of_edge } from './model.js';
+import { inputs } from './panel.js';
 import { places_of_nodes } from './pointer.js';
 import { color_of_node, tube_radius } from './scene.js';
+
+// The part of the address behind # holds the choices of the panel and the camera. It can have switches (separators=1),
+// opacity=60, significance=1, length=2 (over the radius), coloring=radius, background=dark, clip_axis=z, clip=60, up=z,
+// turn=180 (degrees around up, from the first view), eye=x,y,z, target=x,y,z, panel=0.
+export function address_of(panel) {
+  const { view, model } = panel;
+  const parameters = new URLSearchParams();
+  for (const [name, is_on] of Object.entries(panel.visible)) parameters.set(name, is_on ? 1 : 0);
+  for (const id of inputs) parameters.set(id, document.getElementById(id).value);
+  parameters.set('up', view.up);
+  for (const [name, point] of Object.entries(view.ends_of_sight())) {
+    const place = point.toArray().map((value, k) => model.frame[k] + model.frame[3] * value);
+    parameters.set(name, place.join());
+  }
+  return parameters.toString();
+}
+
+export function apply_address(panel, address) {
+  const { view, model } = panel;
+  for (const [name, value] of new URLSearchParams(address)) {
+    const numbers = value.split(',').map(Number);
+    if (inputs.includes(name)) panel.set(name, value);
+    else if (name === 'up' && /^[xyz]$/.test(value)) panel.choose_up(value);
+    else if (name === 'turn') {
+      view.turn = numbers[0] || 0;
+      view.reset();
+    } else if (name === 'eye' || name === 'target') {
+      if (numbers.length !== 3 || !numbers.every(Number.isFinite)) continue;
+      view.ends_of_sight()[name].fromArray(numbers.map((number, k) => (number - model.frame[k]) / model.frame[3]));
+      view.is_fitted = false;
+      view.settle();
+    } else if (name === 'panel') panel.show_panel(value !== '0');
+    else panel.set_visible(name, value !== '0');
+  }
+}
 
 // The shown skeleton, far parts first, in the pixels of the window.
 export function svg_of(panel) {
