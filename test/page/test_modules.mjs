@@ -89,13 +89,33 @@ test('branches that meet get different colors', () => {
   assert.deepEqual([nodes[0], nodes[2], nodes[3]], [edges[0], special_colors.shared, edges[3]]);
 });
 
+test('branches that meet differ even where colors are used again', () => {
+  const number = 17; // one more than there are colors: a ring of branches, each an edge
+  const counting = Uint32Array.from({ length: number }, (_, i) => i);
+  const model = model_of({
+    node_positions: encode('f', new Float32Array(3 * number)),
+    edges: encode(
+      'u',
+      Uint32Array.from({ length: 2 * number }, (_, i) => ((i + 1) >> 1) % number),
+    ),
+    branch_of_edge: encode('u', counting),
+    branch_of_node: encode('u', new Uint32Array(number).fill(data.NONE)),
+    branch_lengths: encode('d', Float64Array.from(counting)),
+  });
+  const { edges } = make_coloring(model, 'branch');
+  assert.equal(new Set(edges).size, number - 1);
+  edges.forEach((color, i) => assert.notEqual(color, edges[(i + 1) % number]));
+});
+
 test('colorings by values have the range of the nodes', () => {
   const radius = make_coloring(model_of(), 'radius');
   assert.deepEqual(radius.range.map(data.figure), ['0.2', '1.6']);
   assert.deepEqual([radius.nodes[0], radius.nodes[7]], [ramp(0), ramp(1)]);
-  const significance = make_coloring(model_of(), 'significance');
+  const branch_significances = encode('d', Float64Array.of(Infinity, 4, 1, 2, Infinity));
+  const significance = make_coloring(model_of({ branch_significances }), 'significance');
   assert.deepEqual(significance.range, [0, 4]);
   assert.deepEqual([significance.edges[5], significance.edges[0]], [ramp(0.25), ramp(1)]);
+  assert.deepEqual([significance.nodes[4], significance.nodes[6]], [ramp(1), ramp(0.5)]);
   const region = make_coloring(model_of(), 'region');
   assert.equal(new Set(region.nodes).size, 8);
   assert.equal(region.range, undefined);
