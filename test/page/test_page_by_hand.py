@@ -74,7 +74,8 @@ def check_touch(browser):
         for (let x = 20; x < innerWidth; x += 10) {
           const move = new MouseEvent('mousemove', {clientX: x, clientY: y});
           document.getElementById('view').dispatchEvent(move);
-          if (!document.getElementById('tip').hidden) return [x, y];
+          const is_free = document.elementFromPoint(x, y).tagName === 'CANVAS'; // not below the panel
+          if (is_free && !document.getElementById('tip').hidden) return [x, y];
         }
     })()""")  # of some node
     browser.touch("touchStart", (x, y))
