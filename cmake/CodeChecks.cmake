@@ -4,7 +4,7 @@
 # Targets that check the text of the code: format_check, format (rewrites), tidy.
 
 set(cscd_code)
-foreach(folder include src program examples python test benchmark cmake)
+foreach(folder include src program viewer examples python test benchmark cmake)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/${folder}/*.h" "${PROJECT_SOURCE_DIR}/${folder}/*.cpp")
   list(APPEND cscd_code ${files})
 endforeach()
@@ -24,7 +24,7 @@ mark_as_advanced(CSCD_CLANG_TIDY)
 if(CSCD_CLANG_TIDY)
   file(GLOB_RECURSE cscd_tidy_headers CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/include/*.h")
   list(REMOVE_ITEM cscd_tidy_headers "${PROJECT_SOURCE_DIR}/include/CSCD/internal/parameters_interface.h")
-  file(GLOB cscd_tidy_modules CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*/*.cpp")
+  file(GLOB cscd_tidy_modules CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*/*.cpp" "${PROJECT_SOURCE_DIR}/viewer/*.cpp")
   set(cscd_tidy_text ${cscd_tidy_headers} ${cscd_tidy_modules} "${PROJECT_SOURCE_DIR}/cmake/instantiate_adapters.cpp")
   list(TRANSFORM cscd_tidy_text REPLACE "(.+)" "#include \"\\1\" // NOLINT(bugprone-suspicious-include)\n")
   list(JOIN cscd_tidy_text "" cscd_tidy_text)

@@ -34,8 +34,7 @@ set(cscd_io_sources
     IO/write_nrrd.cpp
     IO/write_rig.cpp
     IO/write_skeleton.cpp
-    IO/write_tables.cpp
-    html_page.cpp)
+    IO/write_tables.cpp)
 set(cscd_io_links tree application)
 
 # cscd_add_parts(<prefix> [STATIC])

@@ -5,10 +5,9 @@
 // Writes its curves as cut_locus.polylines.txt, and as cut_locus.html, a page to look at, where three.js is installed.
 // Usage: cut_locus_example [mesh file [number of the vertex]]
 
-#include "three_js_source.h"
+#include "write_html_page.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton_graph.h>
@@ -48,9 +47,7 @@ void write_page(const std::string& filename, const Mesh& mesh, Vertex source, co
     }
     curves.push_back(curve);
   }
-  CSCD::write_file(filename, [&](std::ostream& out) {
-    CSCD::write_html_page(out, mesh, node, curves, CSCD::three_js_source(), "Cut locus");
-  });
+  CSCD::write_file(filename, [&](std::ostream& out) { CSCD::write_html_page(out, mesh, node, curves, "Cut locus"); });
 }
 
 } // namespace
@@ -72,7 +69,7 @@ try {
 
   CSCD::write_file("cut_locus.polylines.txt", [&](std::ostream& out) { CSCD::write_polylines(out, cut_locus); });
   //! [The cut locus of a vertex]
-  if (!CSCD::three_js_source().empty()) {
+  if (CSCD::has_three_js()) {
     write_page("cut_locus.html", mesh, source, cut_locus);
   }
   // Connected, as the mesh is.

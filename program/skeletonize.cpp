@@ -7,16 +7,15 @@
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "roots.h"
-#include "three_js_source.h"
 #include "types.h"
 #include "volumes.h"
+#include "write_html_page.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_html_page.h>
 #include <CSCD/IO/write_rig.h>
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/IO/write_tables.h>
@@ -444,7 +443,7 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
 
 void check_viewer_source(const std::string& option)
 {
-  if (CSCD::three_js_source().empty()) {
+  if (!CSCD::has_three_js()) {
     throw Usage_error(option + ": this program was built without three.js; install libjs-three and build it again");
   }
 }
@@ -456,7 +455,7 @@ bool is_page(const std::string& output)
 
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
 {
-  CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators, CSCD::three_js_source(),
+  CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators,
                         result.tree ? name + ", taken for a scan of trees" : name, make_cloud(input, result));
 }
 

@@ -6,8 +6,8 @@
 
 #include "commands.h"
 #include "compute_skeleton.h"
-#include "three_js_source.h"
 #include "types.h"
+#include "write_html_page.h"
 #include "write_measures.h"
 #include "write_report.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
@@ -244,7 +244,7 @@ std::string evaluate(const Shown_skeleton& skeleton, const std::string& radii, s
 
 std::string page(const Shown_skeleton& skeleton, const std::string& title)
 {
-  if (CSCD::three_js_source().empty()) {
+  if (!CSCD::has_three_js()) {
     throw cscd::Usage_error("this module was built without three.js; install libjs-three and build it again");
   }
   std::ostringstream out;

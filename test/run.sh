@@ -26,7 +26,7 @@ step()
 }
 
 step "packages" install_packages "${library_packages[@]}" "${python_packages[@]}" libgtest-dev libbenchmark-dev \
-  chromium clang clang-format clang-tidy ccache doxygen dpkg-dev file python3
+  chromium nodejs clang clang-format clang-tidy ccache doxygen dpkg-dev file python3
 jobs=$(number_of_jobs)
 
 # configure <preset> [<option>...]

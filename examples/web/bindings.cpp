@@ -4,7 +4,6 @@
 // What the worker of the page calls: `cscd skeletonize` in two steps, so that one skeleton can be saved in many
 // formats. Files are those of Emscripten's memory; messages go to standard error, as those of the program.
 
-#include "three_js_source.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
 #include <CSCD/exceptions.h>
@@ -16,16 +15,6 @@
 #include <new>
 #include <string>
 #include <utility>
-
-namespace CSCD {
-
-// The page has it once, and puts it in the place of this text.
-std::string three_js_source()
-{
-  return "CSCD_THREE_JS";
-}
-
-} // namespace CSCD
 
 namespace {
 

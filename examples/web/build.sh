@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu) and builds the page that computes, build/web/cscd.html: one file, which
-# works offline. Takes no arguments; may be run again. It takes minutes, and is no part of the other builds.
+# Installs missing packages (Debian, Ubuntu) and builds the page that computes, build/web/cscd.html: one file, which
+# works offline. Takes no arguments; may be run again. It takes minutes. The other builds do not include it.
 
 set -euo pipefail
 

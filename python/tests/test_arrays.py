@@ -293,8 +293,8 @@ def test_show(ring, monkeypatch):
     name = ring.show()
     assert opened == ["file://" + name]
     with open(name, encoding="utf-8") as page:
-        assert page.read().startswith("<!DOCTYPE html>")
-    assert ring._repr_html_().startswith('<iframe srcdoc="&lt;!DOCTYPE html&gt;')
+        assert page.read().startswith("<!doctype html>")
+    assert ring._repr_html_().startswith('<iframe srcdoc="&lt;!doctype html&gt;')
 
 
 @pytest.mark.parametrize(

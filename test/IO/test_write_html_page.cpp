@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The text of the viewer page; what a browser makes of it is tested in test/page.
+// The data of the viewer page; its scripts are tested in test/page.
 
 #include "support/Shape.h"
 #include "support/fork_in_box.h"
-#include <CSCD/IO/internal/html_page_template.h>
-#include <CSCD/IO/write_html_page.h>
+#include "write_html_page.h"
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 
@@ -20,10 +21,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <locale>
 #include <ostream>
 #include <sstream>
@@ -44,10 +47,10 @@ constexpr std::uint32_t none = CSCD::no_index;
 
 template <class AnyMesh, class AnySkeleton>
 std::string page_of(const AnyMesh& mesh, const AnySkeleton& skeleton, const Separators& separators = {},
-                    const std::string& three_js = "", const std::string& title = "title")
+                    const std::string& title = "title")
 {
   std::ostringstream out;
-  CSCD::write_html_page(out, mesh, skeleton, separators, three_js, title);
+  CSCD::write_html_page(out, mesh, skeleton, separators, title);
   return out.str();
 }
 
@@ -93,33 +96,12 @@ std::size_t occurrences(const std::string& text, const std::string& part)
   return count;
 }
 
-TEST(Encode_base64, agrees_with_rfc_4648)
+/// The page without its first `<script>` behind the data, which is three.js.
+std::string without_three_js(const std::string& page)
 {
-  using CSCD::internal::encode_base64;
-  EXPECT_EQ(encode_base64(""), "");
-  EXPECT_EQ(encode_base64("f"), "Zg==");
-  EXPECT_EQ(encode_base64("fo"), "Zm8=");
-  EXPECT_EQ(encode_base64("foo"), "Zm9v");
-  EXPECT_EQ(encode_base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(encode_base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(encode_base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(encode_base64("\xff\xfe\x80"), "//6A");
-}
-
-TEST(Write_html_page, tells_the_figures)
-{
-  const Mesh mesh = box_mesh();
-  const Separators separators{{Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)}, {Point(0, 0, 0), Point(1, 0, 0)}};
-  const nlohmann::json counts = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh), separators))["counts"];
-  EXPECT_EQ(counts["vertices"], num_vertices(mesh));
-  EXPECT_EQ(counts["triangles"], num_faces(mesh));
-  EXPECT_EQ(counts["nodes"], 5);
-  EXPECT_EQ(counts["edges"], 4);
-  EXPECT_EQ(counts["branches"], 3);
-  EXPECT_EQ(counts["tips"], 3);
-  EXPECT_EQ(counts["junctions"], 1);
-  EXPECT_EQ(counts["cycles"], 0);
-  EXPECT_EQ(counts["separators"], 2);
+  const std::string begin = "<script>";
+  const std::size_t first = page.find(begin, page.find("id=\"cscd-data\""));
+  return page.substr(0, first) + page.substr(page.find("</script>", first));
 }
 
 TEST(Write_html_page, keeps_positions_far_from_the_origin)
@@ -139,8 +121,7 @@ TEST(Write_html_page, keeps_positions_far_from_the_origin)
       EXPECT_NEAR(frame[i] + frame[3] * static_cast<double>(coordinate), mesh.point(v)[static_cast<int>(i)], rounding);
     }
   }
-  EXPECT_EQ(array_of<float>(data, "node_radii"),
-            std::vector<float>(5, static_cast<float>(CSCD::test::fork_radius / frame[3])));
+  EXPECT_EQ(array_of<double>(data, "node_radii"), std::vector<double>(5, CSCD::test::fork_radius));
 }
 
 TEST(Write_html_page, survives_extreme_and_missing_extents)
@@ -154,7 +135,7 @@ TEST(Write_html_page, survives_extreme_and_missing_extents)
   Skeleton one_node(1);
   one_node[0].point = Point(7, 7, 7);
   EXPECT_EQ(array_of<float>(data_of(page_of(Mesh(), one_node)), "node_positions"), (std::vector<float>{0, 0, 0}));
-  EXPECT_EQ(data_of(page_of(Mesh(), Skeleton()))["counts"]["nodes"], 0);
+  EXPECT_TRUE(array_of<float>(data_of(page_of(Mesh(), Skeleton())), "node_positions").empty());
 }
 
 TEST(Write_html_page, says_what_belongs_to_which_branch)
@@ -188,14 +169,45 @@ TEST(Write_html_page, knows_cycles_and_lone_nodes)
   add_edge(1, 2, skeleton);
   add_edge(2, 0, skeleton);
   const nlohmann::json data = data_of(page_of(Mesh(), skeleton));
-  EXPECT_EQ(data["counts"]["cycles"], 1);
-  EXPECT_EQ(data["counts"]["branches"], 2);
+  EXPECT_EQ(array_of<double>(data, "branch_lengths").size(), 2u);
   const auto of_node = array_of<std::uint32_t>(data, "branch_of_node");
   ASSERT_EQ(of_node.size(), 4u);
   EXPECT_EQ(of_node[1], of_node[0]);
   EXPECT_EQ(of_node[2], of_node[0]);
   EXPECT_NE(of_node[3], of_node[0]);
   EXPECT_EQ(array_of<std::uint32_t>(data, "branch_of_edge"), std::vector<std::uint32_t>(3, of_node[0]));
+}
+
+TEST(Write_html_page, measures_branches_as_tables_do)
+{
+  const Mesh mesh = box_mesh();
+  const auto skeleton = fork_in_box<Skeleton>(mesh);
+  const nlohmann::json data = data_of(page_of(mesh, skeleton));
+  const CSCD::Skeleton_branches table = CSCD::measure_branches(skeleton);
+  ASSERT_EQ(array_of<double>(data, "branch_lengths").size(), 3u);
+  for (std::size_t b = 0; b < 3; ++b) {
+    EXPECT_EQ(array_of<double>(data, "branch_lengths")[b], table.branches[b].length);
+    EXPECT_EQ(array_of<double>(data, "branch_radii")[b], table.branches[b].mean_radius);
+    EXPECT_EQ(array_of<double>(data, "branch_significances")[b], table.branches[b].significance);
+  }
+}
+
+TEST(Write_html_page, limits_branches_where_pruning_cuts_them)
+{
+  const Mesh mesh = box_mesh();
+  const auto skeleton = fork_in_box<Skeleton>(mesh);
+  const nlohmann::json data = data_of(page_of(mesh, skeleton));
+  const auto limits = array_of<double>(data, "significance_limits");
+  ASSERT_EQ(limits.size(), 3u);
+  // The handle, of two edges, is the shortest limb. The prongs are the path that is left.
+  EXPECT_EQ(std::count(limits.begin(), limits.end(), std::numeric_limits<double>::infinity()), 2);
+  const double least = *std::min_element(limits.begin(), limits.end());
+  const auto edges_left = [&](double threshold) {
+    Skeleton pruned = skeleton;
+    return CSCD::simplify_skeleton(pruned, CSCD::parameters::minimum_significance(threshold)).number_of_edges;
+  };
+  EXPECT_EQ(edges_left(least), 4u);
+  EXPECT_EQ(edges_left(std::nextafter(least, 2 * least)), 2u);
 }
 
 TEST(Write_html_page, lists_separators)
@@ -230,27 +242,32 @@ TEST(Write_html_page, numbers_vertices_without_the_removed_ones)
   mesh.remove_vertex(removed);
   mesh.remove_vertex(kept);
   const nlohmann::json data = data_of(page_of(mesh, Skeleton()));
-  EXPECT_EQ(data["counts"]["vertices"], 3);
+  EXPECT_EQ(array_of<float>(data, "positions").size(), 9u);
   for (const std::uint32_t v : array_of<std::uint32_t>(data, "triangles")) {
     EXPECT_LT(v, 3u);
   }
 }
 
-TEST(Write_html_page, escapes_foreign_text)
+TEST(Write_html_page, escapes_the_title)
 {
-  const std::string plain = page_of(Mesh(), Skeleton());
-  const std::string page = page_of(Mesh(), Skeleton(), {}, "a = '</script><!--</SCRIPT>'; // c", "<b>\"&'</title>");
-  EXPECT_NE(page.find("<title>&lt;b&gt;&quot;&amp;&#39;&lt;/title&gt;</title>"), std::string::npos);
+  const std::string page = page_of(Mesh(), Skeleton(), {}, "<b>\"&'</title>@DATA@");
+  EXPECT_NE(page.find("<title>&lt;b>\"&amp;'&lt;/title>@DATA@</title>"), std::string::npos);
   EXPECT_EQ(occurrences(page, "<b>\""), 0u);
-  EXPECT_EQ(occurrences(page, "</script"), occurrences(plain, "</script"));
-  EXPECT_EQ(occurrences(page, "</SCRIPT"), 0u);
-  EXPECT_EQ(occurrences(page, "<!--"), 0u);
-  EXPECT_EQ(occurrences(page, "; // c\n"), 1u);
+}
+
+TEST(Write_html_page, has_scripts_that_end_where_they_should)
+{
+  const std::string page = page_of(Mesh(), Skeleton());
+  EXPECT_EQ(occurrences(page, "<script"), 4u); // errors, data, three.js, modules
+  EXPECT_EQ(occurrences(page, "</script"), 4u);
+  EXPECT_EQ(occurrences(page, "<!--"), 1u); // the license
+  EXPECT_EQ(occurrences(page, "\nimport "), 0u);
+  EXPECT_EQ(occurrences(page, "\nexport "), 0u);
 }
 
 TEST(Write_html_page, needs_no_other_file)
 {
-  const std::string page = page_of(Mesh(), Skeleton());
+  const std::string page = without_three_js(page_of(Mesh(), Skeleton()));
   for (const char* reference : {"http:", "https:", " src=", "href=", "url(", "import ", "fetch(", "XMLHttpRequest"}) {
     EXPECT_EQ(occurrences(page, reference), 0u) << reference;
   }
@@ -267,14 +284,14 @@ TEST(Write_html_page, does_not_depend_on_the_locale)
   const Mesh mesh = box_mesh();
   std::ostringstream out;
   out.imbue(std::locale(std::locale::classic(), new Grouped));
-  CSCD::write_html_page(out, mesh, fork_in_box<Skeleton>(mesh), Separators(), "", "title");
+  CSCD::write_html_page(out, mesh, fork_in_box<Skeleton>(mesh), Separators(), "title");
   EXPECT_EQ(out.str(), page_of(mesh, fork_in_box<Skeleton>(mesh)));
 }
 
 TEST(Write_html_page, reports_a_stream_that_fails)
 {
   std::ostream closed(nullptr);
-  EXPECT_THROW(CSCD::write_html_page(closed, Mesh(), Skeleton(), Separators(), "", ""), CSCD::File_error);
+  EXPECT_THROW(CSCD::write_html_page(closed, Mesh(), Skeleton(), Separators(), ""), CSCD::File_error);
 }
 
 TEST(Write_html_page, wants_triangles)

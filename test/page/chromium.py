@@ -117,7 +117,7 @@ class Chromium:
         self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in fingers])
 
     def downloaded(self, name, timeout=60):
-        """What was downloaded as `name`; it is removed."""
+        """The content of the download `name`, which is removed."""
         file = self.downloads / name
         deadline = time.monotonic() + timeout
         while not file.exists():  # it gets this name when it is complete

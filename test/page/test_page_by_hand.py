@@ -3,7 +3,7 @@
 #
 # Usage: test_page_by_hand.py PROGRAM MESH FOLDER
 # Lets the program write the viewer page of the mesh, moves the picture by one and two fingers, and saves pictures, which
-# are read from disk. Leaves with status 77 where there is no Chromium, or no three.js in the program.
+# are read from disk. Leaves with status 77 without Chromium, and without three.js in the program.
 
 import math
 import pathlib
@@ -74,12 +74,13 @@ def check_touch(browser):
         for (let x = 20; x < innerWidth; x += 10) {
           const move = new MouseEvent('mousemove', {clientX: x, clientY: y});
           document.getElementById('view').dispatchEvent(move);
-          if (document.getElementById('tip').style.display === 'block') return [x, y];
+          const is_free = document.elementFromPoint(x, y).tagName === 'CANVAS'; // not below the panel
+          if (is_free && !document.getElementById('tip').hidden) return [x, y];
         }
     })()""")  # of some node
     browser.touch("touchStart", (x, y))
     browser.touch("touchEnd")
-    browser.wait_for("document.getElementById('row').style.display === 'block'")
+    browser.wait_for("!document.getElementById('row').hidden")
     row = browser.evaluate("document.getElementById('row').textContent")
     check(re.match(r"node \d+, degree", row), f"a tap chooses {row.splitlines()[0]}")
 
@@ -92,7 +93,7 @@ def check_downloads(browser):
     browser.evaluate("document.getElementById('svg').click()")
     svg = xml.etree.ElementTree.fromstring(browser.downloaded("mesh.off.svg"))
     lines = len(svg.findall("{http://www.w3.org/2000/svg}line"))
-    edges = browser.evaluate("cscd.counts.edges")
+    edges = browser.evaluate("cscd.panel.detail.counts.edges")
     check(lines == edges, f"SVG on disk with {lines} lines of {edges} edges")
 
 
@@ -110,7 +111,7 @@ def main():
         sys.exit(SKIPPED)
     with chromium.Chromium(folder, 480, 400) as browser:
         browser.open(page)
-        browser.wait_for("cscd.ready")
+        browser.wait_for("cscd.is_ready")
         check_downloads(browser)
         check_touch(browser)
         errors = browser.evaluate("cscd.errors")

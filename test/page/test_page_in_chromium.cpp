@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loads the viewer page in headless Chromium and lets it test itself: with `#selftest` in its address the page works
-// all its switches, compares the pixels before and after, and writes what it found into an element of that name.
-// Skipped where there is no Chromium or where three.js was not found when this was built.
+// Loads the viewer page in headless Chromium with a script behind it, self_test.js, that works all switches, compares
+// the pixels before and after, and writes its findings into an element. Skipped without Chromium, and where three.js
+// was not found when this was built.
 
 #include "support/Temporary_folder.h"
 #include "support/fork_in_box.h"
 #include "support/skip_or_fail.h"
-#include <CSCD/IO/write_html_page.h>
+#include "write_html_page.h"
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Named_parameters.h>
@@ -18,16 +18,18 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdio>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
-#include <three_js_source.h>
 #include <vector>
 
 namespace {
@@ -72,30 +74,34 @@ protected:
     if (m_chromium.empty()) {
       CSCD_TEST_SKIP_OR_FAIL("Chromium is not installed (package chromium)");
     }
-    if (CSCD::three_js_source().empty()) {
+    if (!CSCD::has_three_js()) {
       CSCD_TEST_SKIP_OR_FAIL("three.js was not found when this test was built (package libjs-three)");
     }
   }
 
   template <class AnySkeleton>
-  void write_page(const Mesh& mesh, const AnySkeleton& skeleton, const Separators& separators,
-                  const std::string& three_js)
+  static std::string page_of(const Mesh& mesh, const AnySkeleton& skeleton, const Separators& separators = {})
   {
-    std::ofstream out(m_folder.file("page.html"), std::ios::binary);
-    CSCD::write_html_page(out, mesh, skeleton, separators, three_js, "A page <to> be \"tested\" & seen");
+    std::ostringstream out;
+    CSCD::write_html_page(out, mesh, skeleton, separators, "A page <to> be \"tested\" & seen");
+    return out.str();
   }
 
-  /// What the page found out about itself, and its title.
+  /// The findings of the script that is put behind the scripts of `page`.
   /// Graphics are computed in software, so that the test runs on machines without display and graphics card; network
   /// services of the browser are off. The time limit is many times what it takes.
-  std::string self_test() const
+  std::string self_test(std::string page) const
   {
+    std::ifstream script(CSCD_SELF_TEST, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(script), std::istreambuf_iterator<char>()};
+    boost::algorithm::replace_last(page, "</body>", "<script type=\"module\">\n" + text + "</script>\n</body>");
+    std::ofstream(m_folder.file("page.html"), std::ios::binary) << page;
     const std::string command =
         "timeout 120 " + m_chromium +
         " --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --ignore-gpu-blocklist"
         " --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic"
         " --disable-dev-shm-usage --window-size=640,420 --virtual-time-budget=5000 --user-data-dir='" +
-        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "#selftest' 2>/dev/null";
+        m_folder.file("profile") + "' --dump-dom 'file://" + m_folder.file("page.html") + "' 2>/dev/null";
     const std::string dom = output_of(command);
     const std::string begin = "<pre id=\"selftest\">";
     const std::size_t first = dom.find(begin);
@@ -128,8 +134,7 @@ TEST_F(Page_in_chromium, draws_and_all_switches_work)
 {
   const Mesh mesh = box_mesh();
   const auto skeleton = fork_in_box<Skeleton>(mesh);
-  write_page(mesh, skeleton, girdles_of(skeleton), CSCD::three_js_source());
-  const std::string result = self_test();
+  const std::string result = self_test(page_of(mesh, skeleton, girdles_of(skeleton)));
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_FALSE(contains(result, "failed")) << result;
   for (const char* name : {"surface", "skeleton", "nodes", "balls", "separators", "color"}) {
@@ -169,8 +174,7 @@ TEST_F(Page_in_chromium, sliders_prune_as_the_library_does)
     }
   }
   add_edge(2, 50, skeleton);
-  write_page(mesh, skeleton, {}, CSCD::three_js_source());
-  const std::string result = self_test();
+  const std::string result = self_test(page_of(mesh, skeleton));
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_TRUE(contains(result, "ok slider significance:")) << result;
   std::set<std::size_t> sizes;
@@ -192,8 +196,7 @@ TEST_F(Page_in_chromium, does_without_radii_and_separators)
 {
   using Cgal_skeleton = CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton;
   const Mesh mesh = box_mesh();
-  write_page(mesh, fork_in_box<Cgal_skeleton>(mesh), {}, CSCD::three_js_source());
-  const std::string result = self_test();
+  const std::string result = self_test(page_of(mesh, fork_in_box<Cgal_skeleton>(mesh)));
   EXPECT_TRUE(contains(result, "selftest passed")) << result;
   EXPECT_TRUE(contains(result, "absent balls")) << result;
   EXPECT_TRUE(contains(result, "absent detail")) << result;
@@ -203,15 +206,17 @@ TEST_F(Page_in_chromium, does_without_radii_and_separators)
 TEST_F(Page_in_chromium, tells_what_went_wrong)
 {
   const Mesh mesh = box_mesh();
-  write_page(mesh, fork_in_box<Skeleton>(mesh), {}, "");
-  const std::string without_three = self_test();
+  const std::string page = page_of(mesh, fork_in_box<Skeleton>(mesh));
+  const auto with_script = [&](const std::string& script) {
+    return boost::algorithm::replace_first_copy(page, "<body>", "<body>\n<script>\n" + script + "\n</script>");
+  };
+  const std::string without_three =
+      self_test(with_script("Object.defineProperty(window, 'THREE', {value: Object.freeze({})});"));
   EXPECT_TRUE(contains(without_three, "written without three.js")) << without_three;
   EXPECT_FALSE(contains(without_three, "selftest passed")) << without_three;
 
-  const std::string complaint = "\nconsole.error('a complaint');";
-  const std::string access = "\nnew Image().src = 'file:///picture.png';";
-  write_page(mesh, fork_in_box<Skeleton>(mesh), {}, CSCD::three_js_source() + complaint + access);
-  const std::string with_errors = self_test();
+  const std::string with_errors =
+      self_test(with_script("console.error('a complaint');\nnew Image().src = 'file:///picture.png';"));
   EXPECT_TRUE(contains(with_errors, "failed error: a complaint")) << with_errors;
   EXPECT_TRUE(contains(with_errors, "content security policy")) << with_errors;
   EXPECT_FALSE(contains(with_errors, "selftest passed")) << with_errors;

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: test_page_that_computes.py PROGRAM PAGE DATA FOLDER
-# Opens meshes and points of the folder DATA, of CGAL's, in the page that examples/web/build.sh makes, and compares what
-# is saved there with what the program writes. Leaves with status 77 where there is no Chromium, or no page yet.
+# Opens meshes and points of the folder DATA, of CGAL's, in the page that examples/web/build.sh makes, and compares the
+# files saved there with those of the program. Leaves with status 77 without Chromium, and without the page.
 
 import base64
 import pathlib
@@ -22,7 +22,7 @@ TEXTS = {".graph": "-o", ".json": "-o", ".obj": "-o", ".polylines.txt": "-o", ".
          "_vertices.csv": "--correspondence"}
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 # The C libraries and the order of sums differ.
-TOLERANCE = 1e-9  # relative to the greatest number that is no integer
+TOLERANCE = 1e-9  # relative to the greatest number with a fraction
 
 
 def check(is_right, text):
@@ -77,9 +77,10 @@ def check_skeleton(browser, program, folder, file, *options):
     worst = difference(of_page, of_program)
     check(worst <= TOLERANCE, f"{file.name} {' '.join(options)}: {nodes} nodes, {browser.evaluate('cscd.seconds'):.2f} "
                               f"s; coordinates differ by {worst:.0e}")
-    browser.wait_for("document.getElementById('viewer').contentWindow.cscd.ready")
-    shown = browser.evaluate("document.getElementById('viewer').contentWindow.cscd")
-    check(shown["counts"]["nodes"] == nodes and not shown["errors"], f"shown with {shown['counts']['nodes']} nodes")
+    browser.wait_for("document.getElementById('viewer').contentWindow.cscd.is_ready")
+    shown = browser.evaluate("""(({panel, errors}) => ({nodes: panel.detail.counts.nodes, errors}))(
+      document.getElementById('viewer').contentWindow.cscd)""")
+    check(shown["nodes"] == nodes and not shown["errors"], f"shown with {shown['nodes']} nodes")
 
 
 def check_formats(browser, program, folder, file):
@@ -120,7 +121,7 @@ def check_messages(browser, folder, good):
 def main():
     program, page, data, folder = sys.argv[1:]
     if not chromium.is_installed():
-        print("skipped: there is no Chromium")
+        print("skipped: Chromium was not found")
         sys.exit(SKIPPED)
     if not pathlib.Path(page).is_file():
         print("skipped: examples/web/build.sh has not made the page")

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The CSCD developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A page that shows a skeleton inside its surface. It carries three.js, which is not installed with the library:
+// so it belongs to the program.
+
+#ifndef CSCD_VIEWER_WRITE_HTML_PAGE_H
+#define CSCD_VIEWER_WRITE_HTML_PAGE_H
+
+#include <CSCD/Measure/Skeleton_branches.h>
+#include <CSCD/Skeleton.h>
+#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Vector_3.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/double.h>
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace CSCD {
+
+/// Whether three.js was found when this was built. Without it pages show a message in place of the picture.
+bool has_three_js();
+
+/// The points of a point set, and where its surface was repaired.
+template <class Point>
+struct Html_page_cloud
+{
+  std::size_t number_of_points = 0; ///< the first vertices of the mesh are the points; 0 for other meshes
+  std::vector<Point> cut_handles{}; ///< where handles were cut
+  std::vector<Point> joined_gaps{}; ///< where fragments were joined
+};
+
+namespace internal {
+
+/// The content of a page, in the coordinates of the input.
+struct Html_page_content
+{
+  Assigned_surface surface;
+  Skeleton skeleton;
+  Html_page_cloud<Vector_3> cloud;
+};
+
+void write_html_page(std::ostream& out, const Html_page_content& content, const std::string& title);
+
+template <class Point>
+std::vector<Vector_3> to_vectors(const std::vector<Point>& points)
+{
+  std::vector<Vector_3> result;
+  result.reserve(points.size());
+  for (const Point& p : points) {
+    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+  }
+  return result;
+}
+
+} // namespace internal
+
+/// writes a page for browsers that shows `skeleton` inside the translucent surface of `mesh`: one HTML file that needs
+/// no other file and no network.
+/// Positions are stored in single precision relative to the middle of the shape. The page's address can carry the first
+/// view: `page.html#separators=1&color=1&opacity=60&significance=1&up=z&panel=0`. Sliders hide branches by the rule by
+/// which `simplify_skeleton()` prunes. O(n log n).
+/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
+/// \tparam SkeletonGraph a `Skeleton_graph`, or CGAL's `Mean_curvature_flow_skeletonization<TriangleMesh>::Skeleton`,
+///         whose nodes have no radius, so that the page has no balls and no sliders
+/// \param separators closed curves on the surface, the first point not repeated; may be empty
+/// \param title heads the page; any text
+/// \param cloud the points behind a mesh that was made of points, and where it was repaired; empty for other meshes
+/// \pre all faces of `mesh` are triangles; all coordinates are finite
+/// \throw File_error if `out` fails
+template <class TriangleMesh, class SkeletonGraph, class Point>
+void write_html_page(std::ostream& out, const TriangleMesh& mesh, const SkeletonGraph& skeleton,
+                     const std::vector<std::vector<Point>>& separators, const std::string& title,
+                     const Html_page_cloud<Point>& cloud = {})
+{
+  CGAL_precondition(CGAL::is_triangle_mesh(mesh));
+  internal::Html_page_content content{
+      internal::assigned_surface(mesh, skeleton),
+      internal::index_skeleton(skeleton),
+      {cloud.number_of_points, internal::to_vectors(cloud.cut_handles), internal::to_vectors(cloud.joined_gaps)}};
+  for (const std::vector<Point>& separator : separators) {
+    content.skeleton.separators.push_back(internal::to_vectors(separator));
+  }
+  internal::write_html_page(out, content, title);
+}
+
+} // namespace CSCD
+
+#endif // CSCD_VIEWER_WRITE_HTML_PAGE_H
