@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 #ifdef __linux__
 #include <sys/resource.h>
@@ -16,20 +17,91 @@
 
 namespace cscd {
 
-std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root)
+namespace {
+
+constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+
+/// The number in a file; nothing if there is none, as where a group has no bound.
+std::optional<std::size_t> number_in(const std::filesystem::path& file)
 {
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (;; group = group.parent_path()) {
-    std::size_t bound = 0; // not a number if there is none
-    std::size_t used = 0;
-    if (std::ifstream(group / "memory.max") >> bound && std::ifstream(group / "memory.current") >> used) {
-      std::ifstream statistics(group / "memory.stat");
-      std::string key;
-      for (std::size_t value = 0; statistics >> key >> value;) {
-        used -= key == "file" ? std::min(used, value) : 0;
-      }
-      least = std::min(least, bound - std::min(bound, used));
+  std::size_t result = 0;
+  return std::ifstream(file) >> result ? std::optional(result) : std::nullopt;
+}
+
+/// The number behind `key` in a file of keys and numbers; 0 if there is none.
+std::size_t number_in(const std::filesystem::path& file, const std::string& key)
+{
+  std::ifstream in(file);
+  std::size_t result = 0;
+  for (std::string word; in >> word;) {
+    if (word == key && in >> result) {
+      return result;
     }
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  return 0;
+}
+
+/// What a bound leaves. \param used the file of what is used \param free the part of it that can be taken back
+std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free = 0)
+{
+  const std::optional<std::size_t> most = number_in(bound);
+  const std::optional<std::size_t> now = number_in(used);
+  if (!most || !now) {
+    return unbounded;
+  }
+  const std::size_t kept = *now - std::min(*now, free);
+  return *most - std::min(*most, kept);
+}
+
+std::size_t add(std::size_t a, std::size_t b)
+{
+  return a > unbounded - b ? unbounded : a + b;
+}
+
+/// What one control group leaves: its files are those of version 2 or 1.
+std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t swap)
+{
+  const std::size_t cache = number_in(group / "memory.stat", "file");
+  const std::size_t old_cache = number_in(group / "memory.stat", "total_cache");
+  const std::size_t swap_left =
+      std::min(swap, left_by(group / "memory.swap.max", group / "memory.swap.current")); // version 2 alone has them
+  const std::size_t left = left_by(group / "memory.max", group / "memory.current", cache);
+  const std::size_t old_left = left_by(group / "memory.limit_in_bytes", group / "memory.usage_in_bytes", old_cache);
+  const std::size_t old_left_with_swap =
+      left_by(group / "memory.memsw.limit_in_bytes", group / "memory.memsw.usage_in_bytes", old_cache);
+  return std::min({add(left, swap_left), add(old_left, swap), old_left_with_swap});
+}
+
+#ifdef __linux__
+/// What the control groups of this process leave.
+std::size_t memory_left_in_own_groups(std::size_t swap)
+{
+  const std::filesystem::path root = "/sys/fs/cgroup";
+  std::size_t result = unbounded;
+  std::ifstream groups(
+      "/proc/self/cgroup"); // lines number:controllers:/path, without number and controllers in version 2
+  for (std::string line; std::getline(groups, line);) {
+    const std::size_t controllers = line.find(':') + 1;
+    const std::size_t path = line.find(":/", controllers) + 2;
+    const std::string names = "," + line.substr(controllers, path - 2 - controllers) + ",";
+    const bool is_of_memory = names.find(",memory,") != std::string::npos;
+    if (is_of_memory || names == ",,") {
+      const std::filesystem::path top = is_of_memory ? root / "memory" : root;
+      result = std::min(result, memory_left_in_groups((top / line.substr(path)).lexically_normal(), top, swap));
+    }
+  }
+  return result;
+}
+#endif
+
+} // namespace
+
+std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root, std::size_t swap)
+{
+  std::size_t least = unbounded;
+  for (;; group = group.parent_path()) {
+    least = std::min(least, memory_left_in_group(group, swap));
     if (group == root || group == group.parent_path()) {
       return least;
     }
@@ -40,28 +112,17 @@ void limit_memory_to_available()
 {
 #ifdef __linux__
   constexpr std::size_t kilobyte = 1024; // bytes
-  std::ifstream machine("/proc/meminfo");
-  std::string key;
-  std::size_t available = 0; // kilobytes
-  while (machine >> key && key != "MemAvailable:") {
-    machine.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
+  const std::size_t available = kilobyte * number_in("/proc/meminfo", "MemAvailable:");
+  const std::size_t swap = kilobyte * number_in("/proc/meminfo", "SwapFree:");
   std::ifstream process("/proc/self/statm"); // pages: whole size, resident, shared, code, 0, data
   std::size_t pages = 0;
   for (int column = 0; column < 6; ++column) {
     process >> pages;
   }
-  const std::filesystem::path root = "/sys/fs/cgroup";
-  std::ifstream groups("/proc/self/cgroup");
-  std::string group;
-  while (std::getline(groups, group) && group.rfind("0::/", 0) != 0) {
-  }
-  const std::size_t left = groups ? memory_left_in_groups((root / group.substr(4)).lexically_normal(), root)
-                                  : std::numeric_limits<std::size_t>::max();
   // RLIMIT_DATA counts memory that is written to, unlike RLIMIT_AS, which counts memory that is only reserved.
   rlimit limit{};
-  if (machine >> available && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
-    const std::size_t more = std::min(available * kilobyte, left);
+  if (available > 0 && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
+    const std::size_t more = std::min(available + swap, memory_left_in_own_groups(swap));
     limit.rlim_cur = std::min(limit.rlim_cur, rlim_t(pages * std::size_t(sysconf(_SC_PAGESIZE)) + more));
     setrlimit(RLIMIT_DATA, &limit);
   }

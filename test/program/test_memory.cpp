@@ -20,7 +20,7 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
 {
   const test_support::Temporary_folder root;
   std::filesystem::create_directories(root.path() / "slice/job");
-  const auto left = [&](const char* group) { return cscd::memory_left_in_groups(root.path() / group, root.path()); };
+  const auto left = [&](const char* group) { return cscd::memory_left_in_groups(root.path() / group, root.path(), swap); };
   EXPECT_EQ(left("slice/job"), unbounded);
   root.write("slice/job/memory.max", "max\n");
   root.write("slice/job/memory.current", "300\n");
