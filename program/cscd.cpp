@@ -176,7 +176,7 @@ void add_command(CLI::App& app, const Command& command)
   }
 }
 
-/// Says what is wrong in one line.
+/// Prints a fault in one line.
 void complain(std::string message)
 {
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -201,7 +201,7 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
   std::abort();
 }
 
-/// The arguments, with `skeletonize` in front of those that name no command.
+/// The arguments. If the first one names no command, `skeletonize` stands in front.
 /// \throw cscd::Usage_error if there are none, or the first one is neither a command nor a file
 std::vector<const char*> with_command(int argc, char** argv, const std::vector<Command>& commands)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Inputs that are taken for graphs.
+// Inputs that are treated as graphs.
 
 #include "types.h"
 #include <CSCD/Graph/Spatial_graph.h>

@@ -42,7 +42,7 @@ std::size_t number_in(const std::filesystem::path& file, const std::string& key)
   return 0;
 }
 
-/// What a bound leaves. \param used the file of what is used \param free the part of it that can be taken back
+/// The bytes that a bound leaves. \param used the file of the bytes in use \param free how many of them are a cache
 std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free = 0)
 {
   const std::optional<std::size_t> most = number_in(bound);
@@ -59,7 +59,7 @@ std::size_t add(std::size_t a, std::size_t b)
   return a > unbounded - b ? unbounded : a + b;
 }
 
-/// What one control group leaves: its files are those of version 2 or 1.
+/// The bytes that one control group leaves. It has files of version 2 or 1.
 std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t swap)
 {
   const std::size_t cache = number_in(group / "memory.stat", "file");
@@ -74,7 +74,7 @@ std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t
 }
 
 #ifdef __linux__
-/// What the control groups of this process leave.
+/// The bytes that the control groups of this process leave.
 std::size_t memory_left_in_own_groups(std::size_t swap)
 {
   const std::filesystem::path root = "/sys/fs/cgroup";

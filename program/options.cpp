@@ -284,15 +284,14 @@ std::vector<Option> options_of(Skeletonize_options& o)
            .of(volume_input),
        Option{"label", &o.volume.label, "L", "the body: voxels of label L"}.at_least(1).of(volume_input),
        Option{"all-labels", &o.volume.has_all_labels, "", "a body and files FILE_L for each label L"}.of(volume_input),
-       Option{"connectivity", &o.volume.connectivity, "6|26", "neighbors to which voxels are joined"}
+       Option{"connectivity", &o.volume.connectivity, "6|26", "number of neighbors of a voxel"}
            .one_of({"6", "26"})
            .of(volume_input),
        Option{"keep-cavities", &o.volume.keeps_cavities, "", "skeletonize cavities, too, instead of filling them"}.of(
            volume_input)});
   append(
       table, tree_group,
-      {file_option("cylinders", o.cylinders, "cylinders of a tree as CSV in the columns of TreeQSM")
-           .of(point_input, "add --shape tree"),
+      {file_option("cylinders", o.cylinders, "cylinders of a tree as CSV in the columns of TreeQSM").of(point_input),
        Option{"breast-height", &o.breast_height, "H", "height above the root at which trunks are measured"}.above(0).of(
            point_input)});
   append(
@@ -305,7 +304,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
        Option{"seed", &o.seed, "N", "seed of the random choice of sources"}.at_least(0),
        Option{"threads", &o.number_of_threads, "N", "number of threads; the skeleton does not depend on it"}.at_least(
            1),
-       Option{"separators", &o.maximum_number_of_sources, "N", "most points from which separators are sought"}.at_least(
+       Option{"separators", &o.maximum_number_of_sources, "N", "greatest number of sources of separators"}.at_least(
            1)});
   return table;
 }
@@ -400,7 +399,8 @@ std::vector<Option> options_of(Loops_options& o)
          {{"handles", &o.handles, "", "write handle loops; without such options all kinds are written"},
           {"tunnels", &o.tunnels, "", "write tunnel loops"},
           {"constrictions", &o.constrictions, "", "write constrictions"},
-          Option{"min-depth", &o.min_depth, "D", "least depth of constrictions: relative extra length of loops beside"}
+          Option{"min-depth", &o.min_depth, "D",
+                 "least depth of constrictions: relative extra length of neighboring loops"}
               .at_least(0)});
   return table;
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The options of the commands: one table each, from which the command line, the help, the checks, the report and the
-// arguments of the Python module are made.
+// The options of the commands: one table each. Command line, help, checks, report and the arguments of the Python
+// module are made of them.
 
 #ifndef CSCD_PROGRAM_OPTIONS_H
 #define CSCD_PROGRAM_OPTIONS_H
@@ -72,7 +72,7 @@ struct Volume_options
   std::optional<unsigned> label;   ///< of the body; without it and the others all voxels that are not 0 are of it
   std::optional<double> threshold; ///< voxels of at least this value are of the body
   bool has_all_labels = false;     ///< each label is a body of its own
-  unsigned connectivity = 26;      ///< or 6: the number of neighbors to which a voxel is joined
+  unsigned connectivity = 26;      ///< or 6: the number of neighbors of a voxel
   bool keeps_cavities = false;     ///< as surfaces that get skeletons of their own
 };
 
@@ -84,7 +84,7 @@ struct Skeletonize_options
   std::vector<std::string> outputs; ///< file names, or `standard_stream` for GEL's graph format
   std::string method = local_method;
   std::string domain;               ///< `graph_domain` if the input is treated as a graph, or empty
-  unsigned number_of_neighbors = 0; ///< to which points of a graph are joined; 0 for the default
+  unsigned number_of_neighbors = 0; ///< of each point of a graph; 0 for the default
   bool is_literal = false;          ///< of the published method: as printed where the default differs
   std::string shape = automatic_shape;
   std::string root; ///< three coordinates with commas between, the name of a rule, or empty
@@ -93,7 +93,7 @@ struct Skeletonize_options
   double detail = CSCD::Options().detail;
   unsigned seed = 0;
   unsigned number_of_threads = 0;            ///< 0 for as many as the machine has
-  std::size_t maximum_number_of_sources = 0; ///< from which separators are sought; 0 for the default of the method
+  std::size_t maximum_number_of_sources = 0; ///< of separators; 0 for the default of the method
   Volume_options volume;
   Fragment_options fragments;
   Swc_arguments swc;
@@ -195,7 +195,7 @@ using Option_value =
 struct Option
 {
   std::string name;     ///< without dashes; in upper case if it is an argument without a name
-  Option_value value;   ///< in the options for which the table was made
+  Option_value value;   ///< a member of the options of the table
   std::string argument; ///< the word of the help for the value; empty for flags
   std::string help;     ///< a phrase
   std::string group{};  ///< in the help
@@ -206,8 +206,8 @@ struct Option
   double most = std::numeric_limits<double>::infinity();
   bool excludes_least = false;
   std::function<std::string(const std::string&)> check{}; ///< the fault of a text, or empty
-  unsigned kinds = any_input;                             ///< of input to which the option applies
-  std::string method{};                                   ///< to which the option applies; empty for all
+  unsigned kinds = any_input;                             ///< of input: the option applies to these
+  std::string method{};                                   ///< the only one that has the option; empty if all have it
   std::string remedy{};                                   ///< where the option does not apply, besides leaving it out
 
   /// \name Setters
@@ -264,7 +264,7 @@ void assign(const Option& option, const std::string& text);
 std::vector<Option> given_options(Skeletonize_options& options);
 
 /// Refuses options that do not apply to the input or the method. One wording: option, reason, remedy.
-/// \param kinds the kinds of input that are possible by what is known
+/// \param kinds the possible kinds of input
 /// \throw Usage_error
 void check_applicability(const Skeletonize_options& options, unsigned kinds);
 

@@ -317,7 +317,7 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
       say(name, sentence);
     }
     if (input.has_other_columns) {
-      say(name, "three numbers behind the coordinates are no normals, but colors or the like: passed over");
+      say(name, "three numbers behind the coordinates are not normals, but colors or the like: ignored");
     }
   }
   return input;

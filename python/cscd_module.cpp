@@ -4,8 +4,8 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
 // cscd/__init__.py.
 
-#include "commands.h"
 #include "compute_skeleton.h"
+#include "options.h"
 #include "three_js_source.h"
 #include "types.h"
 #include "write_measures.h"
@@ -14,6 +14,7 @@
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
@@ -21,6 +22,8 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -43,6 +46,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -86,14 +90,15 @@ std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string
   return result;
 }
 
-/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row.
+/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row. -1 behind
+/// the third value of a row stands for no vertex.
 template <class AddVertex, class EndRow>
 void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices,
                      const AddVertex& add_vertex, const EndRow& end_row)
 {
   const auto value = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    for (py::ssize_t j = 0; j < rows.shape(1); ++j) {
+    for (py::ssize_t j = 0; j < rows.shape(1) && (j < 3 || value(i, j) != -1); ++j) {
       if (value(i, j) < 0 || value(i, j) >= number_of_vertices) {
         throw CSCD::Input_error(name + ": row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
                                 ", and V has rows 0 to " + std::to_string(number_of_vertices - 1));
@@ -156,13 +161,65 @@ void make_point_set(const Coordinates& points, const std::optional<Coordinates>&
   CSCD::internal::convert_to_points(soup, source.input.points, source.input.normals);
 }
 
+/// The options that `arguments` of Python set; None leaves the default.
+/// \throw Usage_error naming the argument and its range
+template <class Options>
+Options to_options(const py::dict& arguments)
+{
+  Options result;
+  for (const cscd::Option& option : cscd::options_of(result)) {
+    const std::string name = cscd::python_name(option);
+    const py::object value = arguments.contains(name) ? py::object(arguments[name.c_str()]) : py::none();
+    if (value.is_none()) {
+      continue;
+    }
+    const bool is_flag = std::holds_alternative<bool*>(option.value);
+    const std::string text = is_flag ? (py::bool_(value) ? "true" : "false") : std::string(py::str(value));
+    if (text != cscd::text_of(option)) {
+      cscd::assign(option, text);
+    }
+  }
+  return result;
+}
+
+/// Name, default, values and help of the arguments of Python that the options of `command` are.
+template <class Options>
+py::list describe_options()
+{
+  Options options;
+  py::list result;
+  for (const cscd::Option& option : cscd::options_of(options)) {
+    if (cscd::is_of_method(option)) {
+      result.append(py::make_tuple(cscd::python_name(option), cscd::text_of(option),
+                                   option.choices.empty() ? "" : option.argument, option.help));
+    }
+  }
+  return result;
+}
+
+/// Passes progress on to `callback(stage, fraction)`, which is referred to and may be None, and raises what signals of
+/// the user raise, such as KeyboardInterrupt.
+cscd::Stage_progress to_progress(const py::object& callback)
+{
+  return [&callback](CSCD::Skeletonization_stage stage, double fraction) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) {
+      throw py::error_already_set();
+    }
+    if (!callback.is_none()) {
+      callback(CSCD::name(stage), fraction);
+    }
+  };
+}
+
 /// A skeleton, with its arrays as NumPy shows them and what it was made of.
 class Shown_skeleton
 {
 public:
-  Shown_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonization_result result, std::string report)
-      : m_source(std::move(source)), m_result(std::move(result)), m_report(std::move(report)),
-        m_content(CSCD::internal::index_skeleton(m_result.skeleton))
+  Shown_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonize_options options,
+                 cscd::Skeletonization_result result, std::string report)
+      : m_source(std::move(source)), m_options(std::move(options)), m_result(std::move(result)),
+        m_report(std::move(report)), m_content(CSCD::internal::index_skeleton(m_result.skeleton))
   {
     const cscd::Skeleton& skeleton = m_result.skeleton;
     m_significances.reserve(num_edges(skeleton));
@@ -181,17 +238,35 @@ public:
   const std::vector<double>& significances() const { return m_significances; }
   const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
 
-  Shown_skeleton simplify(const cscd::Simplify_options& options, bool stays_inside) const
+  Shown_skeleton simplify(const py::dict& arguments, bool stays_inside) const
   {
+    auto options = to_options<cscd::Simplify_options>(arguments);
+    options.skeleton = "skeleton"; // in messages
+    const py::gil_scoped_release release;
     cscd::Skeletonization_result result = m_result;
     const bool has_mesh = stays_inside && !m_source->input.is_point_set;
     cscd::simplify_skeleton(options, has_mesh ? &m_source->input.mesh : nullptr, result.skeleton);
-    result.branches = CSCD::measure_branches(result.skeleton);
-    return {m_source, std::move(result), m_report};
+    measure_branches(options.root, result);
+    return {m_source, m_options, std::move(result), m_report};
   }
 
 private:
+  /// Measures the branches of a skeleton that was simplified. \param root where it begins; as before if empty
+  void measure_branches(const std::string& root, cscd::Skeletonization_result& result) const
+  {
+    cscd::Skeletonize_options options = m_options;
+    options.root = root.empty() ? options.root : root;
+    // The limbs of a tree name nodes that may be gone, and there is no surface.
+    std::optional<CSCD::Tree_report> tree = std::exchange(result.tree, std::nullopt);
+    if (tree) {
+      options.report.clear();
+    }
+    cscd::measure_branches(m_source->input, options, result);
+    result.tree = std::move(tree);
+  }
+
   std::shared_ptr<const Source> m_source;
+  cscd::Skeletonize_options m_options;
   cscd::Skeletonization_result m_result;
   std::string m_report; ///< of the skeletonization, as JSON
   CSCD::internal::Indexed_skeleton m_content;
@@ -201,12 +276,10 @@ private:
 
 Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
                            const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
-                           cscd::Skeletonize_options& options)
+                           const py::dict& arguments, const py::object& callback)
 {
-  cscd::check_method(options);
-  if (const std::string fault = options.root.empty() ? "" : cscd::check_root(options.root); !fault.empty()) {
-    throw cscd::Usage_error("root: " + fault);
-  }
+  auto options = to_options<cscd::Skeletonize_options>(arguments);
+  const cscd::Stage_progress progress = to_progress(callback);
   const auto source = std::make_shared<Source>();
   std::optional<CSCD::Shape_file> soup;
   if (options.domain == cscd::graph_domain) {
@@ -223,19 +296,18 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
     make_mesh(std::move(*soup), options, *source);
   }
   options.report = cscd::standard_stream; // with all that a report has
-  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
+  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, progress);
   std::ostringstream report;
   cscd::write_report(report, options, source->input.repairs.sentences(), result);
-  return {source, std::move(result), report.str()};
+  return {source, std::move(options), std::move(result), report.str()};
 }
 
-std::string evaluate(const Shown_skeleton& skeleton, const std::string& radii, std::size_t resolution)
+std::string evaluate(const Shown_skeleton& skeleton, const py::dict& arguments)
 {
-  cscd::Evaluate_options options;
+  auto options = to_options<cscd::Evaluate_options>(arguments);
+  const py::gil_scoped_release release;
   options.input = skeleton.source().name();
   options.skeleton = "skeleton";
-  options.radii = radii;
-  options.resolution = resolution;
   std::ostringstream out;
   cscd::write_measures_as_json(out, options,
                                cscd::measure_skeleton(skeleton.source().input, skeleton.result().skeleton, options));
@@ -355,52 +427,88 @@ void define_arrays(py::class_<Shown_skeleton>& type)
   });
 }
 
-void define_options(py::module_& module)
+/// A new array of `size` rows of `width` values.
+template <class Value, class Rows>
+py::object to_array(const Rows& rows, std::size_t size, std::size_t width)
 {
-  using cscd::Simplify_options;
-  using cscd::Skeletonize_options;
-  py::class_<Skeletonize_options>(module, "SkeletonizeOptions")
-      .def(py::init())
-      .def_readwrite("method", &Skeletonize_options::method)
-      .def_readwrite("literal", &Skeletonize_options::is_literal)
-      .def_readwrite("shape", &Skeletonize_options::shape)
-      .def_readwrite("borders", &Skeletonize_options::borders)
-      .def_readwrite("wrap", &Skeletonize_options::wrap)
-      .def_readwrite("domain", &Skeletonize_options::domain)
-      .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
-      .def_readwrite("root", &Skeletonize_options::root)
-      .def_readwrite("detail", &Skeletonize_options::detail)
-      .def_readwrite("seed", &Skeletonize_options::seed)
-      .def_readwrite("threads", &Skeletonize_options::number_of_threads)
-      .def_readwrite("separators", &Skeletonize_options::maximum_number_of_sources)
-      .def_property(
-          "min_component", [](const Skeletonize_options& o) { return o.fragments.min_component_size; },
-          [](Skeletonize_options& o, std::size_t size) { o.fragments.min_component_size = size; })
-      .def_property(
-          "join", [](const Skeletonize_options& o) { return o.fragments.joins_components; },
-          [](Skeletonize_options& o, bool joins) { o.fragments.joins_components = joins; });
-  py::class_<Simplify_options>(module, "SimplifyOptions")
-      .def(py::init([] {
-        Simplify_options options;
-        options.skeleton = "skeleton"; // in messages
-        return options;
-      }))
-      .def_readwrite("min_significance", &Simplify_options::min_significance)
-      .def_readwrite("min_length", &Simplify_options::min_length)
-      .def_readwrite("min_length_over_radius", &Simplify_options::min_length_over_radius)
-      .def_readwrite("merge_junctions", &Simplify_options::junction_distance)
-      .def_readwrite("spacing", &Simplify_options::spacing)
-      .def_readwrite("spacing_over_radius", &Simplify_options::spacing_over_radius)
-      .def_readwrite("smooth", &Simplify_options::number_of_smoothing_steps)
-      .def_property(
-          "min_component", [](const Simplify_options& o) { return o.fragments.min_component_size; },
-          [](Simplify_options& o, std::size_t size) { o.fragments.min_component_size = size; })
-      .def_property(
-          "join", [](const Simplify_options& o) { return o.fragments.joins_components; },
-          [](Simplify_options& o, bool joins) { o.fragments.joins_components = joins; });
+  py::array_t<Value> result({py::ssize_t(size), py::ssize_t(width)});
+  auto value = result.template mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < py::ssize_t(size); ++i) {
+    for (py::ssize_t j = 0; j < py::ssize_t(width); ++j) {
+      value(i, j) = rows(std::size_t(i), std::size_t(j));
+    }
+  }
+  return result;
 }
 
-/// Messages on arguments name these as the program does, by `--name`, and Python knows no dashes.
+/// The corners of the polygons, a row each, with -1 behind the corners of those that have fewer than others.
+py::object polygons_of(const CSCD::Shape_file& shape)
+{
+  std::size_t width = 0;
+  for (std::size_t polygon = 0; polygon < shape.number_of_polygons(); ++polygon) {
+    width = std::max(width, shape.size_of_polygon(polygon));
+  }
+  return to_array<Signed_index>(
+      [&shape](std::size_t polygon, std::size_t corner) {
+        return corner < shape.size_of_polygon(polygon)
+                   ? Signed_index(shape.corners[shape.first_corner[polygon] + corner])
+                   : -1;
+      },
+      shape.number_of_polygons(), width);
+}
+
+/// Points, polygons, normals, edges and radii of a file; None stands for what it does not have.
+py::tuple read_file(const std::string& filename)
+{
+  CSCD::Shape_file shape;
+  {
+    const py::gil_scoped_release release;
+    shape = cscd::read_shape(CSCD::internal::read_content(filename), filename, filename);
+  }
+  const auto vectors = [](const std::vector<CSCD::Vector_3>& rows) {
+    return to_array<double>([&rows](std::size_t row, std::size_t axis) { return rows[row][axis]; }, rows.size(), 3);
+  };
+  const auto or_none = [](bool is_there, const auto& make) { return is_there ? py::object(make()) : py::none(); };
+  return py::make_tuple(
+      vectors(shape.points), or_none(shape.number_of_polygons() > 0, [&] { return polygons_of(shape); }),
+      or_none(!shape.normals.empty(), [&] { return vectors(shape.normals); }),
+      or_none(!shape.lines.empty(),
+              [&] {
+                return to_array<Signed_index>(
+                    [&shape](std::size_t line, std::size_t end) { return Signed_index(shape.lines[line][end]); },
+                    shape.lines.size(), 2);
+              }),
+      or_none(!shape.radii.empty(),
+              [&] { return py::array_t<double>(py::ssize_t(shape.radii.size()), shape.radii.data()); }));
+}
+
+/// The fields of `Branch`, in their order.
+py::tuple to_tuple(const CSCD::Skeleton_branch& branch)
+{
+  return py::make_tuple(branch.nodes, py::make_tuple(name(branch.ends[0]), name(branch.ends[1])), branch.length,
+                        branch.chord, branch.min_radius, branch.mean_radius, branch.max_radius, branch.significance,
+                        branch.volume, branch.surface_area, branch.parent, branch.order);
+}
+
+/// `message` with options spelled as arguments of Python: `detail` for `--detail`, `domain="graph"` for `--as graph`.
+std::string in_words_of_python(std::string message)
+{
+  cscd::Skeletonize_options skeletonize_options;
+  cscd::Simplify_options simplify_options;
+  cscd::Evaluate_options evaluate_options;
+  for (const std::vector<cscd::Option>& table :
+       {options_of(skeletonize_options), options_of(simplify_options), options_of(evaluate_options)}) {
+    for (const cscd::Option& option : table) {
+      const std::string argument = cscd::python_name(option);
+      for (const std::string& choice : option.choices) {
+        boost::algorithm::replace_all(message, "--" + option.name + " " + choice, argument + "=\"" + choice + "\"");
+      }
+      message = std::regex_replace(message, std::regex("--" + option.name + "(?![a-z-])"), argument);
+    }
+  }
+  return message;
+}
+
 void register_usage_error()
 {
   py::register_exception_translator([](std::exception_ptr exception) {
@@ -409,11 +517,7 @@ void register_usage_error()
         std::rethrow_exception(exception);
       }
     } catch (const cscd::Usage_error& error) {
-      std::string message = error.what();
-      boost::algorithm::replace_all(message, "--as graph", "domain=\"graph\"");
-      // Only in front of a word: the names of files may have dashes, too.
-      message = std::regex_replace(message, std::regex("(^|[\\s(\"'])--(?=[a-z])"), "$1");
-      PyErr_SetString(PyExc_ValueError, message.c_str());
+      PyErr_SetString(PyExc_ValueError, in_words_of_python(error.what()).c_str());
     }
   });
 }
@@ -426,7 +530,6 @@ PYBIND11_MODULE(_core, module)
   py::register_exception<CSCD::Input_error>(module, "InputError", PyExc_ValueError);
   py::register_exception<CSCD::File_error>(module, "FileError", PyExc_OSError);
   register_usage_error();
-  define_options(module);
   const py::call_guard<py::gil_scoped_release> without_gil;
   py::class_<Shown_skeleton> type(module, "Skeleton");
   define_arrays(type);
@@ -434,8 +537,8 @@ PYBIND11_MODULE(_core, module)
       .def_property_readonly("warnings", [](const Shown_skeleton& skeleton) { return skeleton.result().warnings(); })
       .def_property_readonly("repairs",
                              [](const Shown_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
-      .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a, without_gil)
-      .def("evaluate", &evaluate, "radii"_a, "resolution"_a, without_gil)
+      .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a)
+      .def("evaluate", &evaluate, "options"_a)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
@@ -448,12 +551,14 @@ PYBIND11_MODULE(_core, module)
       .def("branches", [](const Shown_skeleton& skeleton) {
         py::list result;
         for (const CSCD::Skeleton_branch& branch : skeleton.result().branches.branches) {
-          result.append(py::make_tuple(branch.nodes, py::make_tuple(name(branch.ends[0]), name(branch.ends[1])),
-                                       branch.length, branch.chord, branch.min_radius, branch.mean_radius,
-                                       branch.max_radius, branch.significance));
+          result.append(to_tuple(branch));
         }
         return result;
       });
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
-  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
+  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a, "progress"_a);
+  module.def("read", &read_file, "filename"_a);
+  module.attr("skeletonize_options") = describe_options<cscd::Skeletonize_options>();
+  module.attr("simplify_options") = describe_options<cscd::Simplify_options>();
+  module.attr("evaluate_options") = describe_options<cscd::Evaluate_options>();
 }
