@@ -191,16 +191,12 @@ run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const P
 #endif
 }
 
-/// Skeletonizes the mesh of `input`, or its triangles, which are used up, by the published method.
-Skeletonization_result compute_published_mesh_skeleton(Input& input, const Skeletonize_options& options,
+/// Skeletonizes the mesh of `input` by the published method.
+Skeletonization_result compute_published_mesh_skeleton(const Input& input, const Skeletonize_options& options,
                                                        Progress_visitor& visitor)
 {
-  using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-  const CSCD::Border_treatment treatment = engine_options(options).border_treatment;
-  const Traits traits =
-      input.triangles ? Traits(std::move(input.triangles->triangles), std::move(input.triangles->pairing), treatment,
-                               options.number_of_threads)
-                      : Traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment, options.number_of_threads);
+  const CSCD::Triangle_mesh_traits<Mesh> traits(input.mesh, get(CGAL::vertex_point, input.mesh),
+                                                engine_options(options).border_treatment, options.number_of_threads);
   Skeleton skeleton;
   Skeletonization_result result =
       run_other_method(traits, published_policies(options, false), options, visitor, skeleton);

@@ -21,56 +21,37 @@ namespace {
 
 constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
 
-/// The number in a file; nothing if there is none, as where a group has no bound.
-std::optional<std::size_t> number_in(const std::filesystem::path& file)
-{
-  std::size_t result = 0;
-  return std::ifstream(file) >> result ? std::optional(result) : std::nullopt;
-}
-
-/// The number behind `key` in a file of keys and numbers; 0 if there is none.
-std::size_t number_in(const std::filesystem::path& file, const std::string& key)
+/// The number in a file, or behind `key` there; nothing if there is none, as where a group has no bound.
+std::optional<std::size_t> number_in(const std::filesystem::path& file, const std::string& key = "")
 {
   std::ifstream in(file);
-  std::size_t result = 0;
-  for (std::string word; in >> word;) {
-    if (word == key && in >> result) {
-      return result;
-    }
+  for (std::string word; !key.empty() && in >> word && word != key;) {
     in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
   }
-  return 0;
+  std::size_t result = 0;
+  return in >> result ? std::optional(result) : std::nullopt;
 }
 
 /// The bytes that a bound leaves. \param used the file of the bytes in use \param free how many of them are a cache
-std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free = 0)
+std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free)
 {
   const std::optional<std::size_t> most = number_in(bound);
   const std::optional<std::size_t> now = number_in(used);
-  if (!most || !now) {
-    return unbounded;
-  }
-  const std::size_t kept = *now - std::min(*now, free);
-  return *most - std::min(*most, kept);
-}
-
-std::size_t add(std::size_t a, std::size_t b)
-{
-  return a > unbounded - b ? unbounded : a + b;
+  return most && now ? *most - std::min(*most, *now - std::min(*now, free)) : unbounded;
 }
 
 /// The bytes that one control group leaves. It has files of version 2 or 1.
 std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t swap)
 {
-  const std::size_t cache = number_in(group / "memory.stat", "file");
-  const std::size_t old_cache = number_in(group / "memory.stat", "total_cache");
-  const std::size_t swap_left =
-      std::min(swap, left_by(group / "memory.swap.max", group / "memory.swap.current")); // version 2 alone has them
-  const std::size_t left = left_by(group / "memory.max", group / "memory.current", cache);
-  const std::size_t old_left = left_by(group / "memory.limit_in_bytes", group / "memory.usage_in_bytes", old_cache);
-  const std::size_t old_left_with_swap =
+  const std::size_t cache = number_in(group / "memory.stat", "file").value_or(0);
+  const std::size_t old_cache = number_in(group / "memory.stat", "total_cache").value_or(0);
+  const std::size_t swap_left = std::min(swap, left_by(group / "memory.swap.max", group / "memory.swap.current", 0));
+  const std::size_t left =
+      std::min(left_by(group / "memory.max", group / "memory.current", cache),
+               left_by(group / "memory.limit_in_bytes", group / "memory.usage_in_bytes", old_cache));
+  const std::size_t left_with_swap =
       left_by(group / "memory.memsw.limit_in_bytes", group / "memory.memsw.usage_in_bytes", old_cache);
-  return std::min({add(left, swap_left), add(old_left, swap), old_left_with_swap});
+  return std::min(left > unbounded - swap_left ? unbounded : left + swap_left, left_with_swap);
 }
 
 #ifdef __linux__
@@ -79,16 +60,13 @@ std::size_t memory_left_in_own_groups(std::size_t swap)
 {
   const std::filesystem::path root = "/sys/fs/cgroup";
   std::size_t result = unbounded;
-  std::ifstream groups(
-      "/proc/self/cgroup"); // lines number:controllers:/path, without number and controllers in version 2
+  std::ifstream groups("/proc/self/cgroup"); // number:controllers:/path, in version 2 0::/path
   for (std::string line; std::getline(groups, line);) {
-    const std::size_t controllers = line.find(':') + 1;
-    const std::size_t path = line.find(":/", controllers) + 2;
-    const std::string names = "," + line.substr(controllers, path - 2 - controllers) + ",";
-    const bool is_of_memory = names.find(",memory,") != std::string::npos;
-    if (is_of_memory || names == ",,") {
-      const std::filesystem::path top = is_of_memory ? root / "memory" : root;
-      result = std::min(result, memory_left_in_groups((top / line.substr(path)).lexically_normal(), top, swap));
+    const bool is_old = line.find(":memory:/") != std::string::npos;
+    if (is_old || line.rfind("0::/", 0) == 0) {
+      const std::filesystem::path top = is_old ? root / "memory" : root;
+      const std::filesystem::path group = top / line.substr(line.find(":/") + 2);
+      result = std::min(result, memory_left_in_groups(group.lexically_normal(), top, swap));
     }
   }
   return result;
@@ -112,8 +90,8 @@ void limit_memory_to_available()
 {
 #ifdef __linux__
   constexpr std::size_t kilobyte = 1024; // bytes
-  const std::size_t available = kilobyte * number_in("/proc/meminfo", "MemAvailable:");
-  const std::size_t swap = kilobyte * number_in("/proc/meminfo", "SwapFree:");
+  const std::size_t available = kilobyte * number_in("/proc/meminfo", "MemAvailable:").value_or(0);
+  const std::size_t swap = kilobyte * number_in("/proc/meminfo", "SwapFree:").value_or(0);
   std::ifstream process("/proc/self/statm"); // pages: whole size, resident, shared, code, 0, data
   std::size_t pages = 0;
   for (int column = 0; column < 6; ++column) {

@@ -112,22 +112,24 @@ std::vector<Option> swc_options(Swc_arguments& swc)
           Option{"swc-scale", &swc.scale, "S", "factor of coordinates and radii in .swc"}.above(0)};
 }
 
-/// Whether `text` is an integer that `Value` can hold. \param value is set to it
 template <class Value>
-bool parse(const std::string& text, Value& value)
+struct Is_optional : std::false_type
 {
-  std::istringstream in(text);
-  in.imbue(std::locale::classic());
-  // A stream would take a minus for an unsigned integer.
-  const bool is_begun = !text.empty() && (std::is_floating_point_v<Value> || std::isdigit(text[0]) != 0);
-  return is_begun && in >> value && in.peek() == std::istringstream::traits_type::eof();
+};
+template <class Value>
+struct Is_optional<std::optional<Value>> : std::true_type
+{
+};
+
+[[noreturn]] void refuse(const Option& option, const std::string& fault)
+{
+  throw Usage_error("--" + option.name + ": " + fault);
 }
 
-/// The range of the numbers that `option` allows, in words.
-std::string range_in_words(const Option& option, const char* kind)
+/// The numbers that `option` allows, in words.
+std::string range_in_words(const Option& option)
 {
   std::ostringstream out;
-  out << "must be " << kind;
   if (option.most < std::numeric_limits<double>::infinity()) {
     out << " from " << option.least << " to " << option.most;
   } else if (option.least > -std::numeric_limits<double>::infinity()) {
@@ -136,92 +138,32 @@ std::string range_in_words(const Option& option, const char* kind)
   return out.str();
 }
 
-[[noreturn]] void refuse(const Option& option, const std::string& fault)
-{
-  throw Usage_error("--" + option.name + ": " + fault);
-}
-
 template <class Value>
 void assign_number(const Option& option, const std::string& text, Value& value)
 {
+  constexpr bool is_integer = std::is_integral_v<Value>;
+  std::istringstream in(text);
+  in.imbue(std::locale::classic());
   Value parsed{};
-  if (!parse(text, parsed) || !std::isfinite(double(parsed)) || double(parsed) < option.least ||
-      double(parsed) > option.most || (option.excludes_least && double(parsed) == option.least)) {
-    refuse(option,
-           range_in_words(option, std::is_floating_point_v<Value> ? "a number" : "an integer") + ", not " + text);
+  // A stream would accept a minus in front of an unsigned integer.
+  const bool is_number = !text.empty() && (!is_integer || std::isdigit(static_cast<unsigned char>(text[0])) != 0) &&
+                         in >> parsed && in.peek() == std::istringstream::traits_type::eof();
+  const auto number = double(parsed);
+  if (!is_number || number < option.least || number > option.most ||
+      (option.excludes_least && number == option.least)) {
+    refuse(option, (is_integer ? "must be an integer" : "must be a number") + range_in_words(option) + ", not " + text);
   }
   value = parsed;
 }
 
+/// Refuses texts that are empty or that the check of the option finds faulty.
 void check_text(const Option& option, const std::string& text)
 {
-  if (text.empty()) {
-    refuse(option, "must not be empty");
-  }
-  if (option.check) {
-    if (const std::string fault = option.check(text); !fault.empty()) {
-      refuse(option, fault);
-    }
+  const std::string fault = text.empty() ? "must not be empty" : option.check ? option.check(text) : "";
+  if (!fault.empty()) {
+    refuse(option, fault);
   }
 }
-
-void check_choice(const Option& option, const std::string& text)
-{
-  if (!option.choices.empty() &&
-      std::find(option.choices.begin(), option.choices.end(), text) == option.choices.end()) {
-    refuse(option, "must be " + boost::algorithm::join(option.choices, " or ") + ", not " + text);
-  }
-}
-
-/// Sets values of all types.
-struct Assignment
-{
-  const Option& option;
-  const std::string& text;
-
-  void operator()(bool* value) const { *value = text == "true"; }
-  void operator()(std::string* value) const
-  {
-    check_text(option, text);
-    *value = text;
-  }
-  void operator()(std::vector<std::string>* value) const
-  {
-    check_text(option, text);
-    value->push_back(text);
-  }
-  template <class Value>
-  void operator()(std::optional<Value>* value) const
-  {
-    assign_number(option, text, value->emplace());
-  }
-  template <class Value>
-  void operator()(Value* value) const
-  {
-    assign_number(option, text, *value);
-  }
-};
-
-/// Writes values of all types.
-struct Printer
-{
-  std::ostringstream& out;
-
-  void operator()(const bool* value) const { out << (*value ? "true" : "false"); }
-  void operator()(const std::vector<std::string>* value) const { out << boost::algorithm::join(*value, " "); }
-  template <class Value>
-  void operator()(const std::optional<Value>* value) const
-  {
-    if (*value) {
-      out << **value;
-    }
-  }
-  template <class Value>
-  void operator()(const Value* value) const
-  {
-    out << *value;
-  }
-};
 
 std::string words_for(unsigned kinds)
 {
@@ -418,28 +360,56 @@ std::string python_name(const Option& option)
 std::string text_of(const Option& option)
 {
   std::ostringstream out;
-  std::visit(Printer{out}, option.value);
+  out.precision(std::numeric_limits<double>::digits10);
+  std::visit(
+      [&out](const auto* value) {
+        using Value = std::decay_t<decltype(*value)>;
+        if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+          out << boost::algorithm::join(*value, " ");
+        } else if constexpr (Is_optional<Value>::value) {
+          value->has_value() ? out << **value : out;
+        } else {
+          out << std::boolalpha << *value;
+        }
+      },
+      option.value);
   return out.str();
 }
 
 void assign(const Option& option, const std::string& text)
 {
-  check_choice(option, text);
-  std::visit(Assignment{option, text}, option.value);
+  if (!option.choices.empty() &&
+      std::find(option.choices.begin(), option.choices.end(), text) == option.choices.end()) {
+    refuse(option, "must be " + boost::algorithm::join(option.choices, " or ") + ", not " + text);
+  }
+  std::visit(
+      [&](auto* value) {
+        using Value = std::decay_t<decltype(*value)>;
+        if constexpr (std::is_same_v<Value, bool>) {
+          *value = text == "true";
+        } else if constexpr (std::is_same_v<Value, std::string>) {
+          check_text(option, text);
+          *value = text;
+        } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+          check_text(option, text);
+          value->push_back(text);
+        } else if constexpr (Is_optional<Value>::value) {
+          assign_number(option, text, value->emplace());
+        } else {
+          assign_number(option, text, *value);
+        }
+      },
+      option.value);
 }
 
 std::vector<Option> given_options(Skeletonize_options& options)
 {
   Skeletonize_options unset;
   const std::vector<Option> defaults = options_of(unset);
-  const std::vector<Option> table = options_of(options);
-  std::vector<Option> result;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const auto is_default = [&](auto* value) { return *value == *std::get<decltype(value)>(defaults[i].value); };
-    if (!std::visit(is_default, table[i].value)) {
-      result.push_back(table[i]);
-    }
-  }
+  std::vector<Option> result = options_of(options);
+  std::size_t row = 0;
+  const auto is_default = [&](const Option& option) { return text_of(option) == text_of(defaults[row++]); };
+  result.erase(std::remove_if(result.begin(), result.end(), is_default), result.end());
   return result;
 }
 

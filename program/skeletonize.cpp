@@ -444,10 +444,10 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 
 namespace {
 
-/// Whether a mesh is wrapped, or one of the results is made with the mesh, not with the skeleton alone.
+/// Whether the computation or one of the results needs the mesh, not only its triangles.
 bool needs_mesh(const Skeletonize_options& options)
 {
-  return options.wrap ||
+  return options.wrap || options.method == published_method ||
          !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
            options.labelled.empty() && options.report.empty() && options.html.empty()) ||
          std::any_of(options.outputs.begin(), options.outputs.end(),

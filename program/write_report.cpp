@@ -21,11 +21,9 @@
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace cscd {
@@ -191,28 +189,14 @@ Json gaps(const CSCD::Tree_report& r)
   return result;
 }
 
-/// A value of an option.
-struct Json_maker
-{
-  template <class Value>
-  Json operator()(const Value* value) const
-  {
-    return *value;
-  }
-  template <class Value>
-  Json operator()(const std::optional<Value>* value) const
-  {
-    return *value ? Json(**value) : Json();
-  }
-};
-
 /// The options that were given and say how the skeleton is made.
 Json options_part(Skeletonize_options options)
 {
   Json result = Json::object();
   for (const Option& option : given_options(options)) {
     if (is_of_method(option)) {
-      result[option.name] = std::visit(Json_maker(), option.value);
+      const std::string text = text_of(option);
+      result[option.name] = Json::accept(text) ? Json::parse(text) : Json(text);
     }
   }
   return result;

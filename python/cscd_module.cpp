@@ -427,20 +427,6 @@ void define_arrays(py::class_<Shown_skeleton>& type)
   });
 }
 
-/// A new array of `size` rows of `width` values.
-template <class Value, class Rows>
-py::object to_array(const Rows& rows, std::size_t size, std::size_t width)
-{
-  py::array_t<Value> result({py::ssize_t(size), py::ssize_t(width)});
-  auto value = result.template mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < py::ssize_t(size); ++i) {
-    for (py::ssize_t j = 0; j < py::ssize_t(width); ++j) {
-      value(i, j) = rows(std::size_t(i), std::size_t(j));
-    }
-  }
-  return result;
-}
-
 /// The corners of the polygons, a row each, with -1 behind the corners of those that have fewer than others.
 py::object polygons_of(const CSCD::Shape_file& shape)
 {
@@ -448,13 +434,22 @@ py::object polygons_of(const CSCD::Shape_file& shape)
   for (std::size_t polygon = 0; polygon < shape.number_of_polygons(); ++polygon) {
     width = std::max(width, shape.size_of_polygon(polygon));
   }
-  return to_array<Signed_index>(
-      [&shape](std::size_t polygon, std::size_t corner) {
-        return corner < shape.size_of_polygon(polygon)
-                   ? Signed_index(shape.corners[shape.first_corner[polygon] + corner])
-                   : -1;
-      },
-      shape.number_of_polygons(), width);
+  py::array_t<std::int64_t> result({shape.number_of_polygons(), width});
+  std::fill_n(result.mutable_data(), result.size(), -1);
+  for (std::size_t polygon = 0; polygon < shape.number_of_polygons(); ++polygon) {
+    std::copy_n(shape.corners.begin() + std::ptrdiff_t(shape.first_corner[polygon]), shape.size_of_polygon(polygon),
+                result.mutable_data(py::ssize_t(polygon), 0));
+  }
+  return result;
+}
+
+/// A new array of rows of three or two numbers; None if there are none.
+template <class Value, class Row>
+py::object rows_or_none(const std::vector<Row>& rows)
+{
+  constexpr std::size_t width = sizeof(Row) / sizeof(Value);
+  return rows.empty() ? py::object(py::none())
+                      : py::array_t<Value>({rows.size(), width}, reinterpret_cast<const Value*>(rows.data()));
 }
 
 /// Points, polygons, normals, edges and radii of a file; None stands for what it does not have.
@@ -465,21 +460,11 @@ py::tuple read_file(const std::string& filename)
     const py::gil_scoped_release release;
     shape = cscd::read_shape(CSCD::internal::read_content(filename), filename, filename);
   }
-  const auto vectors = [](const std::vector<CSCD::Vector_3>& rows) {
-    return to_array<double>([&rows](std::size_t row, std::size_t axis) { return rows[row][axis]; }, rows.size(), 3);
-  };
-  const auto or_none = [](bool is_there, const auto& make) { return is_there ? py::object(make()) : py::none(); };
-  return py::make_tuple(
-      vectors(shape.points), or_none(shape.number_of_polygons() > 0, [&] { return polygons_of(shape); }),
-      or_none(!shape.normals.empty(), [&] { return vectors(shape.normals); }),
-      or_none(!shape.lines.empty(),
-              [&] {
-                return to_array<Signed_index>(
-                    [&shape](std::size_t line, std::size_t end) { return Signed_index(shape.lines[line][end]); },
-                    shape.lines.size(), 2);
-              }),
-      or_none(!shape.radii.empty(),
-              [&] { return py::array_t<double>(py::ssize_t(shape.radii.size()), shape.radii.data()); }));
+  return py::make_tuple(rows_or_none<double>(shape.points),
+                        shape.number_of_polygons() > 0 ? polygons_of(shape) : py::none(),
+                        rows_or_none<double>(shape.normals), rows_or_none<std::int64_t>(shape.lines),
+                        shape.radii.empty() ? py::object(py::none())
+                                            : py::array_t<double>(py::ssize_t(shape.radii.size()), shape.radii.data()));
 }
 
 /// The fields of `Branch`, in their order.

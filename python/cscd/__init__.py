@@ -57,11 +57,11 @@ class Shape(typing.NamedTuple):
 
     vertices: FloatArray
     """Vertices, points or nodes, shape (n, 3)."""
-    faces: IndexArray | None
+    faces: npt.NDArray[np.int64] | None
     """The vertices of each face, shape (m, 3) for triangles. Rows of faces with fewer vertices than others end with -1."""
     normals: FloatArray | None
     """Normals at the points, shape (n, 3)."""
-    edges: IndexArray | None
+    edges: npt.NDArray[np.int64] | None
     """The two ends of each edge of a skeleton or graph, shape (k, 2)."""
     radius: FloatArray | None
     """The radii of the nodes of a skeleton, shape (n,)."""

@@ -73,8 +73,8 @@ def read(
     filename: str,
 ) -> tuple[
     npt.NDArray[np.float64],
-    npt.NDArray[np.int32] | None,
+    npt.NDArray[np.int64] | None,
     npt.NDArray[np.float64] | None,
-    npt.NDArray[np.int32] | None,
+    npt.NDArray[np.int64] | None,
     npt.NDArray[np.float64] | None,
 ]: ...

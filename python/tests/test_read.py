@@ -26,7 +26,7 @@ def test_a_mesh_is_read(tmp_path):
     (tmp_path / "two.off").write_text(SQUARE_AND_TRIANGLE)
     shape = cscd.read(tmp_path / "two.off")
     assert shape.vertices.dtype == np.float64 and shape.vertices.shape == (5, 3)
-    assert shape.faces.dtype == np.int32
+    assert shape.faces.dtype == np.int64
     assert shape.faces.tolist() == [[0, 1, 2, 3], [1, 4, 2, -1]]
     assert shape.normals is None and shape.edges is None and shape.radius is None
     (tmp_path / "two.off.gz").write_bytes(gzip.compress(SQUARE_AND_TRIANGLE.encode()))
@@ -48,7 +48,7 @@ def test_skeletons_are_read_back(ending, tmp_path):
     shape = cscd.read(tmp_path / f"ring.{ending}")
     assert shape.faces is None
     assert sorted(map(tuple, shape.vertices)) == sorted(map(tuple, skeleton.nodes))
-    assert shape.edges.shape == skeleton.edges.shape and shape.edges.dtype == np.int32
+    assert shape.edges.shape == skeleton.edges.shape and shape.edges.dtype == np.int64
     lengths = np.linalg.norm(shape.vertices[shape.edges[:, 0]] - shape.vertices[shape.edges[:, 1]], axis=1)
     expected = np.linalg.norm(skeleton.nodes[skeleton.edges[:, 0]] - skeleton.nodes[skeleton.edges[:, 1]], axis=1)
     np.testing.assert_allclose(np.sort(lengths), np.sort(expected), rtol=1e-12)
