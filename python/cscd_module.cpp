@@ -18,7 +18,7 @@
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
-#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
@@ -37,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <pybind11/numpy.h>
@@ -213,11 +214,11 @@ cscd::Stage_progress to_progress(const py::object& callback)
 }
 
 /// A skeleton, with its arrays as NumPy shows them and what it was made of.
-class Shown_skeleton
+class Python_skeleton
 {
 public:
-  Shown_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonize_options options,
-                 cscd::Skeletonization_result result, std::string report)
+  Python_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonize_options options,
+                  cscd::Skeletonization_result result, std::string report)
       : m_source(std::move(source)), m_options(std::move(options)), m_result(std::move(result)),
         m_report(std::move(report)), m_content(CSCD::internal::index_skeleton(m_result.skeleton))
   {
@@ -232,13 +233,14 @@ public:
   }
 
   const Source& source() const { return *m_source; }
+  const cscd::Skeletonize_options& options() const { return m_options; }
   const cscd::Skeletonization_result& result() const { return m_result; }
   const std::string& report() const { return m_report; }
   const CSCD::internal::Indexed_skeleton& content() const { return m_content; }
   const std::vector<double>& significances() const { return m_significances; }
   const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
 
-  Shown_skeleton simplify(const py::dict& arguments, bool stays_inside) const
+  Python_skeleton simplify(const py::dict& arguments, bool stays_inside) const
   {
     auto options = to_options<cscd::Simplify_options>(arguments);
     options.skeleton = "skeleton"; // in messages
@@ -274,9 +276,9 @@ private:
   std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
 };
 
-Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
-                           const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
-                           const py::dict& arguments, const py::object& callback)
+Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
+                            const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
+                            const py::dict& arguments, const py::object& callback)
 {
   auto options = to_options<cscd::Skeletonize_options>(arguments);
   const cscd::Stage_progress progress = to_progress(callback);
@@ -302,7 +304,7 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
   return {source, std::move(options), std::move(result), report.str()};
 }
 
-std::string evaluate(const Shown_skeleton& skeleton, const py::dict& arguments)
+std::string evaluate(const Python_skeleton& skeleton, const py::dict& arguments)
 {
   auto options = to_options<cscd::Evaluate_options>(arguments);
   const py::gil_scoped_release release;
@@ -314,19 +316,39 @@ std::string evaluate(const Shown_skeleton& skeleton, const py::dict& arguments)
   return out.str();
 }
 
-std::string page(const Shown_skeleton& skeleton, const std::string& title)
+void check_viewer_source()
 {
   if (CSCD::three_js_source().empty()) {
     throw cscd::Usage_error("this module was built without three.js; install libjs-three and build it again");
   }
+}
+
+std::string page(const Python_skeleton& skeleton, const std::string& title)
+{
+  check_viewer_source();
   std::ostringstream out;
   cscd::write_page(out, skeleton.source().input, skeleton.result(), title);
   return out.str();
 }
 
+/// Writes a file as `cscd skeletonize --output` does.
+void save(const Python_skeleton& skeleton, const std::string& filename)
+{
+  if (cscd::is_page(filename)) {
+    check_viewer_source();
+  }
+  cscd::Skeletonize_options options = skeleton.options();
+  options.input = std::filesystem::path(filename).stem().string(); // the title of a page, the name of a rig
+  options.outputs = {filename};
+  options.report.clear();
+  CSCD::File_group files;
+  cscd::write_results(files, skeleton.source().input, skeleton.result(), options);
+  files.publish();
+}
+
 /// A copy of the mesh that was skeletonized, which takes labels. \throw Usage_error if rows of the arrays have no
 /// counterparts in it
-cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
+cscd::Mesh skeletonized_mesh(const Python_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
   if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
@@ -347,7 +369,7 @@ std::vector<Value> values_of(const Descriptors& descriptors, const Map& map)
   return result;
 }
 
-std::vector<double> shape_diameters(const Shown_skeleton& skeleton)
+std::vector<double> shape_diameters(const Python_skeleton& skeleton)
 {
   cscd::Mesh mesh = skeletonized_mesh(skeleton);
   const auto map = mesh.add_property_map<cscd::Mesh::Vertex_index, double>("v:diameter").first;
@@ -355,7 +377,7 @@ std::vector<double> shape_diameters(const Shown_skeleton& skeleton)
   return values_of<double>(mesh.vertices(), map);
 }
 
-std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t number_of_parts)
+std::vector<Signed_index> segment(const Python_skeleton& skeleton, std::size_t number_of_parts)
 {
   cscd::Mesh mesh = skeletonized_mesh(skeleton);
   const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
@@ -400,10 +422,10 @@ py::array view(const py::object& owner, const Value* values, std::vector<py::ssi
 }
 
 /// The arrays of a skeleton, without a copy: each keeps the skeleton alive.
-void define_arrays(py::class_<Shown_skeleton>& type)
+void define_arrays(py::class_<Python_skeleton>& type)
 {
-  const auto skeleton_of = [](const py::object& self) -> const Shown_skeleton& {
-    return self.cast<const Shown_skeleton&>();
+  const auto skeleton_of = [](const py::object& self) -> const Python_skeleton& {
+    return self.cast<const Python_skeleton&>();
   };
   type.def_property_readonly("nodes", [skeleton_of](const py::object& self) {
     const auto& points = skeleton_of(self).content().points;
@@ -516,24 +538,19 @@ PYBIND11_MODULE(_core, module)
   py::register_exception<CSCD::File_error>(module, "FileError", PyExc_OSError);
   register_usage_error();
   const py::call_guard<py::gil_scoped_release> without_gil;
-  py::class_<Shown_skeleton> type(module, "Skeleton");
+  py::class_<Python_skeleton> type(module, "Skeleton");
   define_arrays(type);
-  type.def_property_readonly("report", &Shown_skeleton::report)
-      .def_property_readonly("warnings", [](const Shown_skeleton& skeleton) { return skeleton.result().warnings(); })
-      .def_property_readonly("repairs",
-                             [](const Shown_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
-      .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a)
+  type.def_property_readonly("report", &Python_skeleton::report)
+      .def_property_readonly("warnings", [](const Python_skeleton& skeleton) { return skeleton.result().warnings(); })
+      .def_property_readonly(
+          "repairs", [](const Python_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
+      .def("simplify", &Python_skeleton::simplify, "options"_a, "stays_inside"_a)
       .def("evaluate", &evaluate, "options"_a)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
-      .def(
-          "save",
-          [](const Shown_skeleton& skeleton, const std::string& filename) {
-            CSCD::write_skeleton(filename, skeleton.result().skeleton);
-          },
-          "filename"_a, without_gil)
-      .def("branches", [](const Shown_skeleton& skeleton) {
+      .def("save", &save, "filename"_a, without_gil)
+      .def("branches", [](const Python_skeleton& skeleton) {
         py::list result;
         for (const CSCD::Skeleton_branch& branch : skeleton.result().branches.branches) {
           result.append(to_tuple(branch));

@@ -237,25 +237,13 @@ class Skeleton:
 
     def save(self, filename: str | os.PathLike[str]) -> None:
         """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
-        .graphml, or .html for the viewer page. The file appears when it is complete.
+        .graphml, .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
+        decides where .swc and .glb begin.
 
-        Raises FileError if the ending is not known or the file cannot be written.
+        Raises FileError if the ending is not known or the file cannot be written, InputError if there is no mesh for a
+        rig.
         """
-        path = pathlib.Path(filename)
-        if path.suffix != ".html":
-            self._core.save(os.fspath(path))
-            return
-        try:
-            partial = path.with_name(f"{path.name}.{os.getpid()}.part")
-            try:
-                partial.write_text(self._core.page(path.stem), encoding="utf-8")
-                partial.replace(path)
-            finally:
-                partial.unlink(missing_ok=True)
-        except OSError as error:
-            raise FileError(
-                f"{path}: cannot be written ({error.strerror}); check the folder, its permissions and the disk"
-            ) from error
+        self._core.save(os.fspath(filename))
 
     def show(self) -> str:
         """Opens the viewer page in a web browser; in a notebook, end a cell with the skeleton to see it there.

@@ -285,12 +285,14 @@ def test_save(ring, tmp_path):
     assert np.array_equal(positions, ring.nodes)
     ring.save(str(tmp_path / "ring.html"))
     assert "THREE" in (tmp_path / "ring.html").read_text()
+    ring.save(tmp_path / "ring.glb")
+    assert (tmp_path / "ring.glb").read_bytes()[:4] == b"glTF"
     with pytest.raises(cscd.FileError, match="ring.xyz"):
         ring.save(tmp_path / "ring.xyz")
     for name in ("ring.json", "ring.html"):
         with pytest.raises(cscd.FileError, match="cannot be written"):
             ring.save(tmp_path / "nowhere" / name)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["ring.graph", "ring.html"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["ring.glb", "ring.graph", "ring.html"]
 
 
 def test_show(ring, monkeypatch):
