@@ -37,6 +37,8 @@ constexpr const char* volume_group = "Volumes";
 constexpr const char* tree_group = "Trees";
 constexpr const char* expert_group = "Expert";
 
+constexpr const char* argument_of_files = "FILE";
+
 void append(std::vector<Option>& table, const char* group, std::vector<Option> rows)
 {
   for (Option& row : rows) {
@@ -87,7 +89,7 @@ Option skeleton_outputs(std::vector<std::string>& outputs, const char* endings)
 
 Option file_option(const char* name, std::string& file, const char* content)
 {
-  return {name, &file, "FILE", content};
+  return {name, &file, argument_of_files, content};
 }
 
 std::vector<Option> fragment_options(Fragment_options& options, const char* unit)
@@ -411,6 +413,25 @@ std::vector<Option> given_options(Skeletonize_options& options)
   const auto is_default = [&](const Option& option) { return text_of(option) == text_of(defaults[row++]); };
   result.erase(std::remove_if(result.begin(), result.end(), is_default), result.end());
   return result;
+}
+
+std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_options& options)
+{
+  std::vector<std::pair<std::string, std::string*>> result;
+  for (const Option& option : options_of(options)) {
+    if (option.argument == argument_of_files && std::holds_alternative<std::string*>(option.value)) {
+      result.emplace_back("--" + option.name, std::get<std::string*>(option.value));
+    }
+  }
+  return result;
+}
+
+std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
+{
+  Skeletonize_options copy = options;
+  const auto files = other_files(copy);
+  return std::count(copy.outputs.begin(), copy.outputs.end(), standard_stream) +
+         std::count_if(files.begin(), files.end(), [](const auto& file) { return *file.second == standard_stream; });
 }
 
 void check_applicability(const Skeletonize_options& options, unsigned kinds)

@@ -263,6 +263,12 @@ void assign(const Option& option, const std::string& text);
 /// The rows of the table of `options` whose values are not the defaults.
 std::vector<Option> given_options(Skeletonize_options& options);
 
+/// The options that name files besides those of the skeleton, with their dashes, and where the names are kept.
+std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_options& options);
+
+/// The number of results that go to standard output.
+std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options);
+
 /// Refuses options that do not apply to the input or the method. One wording: option, reason, remedy.
 /// \param kinds the possible kinds of input
 /// \throw Usage_error

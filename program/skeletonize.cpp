@@ -54,16 +54,14 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-/// The options that name files besides those of the skeleton, and the files.
-std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletonize_options& options)
+/// The names of the files besides those of the skeleton, by their options; empty if not given.
+std::vector<std::pair<std::string, std::string>> other_outputs(Skeletonize_options options)
 {
-  return {{{"--branches", options.branches},
-           {"--nodes", options.nodes},
-           {"--cylinders", options.cylinders},
-           {"--correspondence", options.correspondence},
-           {"--labelled", options.labelled},
-           {"--report", options.report},
-           {"--html", options.html}}};
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& [option, file] : other_files(options)) {
+    result.emplace_back(option, *file);
+  }
+  return result;
 }
 
 /// Whether a rig is written to `output`, by its ending.
@@ -92,14 +90,6 @@ void check_outputs(const Skeletonize_options& options)
   if (!options.html.empty()) {
     check_viewer_source("--html");
   }
-}
-
-/// The number of results that go to standard output.
-std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
-{
-  const auto files = other_outputs(options);
-  return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
-         std::count_if(files.begin(), files.end(), [](const auto& file) { return file.second == standard_stream; });
 }
 
 /// The kinds of input that `options` allow before it is read.
@@ -447,9 +437,9 @@ namespace {
 /// Whether the computation or one of the results needs the mesh, not only its triangles.
 bool needs_mesh(const Skeletonize_options& options)
 {
+  const auto files = other_outputs(options);
   return options.wrap || options.method == published_method ||
-         !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
-           options.labelled.empty() && options.report.empty() && options.html.empty()) ||
+         std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.second.empty(); }) ||
          std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }

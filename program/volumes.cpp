@@ -67,7 +67,7 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
     for (std::string& output : result.outputs) {
       output = insert_label(output, label);
     }
-    for (std::string* file : {&result.branches, &result.nodes, &result.report, &result.html}) {
+    for (const auto& [option, file] : other_files(result)) {
       *file = file->empty() ? "" : insert_label(*file, label);
     }
   }
@@ -115,9 +115,7 @@ void check_volume_options(const Skeletonize_options& options)
   if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.has_all_labels) > 1) {
     throw Usage_error("--label, --threshold and --all-labels exclude each other; give one of them");
   }
-  if (volume.has_all_labels && (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 0 ||
-                                options.branches == standard_stream || options.nodes == standard_stream ||
-                                options.report == standard_stream || options.html == standard_stream)) {
+  if (volume.has_all_labels && number_of_results_on_standard_output(options) > 0) {
     throw Usage_error("--all-labels: has several results of a kind, which cannot go to standard output; name files");
   }
 }
