@@ -76,7 +76,7 @@ struct Volume_options
   bool keeps_cavities = false;     ///< as surfaces that get skeletons of their own
 };
 
-/// The options of `cscd skeletonize`. Of options that are lists of files, `standard_stream` means standard output.
+/// The options of `cscd skeletonize`.
 struct Skeletonize_options
 {
   std::string input;                ///< a file name, or `standard_stream`
@@ -218,10 +218,12 @@ struct Option
   Option& above(double bound) { return excludes_least = true, at_least(bound); }
   Option& in(double first, double last) { return most = last, at_least(first); }
   Option& checked_by(std::function<std::string(const std::string&)> fault) { return check = std::move(fault), *this; }
+  /// The option applies to these kinds of input only. \param other remedy besides leaving it out
   Option& of(unsigned input_kinds, std::string other = "")
   {
     return kinds = input_kinds, remedy = std::move(other), *this;
   }
+  /// The option applies to this method only. \param other remedy besides leaving it out
   Option& of_method(std::string name_of_method, std::string other = "")
   {
     return method = std::move(name_of_method), remedy = std::move(other), *this;
@@ -238,7 +240,7 @@ std::vector<Option> options_of(Skeletonize_options& options);
 std::vector<Option> options_of(Evaluate_options& options);
 std::vector<Option> options_of(Compare_options& options);
 std::vector<Option> options_of(Simplify_options& options);
-/// The table of `cscd diameter`. \param output what the output holds
+/// The table of `cscd diameter`. \param output describes the file
 std::vector<Option> options_of(Application_options& options,
                                const std::string& output = "one value a line, in the order of the vertices");
 std::vector<Option> options_of(Segment_options& options);
