@@ -97,8 +97,8 @@ std::vector<Command> make_commands(All_options& all)
            "  cscd loops bunny.off -o loops.json\n", options_of(all.loops), [&all] { cscd::write_loops(all.loops); }}};
 }
 
-constexpr const char* explanations = R"(
-Meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt .csv .asc .pcd .las, or .ply
+constexpr const char* explanations =
+    R"(Meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt .csv .asc .pcd .las, or .ply
 .off .vtp .vtk without faces; both also with .gz or .zst behind. Volumes: .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff.
 Skeletons: .graph .json .obj .ply .polylines.txt .swc .vtp, and .graphml, which is only written. A file appears only when
 it is complete. Repairs of the input are named on standard error.
@@ -116,6 +116,15 @@ public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override
   {
     return "Examples:\n" + m_examples + "\n" + CLI::Formatter::make_help(app, name, mode);
+  }
+  std::string make_usage(const CLI::App* app, std::string name) const override
+  {
+    return CLI::Formatter::make_usage(app, name) + "\n";
+  }
+  /// Groups are separated by one line, not by two.
+  std::string make_group(std::string group, bool is_positional, std::vector<const CLI::Option*> options) const override
+  {
+    return CLI::Formatter::make_group(group, is_positional, options).substr(1) + (is_positional ? "\n" : "");
   }
 
 private:
