@@ -210,7 +210,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
               .of_method(local_method)});
   append(table, detail_group, fragment_options(o.fragments, "vertices or points"));
   append(table, output_group,
-         {skeleton_outputs(o.outputs, "skeleton by its ending, .html page, .glb rig, .nrrd volume"),
+         {skeleton_outputs(o.outputs, ".html page, .glb rig, else skeleton"),
           file_option("report", o.report, "counts, times and warnings as JSON"),
           file_option("html", o.html, "page that shows surface and skeleton, whatever the ending"),
           file_option("branches", o.branches, "table of branches as CSV"),
