@@ -416,7 +416,7 @@ def test_progress_is_reported_and_can_end_the_work():
 
 
 def test_ctrl_c_ends_the_work():
-    V, F = shapes.torus(600, 240)
+    V, F = shapes.torus(400, 160)
     timer = threading.Timer(0.1, signal.raise_signal, [signal.SIGINT])
     begin = time.perf_counter()
     with pytest.raises(KeyboardInterrupt):
