@@ -328,8 +328,8 @@ def skeletonize(
     separators: int = 0,
     progress: Progress | None = None,
 ) -> Skeleton:
-    """The curve skeleton of a mesh or, without `F`, of points. Options mean what they mean for `cscd skeletonize`; with 0
-    for a number, the program decides.
+    """The curve skeleton of a mesh or, without `F`, of points. The options are those of `cscd skeletonize`. For
+    `neighbors`, `threads` and `separators`, 0 lets the program decide.
 
     V: vertices or points, shape (n, 3), in any unit
     F: the vertices of each face, shape (m, 3) or more, counterclockwise seen from outside; rows may end with -1. Faces
