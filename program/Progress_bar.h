@@ -6,6 +6,7 @@
 #ifndef CSCD_PROGRAM_PROGRESS_BAR_H
 #define CSCD_PROGRAM_PROGRESS_BAR_H
 
+#include "types.h"
 #include <CSCD/Skeletonization_visitor.h>
 
 #include <array>
@@ -57,12 +58,12 @@ private:
   CSCD::Skeletonization_stage m_stage = CSCD::Skeletonization_stage::compile_surface;
 };
 
-/// Passes progress on to a bar, if there is one.
+/// Passes progress on to a function, if there is one.
 class Progress_visitor : public CSCD::Default_skeletonization_visitor
 {
 public:
-  /// \param bar outlives the visitor, or is null
-  explicit Progress_visitor(Progress_bar* bar) : m_bar(bar) {}
+  /// \param progress is referred to
+  explicit Progress_visitor(const Stage_progress& progress) : m_progress(progress) {}
 
   void on_stage_begin(CSCD::Skeletonization_stage stage)
   {
@@ -72,13 +73,13 @@ public:
 
   void progress(double fraction)
   {
-    if (m_bar != nullptr) {
-      m_bar->show(m_stage, fraction);
+    if (m_progress) {
+      m_progress(m_stage, fraction);
     }
   }
 
 private:
-  Progress_bar* m_bar;
+  const Stage_progress& m_progress;
   CSCD::Skeletonization_stage m_stage = CSCD::Skeletonization_stage::compile_surface;
 };
 

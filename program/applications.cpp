@@ -3,8 +3,6 @@
 //
 // The commands `cscd diameter` and `cscd segment`: from arguments to files.
 
-#include "applications.h"
-
 #include "commands.h"
 #include "types.h"
 #include "write_report.h"

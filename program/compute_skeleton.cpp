@@ -6,6 +6,7 @@
 
 #include "compute_skeleton.h"
 
+#include "Progress_bar.h"
 #include "roots.h"
 #include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
@@ -13,19 +14,25 @@
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Options.h>
 #include <CSCD/Points/Neighbor_table.h>
 #include <CSCD/Published/Field_search_settings.h>
 #include <CSCD/Published_policies.h>
+#include <CSCD/Separator/limb_tests.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Traits/Point_set_traits.h>
 #include <CSCD/Traits/Reconstructed_surface_traits.h>
 #include <CSCD/Traits/Spatial_graph_traits.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Tree/extract_tree_skeleton.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/extract_curve_skeleton_from_graph.h>
+#include <CSCD/skeletonize.h>
 
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
@@ -123,13 +130,19 @@ Skeleton convert_skeleton(const CSCD::Skeleton_graph<Point, std::size_t>& skelet
   return result;
 }
 
-CSCD::Local_policies local_policies(const Skeletonize_options& options)
+CSCD::Options engine_options(const Skeletonize_options& options)
 {
-  CSCD::Local_policies policies;
-  if (options.detail) {
-    policies.set_detail(CSCD::Detail(*options.detail));
+  CSCD::Options result;
+  result.random_seed = options.seed;
+  result.number_of_threads = options.number_of_threads;
+  result.detail = options.detail;
+  if (options.maximum_number_of_sources > 0) {
+    result.maximum_number_of_sources = options.maximum_number_of_sources;
   }
-  return policies;
+  result.border_treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
+                            : options.borders == open_borders  ? CSCD::Border_treatment::open
+                                                               : CSCD::Border_treatment::automatic;
+  return result;
 }
 
 CSCD::Published_policies published_policies(const Skeletonize_options& options, bool is_of_points)
@@ -151,10 +164,10 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Policies&
                                            AnySkeleton& skeleton)
 {
   CSCD::Curve_skeletonization<Traits, Policies, Progress_visitor&> skeletonization(traits, policies, visitor);
-  skeletonization.set_random_seed(options.seed).set_number_of_threads(options.number_of_threads);
-  if (options.maximum_number_of_sources > 0) {
-    skeletonization.set_maximum_number_of_sources(options.maximum_number_of_sources);
-  }
+  const CSCD::Options settings = engine_options(options);
+  skeletonization.set_random_seed(settings.random_seed)
+      .set_number_of_threads(settings.number_of_threads)
+      .set_maximum_number_of_sources(settings.maximum_number_of_sources);
   Skeletonization_result result;
   result.report = skeletonization.template run<CGAL::Parallel_if_available_tag>(skeleton);
   for (auto separator : skeletonization.packed_separators()) {
@@ -178,6 +191,35 @@ run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const P
 #endif
 }
 
+/// Skeletonizes the mesh of `input` by the published method.
+Skeletonization_result compute_published_mesh_skeleton(const Input& input, const Skeletonize_options& options,
+                                                       Progress_visitor& visitor)
+{
+  const CSCD::Triangle_mesh_traits<Mesh> traits(input.mesh, get(CGAL::vertex_point, input.mesh),
+                                                engine_options(options).border_treatment, options.number_of_threads);
+  Skeleton skeleton;
+  Skeletonization_result result =
+      run_other_method(traits, published_policies(options, false), options, visitor, skeleton);
+  result.skeleton = std::move(skeleton);
+  return result;
+}
+
+/// The result that holds a plain skeleton.
+Skeletonization_result make_result(const CSCD::Skeleton& skeleton, CSCD::Skeletonization_report report,
+                                   const std::vector<Mesh::Vertex_index>& descriptors)
+{
+  Skeletonization_result result;
+  result.report = std::move(report);
+  result.skeleton = CSCD::internal::make_skeleton_graph<Skeleton, Point>(skeleton, descriptors);
+  for (const std::vector<CSCD::Vector_3>& separator : skeleton.separators) {
+    result.separators.emplace_back();
+    for (const CSCD::Vector_3& point : separator) {
+      result.separators.back().emplace_back(point.x(), point.y(), point.z());
+    }
+  }
+  return result;
+}
+
 /// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if that is asked
 /// for.
 Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_options& options,
@@ -188,21 +230,25 @@ Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_opt
     wrap_mesh(input, *options.wrap);
   }
 #endif
-  using Traits = CSCD::Triangle_mesh_traits<Mesh>;
-  const auto treatment = options.borders == bridged_borders ? CSCD::Border_treatment::bridge
-                         : options.borders == open_borders  ? CSCD::Border_treatment::open
-                                                            : CSCD::Border_treatment::automatic;
-  const Traits traits =
-      input.triangles ? Traits(std::move(input.triangles->triangles), std::move(input.triangles->pairing), treatment,
-                               options.number_of_threads)
-                      : Traits(input.mesh, get(CGAL::vertex_point, input.mesh), treatment, options.number_of_threads);
-  Skeleton skeleton;
-  Skeletonization_result result =
-      options.method == published_method
-          ? run_other_method(traits, published_policies(options, false), options, visitor, skeleton)
-          : run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
-  result.skeleton = std::move(skeleton);
-  return result;
+  if (options.method == published_method) {
+    return compute_published_mesh_skeleton(input, options, visitor);
+  }
+  CSCD::internal::Mesh_arrays<Mesh::Vertex_index> arrays;
+  if (input.triangles) {
+    arrays.points = std::move(input.triangles->triangles.points);
+    arrays.faces = std::move(input.triangles->triangles.faces);
+    for (CSCD::Index vertex = 0; vertex < arrays.points.size(); ++vertex) {
+      arrays.descriptors.emplace_back(vertex);
+    }
+    input.triangles->pairing = {}; // the engine makes its own
+  } else {
+    arrays = CSCD::internal::read_mesh(input.mesh, get(CGAL::vertex_point, input.mesh));
+  }
+  CSCD::Skeleton skeleton;
+  CSCD::Skeletonization_visitor_reference<Progress_visitor> reference(visitor);
+  CSCD::Skeletonization_report report = CSCD::skeletonize(std::move(arrays.points), std::move(arrays.faces),
+                                                          engine_options(options), reference, skeleton);
+  return make_result(skeleton, std::move(report), arrays.descriptors);
 }
 
 /// Skeletonizes the graph of `input`.
@@ -269,7 +315,8 @@ Skeletonization_result compute_surface_skeleton(const Surface_traits& traits, co
                                                 Progress_visitor& visitor)
 {
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result = run_skeletonization(traits, local_policies(options), options, visitor, skeleton);
+  Skeletonization_result result =
+      run_skeletonization(traits, CSCD::Local_policies(CSCD::Detail(options.detail)), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   return result;
@@ -311,9 +358,10 @@ Skeletonization_result compute_point_skeleton(Input& input, const Skeletonize_op
 
 } // namespace
 
-Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options, Progress_bar* bar)
+Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options,
+                                        const Stage_progress& progress)
 {
-  Progress_visitor visitor(bar);
+  Progress_visitor visitor(progress);
   visitor.on_stage_begin(CSCD::Skeletonization_stage::compile_surface);
   if (input.graph) {
     return compute_graph_skeleton(input, options, visitor);

@@ -6,7 +6,6 @@
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
 
-#include "Progress_bar.h"
 #include "types.h"
 #include <CSCD/IO/write_correspondence.h>
 
@@ -15,9 +14,10 @@
 namespace cscd {
 
 /// Skeletonizes `input` as `options` demand. If it is a point set, its mesh becomes the surface made of the points.
-/// \param bar shows the progress, or null
+/// \param progress is informed, or is empty
 /// \throw CSCD::Input_error if it cannot be skeletonized
-Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options, Progress_bar* bar);
+Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options& options,
+                                        const Stage_progress& progress);
 
 /// The label of each vertex or point of the file, in its order.
 /// \pre `input` has kept what was read

@@ -3,7 +3,6 @@
 //
 // The command `cscd loops`: from arguments to files.
 
-#include "applications.h"
 #include "commands.h"
 #include "compute_skeleton.h"
 #include "types.h"

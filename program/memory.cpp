@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
 #ifdef __linux__
 #include <sys/resource.h>
@@ -16,20 +17,69 @@
 
 namespace cscd {
 
-std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root)
+namespace {
+
+constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+
+/// The number in a file, or behind `key` there; nothing if there is none, as where a group has no bound.
+std::optional<std::size_t> number_in(const std::filesystem::path& file, const std::string& key = "")
 {
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (;; group = group.parent_path()) {
-    std::size_t bound = 0; // not a number if there is none
-    std::size_t used = 0;
-    if (std::ifstream(group / "memory.max") >> bound && std::ifstream(group / "memory.current") >> used) {
-      std::ifstream statistics(group / "memory.stat");
-      std::string key;
-      for (std::size_t value = 0; statistics >> key >> value;) {
-        used -= key == "file" ? std::min(used, value) : 0;
-      }
-      least = std::min(least, bound - std::min(bound, used));
+  std::ifstream in(file);
+  for (std::string word; !key.empty() && in >> word && word != key;) {
+    in.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+  }
+  std::size_t result = 0;
+  return in >> result ? std::optional(result) : std::nullopt;
+}
+
+/// The bytes that a bound leaves. \param used the file of the bytes in use \param free how many of them are a cache
+std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free)
+{
+  const std::optional<std::size_t> most = number_in(bound);
+  const std::optional<std::size_t> now = number_in(used);
+  return most && now ? *most - std::min(*most, *now - std::min(*now, free)) : unbounded;
+}
+
+/// The bytes that one control group leaves. It has files of version 2 or 1.
+std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t swap)
+{
+  const std::size_t cache = number_in(group / "memory.stat", "file").value_or(0);
+  const std::size_t old_cache = number_in(group / "memory.stat", "total_cache").value_or(0);
+  const std::size_t swap_left = std::min(swap, left_by(group / "memory.swap.max", group / "memory.swap.current", 0));
+  const std::size_t left =
+      std::min(left_by(group / "memory.max", group / "memory.current", cache),
+               left_by(group / "memory.limit_in_bytes", group / "memory.usage_in_bytes", old_cache));
+  const std::size_t left_with_swap =
+      left_by(group / "memory.memsw.limit_in_bytes", group / "memory.memsw.usage_in_bytes", old_cache);
+  return std::min(left > unbounded - swap_left ? unbounded : left + swap_left, left_with_swap);
+}
+
+#ifdef __linux__
+/// The bytes that the control groups of this process leave.
+std::size_t memory_left_in_own_groups(std::size_t swap)
+{
+  const std::filesystem::path root = "/sys/fs/cgroup";
+  std::size_t result = unbounded;
+  std::ifstream groups("/proc/self/cgroup"); // number:controllers:/path, in version 2 0::/path
+  for (std::string line; std::getline(groups, line);) {
+    const bool is_old = line.find(":memory:/") != std::string::npos;
+    if (is_old || line.rfind("0::/", 0) == 0) {
+      const std::filesystem::path top = is_old ? root / "memory" : root;
+      const std::filesystem::path group = top / line.substr(line.find(":/") + 2);
+      result = std::min(result, memory_left_in_groups(group.lexically_normal(), top, swap));
     }
+  }
+  return result;
+}
+#endif
+
+} // namespace
+
+std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root, std::size_t swap)
+{
+  std::size_t least = unbounded;
+  for (;; group = group.parent_path()) {
+    least = std::min(least, memory_left_in_group(group, swap));
     if (group == root || group == group.parent_path()) {
       return least;
     }
@@ -40,28 +90,17 @@ void limit_memory_to_available()
 {
 #ifdef __linux__
   constexpr std::size_t kilobyte = 1024; // bytes
-  std::ifstream machine("/proc/meminfo");
-  std::string key;
-  std::size_t available = 0; // kilobytes
-  while (machine >> key && key != "MemAvailable:") {
-    machine.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
+  const std::size_t available = kilobyte * number_in("/proc/meminfo", "MemAvailable:").value_or(0);
+  const std::size_t swap = kilobyte * number_in("/proc/meminfo", "SwapFree:").value_or(0);
   std::ifstream process("/proc/self/statm"); // pages: whole size, resident, shared, code, 0, data
   std::size_t pages = 0;
   for (int column = 0; column < 6; ++column) {
     process >> pages;
   }
-  const std::filesystem::path root = "/sys/fs/cgroup";
-  std::ifstream groups("/proc/self/cgroup");
-  std::string group;
-  while (std::getline(groups, group) && group.rfind("0::/", 0) != 0) {
-  }
-  const std::size_t left = groups ? memory_left_in_groups((root / group.substr(4)).lexically_normal(), root)
-                                  : std::numeric_limits<std::size_t>::max();
   // RLIMIT_DATA counts memory that is written to, unlike RLIMIT_AS, which counts memory that is only reserved.
   rlimit limit{};
-  if (machine >> available && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
-    const std::size_t more = std::min(available * kilobyte, left);
+  if (available > 0 && process && getrlimit(RLIMIT_DATA, &limit) == 0) {
+    const std::size_t more = std::min(available + swap, memory_left_in_own_groups(swap));
     limit.rlim_cur = std::min(limit.rlim_cur, rlim_t(pages * std::size_t(sysconf(_SC_PAGESIZE)) + more));
     setrlimit(RLIMIT_DATA, &limit);
   }

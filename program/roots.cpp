@@ -5,7 +5,7 @@
 
 #include "roots.h"
 
-#include "commands.h"
+#include "options.h"
 
 #include <array>
 #include <cmath>

@@ -6,7 +6,7 @@
 #ifndef CSCD_PROGRAM_ROOTS_H
 #define CSCD_PROGRAM_ROOTS_H
 
-#include "commands.h"
+#include "options.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
 #include <CSCD/IO/write_skeleton.h>

@@ -6,6 +6,7 @@
 #include "Progress_bar.h"
 #include "commands.h"
 #include "compute_skeleton.h"
+#include "options.h"
 #include "roots.h"
 #include "types.h"
 #include "volumes.h"
@@ -21,6 +22,7 @@
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/exceptions.h>
@@ -51,16 +53,14 @@ void say(const std::string& input, const std::string& sentence)
   std::cerr << "cscd: " << printable(name_of(input)) << ": " << sentence << '\n';
 }
 
-/// The options that name files besides those of the skeleton, and the files.
-std::array<std::pair<std::string, std::string>, 7> other_outputs(const Skeletonize_options& options)
+/// The names of the files besides those of the skeleton, by their options; empty if not given.
+std::vector<std::pair<std::string, std::string>> other_outputs(Skeletonize_options options)
 {
-  return {{{"--branches", options.branches},
-           {"--nodes", options.nodes},
-           {"--cylinders", options.cylinders},
-           {"--correspondence", options.correspondence},
-           {"--labelled", options.labelled},
-           {"--report", options.report},
-           {"--html", options.html}}};
+  std::vector<std::pair<std::string, std::string>> result;
+  for (const auto& [option, file] : other_files(options)) {
+    result.emplace_back(option, *file);
+  }
+  return result;
 }
 
 /// Whether a rig is written to `output`, by its ending.
@@ -91,17 +91,15 @@ void check_outputs(const Skeletonize_options& options)
   }
 }
 
-/// The number of results that go to standard output.
-std::ptrdiff_t number_of_results_on_standard_output(const Skeletonize_options& options)
+/// The kinds of input that `options` allow before it is read.
+unsigned possible_kinds(const Skeletonize_options& options)
 {
-  const auto files = other_outputs(options);
-  return std::count(options.outputs.begin(), options.outputs.end(), standard_stream) +
-         std::count_if(files.begin(), files.end(), [](const auto& file) { return file.second == standard_stream; });
+  return is_volume(options) ? volume_input : options.domain == graph_domain ? graph_input : mesh_input | point_input;
 }
 
 void check_options(const Skeletonize_options& options)
 {
-  check_method(options);
+  check_applicability(options, possible_kinds(options));
   check_volume_options(options);
   check_outputs(options);
   if (number_of_results_on_standard_output(options) > 1) {
@@ -146,25 +144,6 @@ bool bounds_body(const Skeletonization_result& result, const Skeletonize_options
   return !result.tree && options.domain.empty() && !(result.is_of_points && options.method == published_method);
 }
 
-/// Chooses roots and measures branches; with the parts of the surface that belong to them if that is to be written.
-void add_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
-{
-  result.roots = find_roots(result.skeleton, options.root);
-  if (result.tree) {
-    if (result.roots.empty() || root_point(options.root)) {
-      result.roots = {0}; // the first node of each object is its root
-    }
-    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
-    CSCD::assign_limbs(*result.tree, result.branches);
-    result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
-  } else {
-    const bool is_surface_measured =
-        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
-    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
-                                          : CSCD::measure_branches(result.skeleton, result.roots);
-  }
-}
-
 /// Writes which node the vertices of the file belong to, and says how many belong to none.
 void write_labels(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                   const Skeletonize_options& options)
@@ -205,6 +184,24 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 }
 
 } // namespace
+
+void measure_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
+{
+  result.roots = find_roots(result.skeleton, options.root);
+  if (result.tree) {
+    if (result.roots.empty() || root_point(options.root)) {
+      result.roots = {0}; // the first node of each object is its root
+    }
+    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
+    CSCD::assign_limbs(*result.tree, result.branches);
+    result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
+  } else {
+    const bool is_surface_measured =
+        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
+    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
+                                          : CSCD::measure_branches(result.skeleton, result.roots);
+  }
+}
 
 void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                    const Skeletonize_options& options)
@@ -309,7 +306,7 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
       say(name, sentence);
     }
     if (input.has_other_columns) {
-      say(name, "three numbers behind the coordinates are no normals, but colors or the like: passed over");
+      say(name, "three numbers behind the coordinates are not normals, but colors or the like: ignored");
     }
   }
   return input;
@@ -361,77 +358,52 @@ void check_is_not_input(const std::string& output, const std::string& input, con
 
 namespace {
 
-/// Refuses options that need a surface where the input is taken for a graph, and those that are for graphs only.
-void check_domain(const Skeletonize_options& options)
+unsigned kind_of(const Input& input)
 {
-  if (options.domain != graph_domain) {
-    if (options.number_of_neighbors > 0) {
-      throw Usage_error("--neighbors: joins points to a graph; add --as graph");
-    }
-    return;
+  return input.graph ? graph_input : input.volume ? volume_input : input.is_point_set ? point_input : mesh_input;
+}
+
+/// Refuses options that do not apply to `input`.
+void check_options(const Input& input, const Skeletonize_options& options)
+{
+  check_applicability(options, kind_of(input));
+  if (!input.is_point_set && options.shape == tree_shape) {
+    throw Usage_error("--shape tree: does not apply to meshes; leave it out");
   }
-  for (const auto& [is_given, option] :
-       {std::pair(options.method != local_method, "--method"), std::pair(options.detail.has_value(), "--detail"),
-        std::pair(options.shape != automatic_shape, "--shape"), std::pair(!options.borders.empty(), "--borders"),
-        std::pair(options.wrap.has_value(), "--wrap"), std::pair(!options.cylinders.empty(), "--cylinders")}) {
-    if (is_given) {
-      throw Usage_error(std::string(option) + ": needs a surface; remove it or --as graph");
-    }
+  if (options.method == published_method && options.shape == tree_shape) {
+    throw Usage_error("--method published: does not apply to scans of trees; leave it out");
+  }
+}
+
+/// Refuses options that do not apply to points by what these were recognized as.
+void check_options(const Skeletonization_result& result, const Skeletonize_options& options)
+{
+  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
+    throw Usage_error((options.fragments.joins_components ? std::string("--join") : std::string("--min-component")) +
+                      ": does not apply to scans of trees; leave it out or use cscd simplify");
+  }
+  if (!options.cylinders.empty() && !result.tree) {
+    throw Usage_error("--cylinders: does not apply to surfaces; leave it out or add --shape tree");
   }
 }
 
 } // namespace
 
-void check_method(const Skeletonize_options& options)
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options,
+                                         const Stage_progress& progress)
 {
-  check_domain(options);
-  constexpr double min_wrap = 0.001; // a wrap has some 1 / size^2 vertices
-  constexpr double max_wrap = 0.5;
-  if (options.wrap && !(*options.wrap >= min_wrap && *options.wrap <= max_wrap)) {
-    throw Usage_error("--wrap: must be from 0.001 to 0.5, relative to the diagonal");
-  }
-  const bool is_published = options.method == published_method;
-  if (!is_published && options.is_literal) {
-    throw Usage_error("--literal: is for the published method only; add --method published");
-  }
-  if (is_published && options.detail) {
-    throw Usage_error("--detail: the published method has no choice of detail; leave out --method published");
-  }
-  if (is_published && options.shape == tree_shape) {
-    throw Usage_error("--shape tree: trees have a method of their own; leave out --method published");
-  }
-}
-
-Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar)
-{
-  if (!input.is_point_set && options.shape == tree_shape) {
-    throw Usage_error(name_of(options.input) + ": is a mesh; only points can be a tree: leave out --shape");
-  }
-  if (input.is_point_set && !options.borders.empty()) {
-    throw Usage_error("--borders: points have none; leave the option out");
-  }
-  if (input.is_point_set && options.wrap) {
-    throw Usage_error("--wrap: is for meshes only, not for points; leave the option out");
-  }
+  check_options(input, options);
   Skeletonization_result result;
   try {
-    result = compute_skeleton(input, options, bar);
+    result = compute_skeleton(input, options, progress);
     result.has_normals = !input.normals.empty();
     result.volume = input.volume;
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(name_of(options.input) + ": " + error.what());
   }
-  if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
-    throw Usage_error(name_of(options.input) + ": is taken for a scan of trees, whose report numbers the nodes; leave "
-                                               "out --join and --min-component, and use cscd simplify");
-  }
+  check_options(result, options);
   treat_fragments(options.fragments, result);
-  if (!options.cylinders.empty() && !result.tree) {
-    throw Usage_error("--cylinders: " + name_of(options.input) +
-                      " is not taken for a scan of trees; --shape tree "
-                      "decides");
-  }
-  add_branches(input, options, result);
+  measure_branches(input, options, result);
   for (const auto node : boost::make_iterator_range(vertices(result.skeleton))) {
     const auto& bundle = result.skeleton[node];
     if (bundle.is_opening) {
@@ -461,12 +433,12 @@ void write_page(std::ostream& out, const Input& input, const Skeletonization_res
 
 namespace {
 
-/// Whether a mesh is wrapped, or one of the results is made with the mesh, not with the skeleton alone.
+/// Whether the computation or one of the results needs the mesh, not only its triangles.
 bool needs_mesh(const Skeletonize_options& options)
 {
-  return options.wrap ||
-         !(options.branches.empty() && options.nodes.empty() && options.correspondence.empty() &&
-           options.labelled.empty() && options.report.empty() && options.html.empty()) ||
+  const auto files = other_outputs(options);
+  return options.wrap || options.method == published_method ||
+         std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.second.empty(); }) ||
          std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }
@@ -486,10 +458,12 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;
+  Stage_progress progress;
   if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
     bar.emplace(std::cerr);
+    progress = [&bar](CSCD::Skeletonization_stage stage, double fraction) { bar->show(stage, fraction); };
   }
-  Skeletonization_result result = skeletonize_input(input, options, bar ? &*bar : nullptr);
+  Skeletonization_result result = skeletonize_input(input, options, progress);
   bar.reset(); // messages follow
   if (!options.is_quiet) {
     const std::string label = result.volume ? "label " + std::to_string(result.volume->label) + ": " : "";

@@ -6,7 +6,7 @@
 #ifndef CSCD_PROGRAM_TYPES_H
 #define CSCD_PROGRAM_TYPES_H
 
-#include "commands.h"
+#include "options.h"
 #include "write_report.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -15,12 +15,14 @@
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <array>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <ostream>
@@ -28,8 +30,6 @@
 #include <vector>
 
 namespace cscd {
-
-class Progress_bar;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
@@ -61,6 +61,9 @@ struct Skeletonization_result : Run_report
   std::vector<std::vector<Point>> separators;
 };
 
+/// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
+using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, double fraction)>;
+
 /// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
 /// was repaired to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
@@ -81,6 +84,12 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
 /// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
 /// \throw Usage_error, `CSCD::File_error`
 Input read_graph(const Skeletonize_options& options);
+
+/// Reads the points, polygons and lines of a mesh, of points, of a skeleton or of a graph.
+/// \param content of a file that is not compressed
+/// \param filename names the format by its ending \param name for messages
+/// \throw `CSCD::File_error` if the file is malformed or the ending names no format
+CSCD::Shape_file read_shape(const std::string& content, const std::string& filename, const std::string& name);
 
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
@@ -114,15 +123,16 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
 /// Removes and joins components as `options` demand.
 void treat_fragments(const Fragment_options& options, Skeletonization_result& result);
 
-/// Refuses options that exclude each other, before anything is read.
-/// \throw Usage_error
-void check_method(const Skeletonize_options& options);
-
-/// Skeletonizes `input`, which messages call by the name that `options` have for it, with whatever these demand but
-/// for files. If it is a point set, its mesh becomes the surface made of the points.
-/// \param bar shows the progress, or null
+/// Skeletonizes `input`, which messages call by the name that `options` have for it. Nothing is written. If it is a
+/// point set, its mesh becomes the surface made of the points.
+/// \param progress is informed, or is empty
 /// \throw Usage_error if the options do not apply to this input; `CSCD::Input_error` if it cannot be skeletonized
-Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options, Progress_bar* bar);
+Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options& options,
+                                         const Stage_progress& progress);
+
+/// Chooses roots and measures branches, with the parts of the surface that belong to them if these are known and
+/// `options` ask for a table of branches or a report.
+void measure_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result);
 
 /// Writes the files that `options` name; they appear when `files` are published.
 /// \throw `CSCD::File_error`; `CSCD::Input_error` if a file cannot hold this

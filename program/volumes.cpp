@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,7 +67,7 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
     for (std::string& output : result.outputs) {
       output = insert_label(output, label);
     }
-    for (std::string* file : {&result.branches, &result.nodes, &result.report, &result.html}) {
+    for (const auto& [option, file] : other_files(result)) {
       *file = file->empty() ? "" : insert_label(*file, label);
     }
   }
@@ -95,15 +94,6 @@ std::vector<std::uint32_t> node_numbers(const Skeleton& skeleton, std::size_t nu
   return result;
 }
 
-void refuse(std::initializer_list<std::pair<bool, const char*>> options, const std::string& reason)
-{
-  for (const auto& [is_given, option] : options) {
-    if (is_given) {
-      throw Usage_error(std::string(option) + ": " + reason);
-    }
-  }
-}
-
 } // namespace
 
 bool is_volume(const Skeletonize_options& options)
@@ -119,32 +109,15 @@ bool is_node_volume(const std::string& output)
 void check_volume_options(const Skeletonize_options& options)
 {
   const Volume_options& volume = options.volume;
-  const bool has_node_volume = std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume);
-  if (!is_volume(options)) {
-    refuse({{volume.label.has_value(), "--label"},
-            {volume.threshold.has_value(), "--threshold"},
-            {volume.has_all_labels, "--all-labels"},
-            {volume.connectivity != 26, "--connectivity"},
-            {volume.keeps_cavities, "--keep-cavities"},
-            {has_node_volume, "--output .nrrd"}},
-           "is for volumes, and the input is none; leave it out");
-    return;
+  if (!is_volume(options) && std::any_of(options.outputs.begin(), options.outputs.end(), is_node_volume)) {
+    throw Usage_error("--output .nrrd: does not apply to meshes, points or graphs; use --correspondence");
   }
-  refuse({{!options.domain.empty(), "--as"},
-          {options.wrap.has_value(), "--wrap"},
-          {options.shape != automatic_shape, "--shape"},
-          {!options.cylinders.empty(), "--cylinders"},
-          {!options.correspondence.empty(), "--correspondence"},
-          {!options.labelled.empty(), "--labelled"}},
-         "does not apply to volumes; leave it out, or write the node of each voxel by -o OUT.nrrd");
   if (int(volume.label.has_value()) + int(volume.threshold.has_value()) + int(volume.has_all_labels) > 1) {
     throw Usage_error("--label, --threshold and --all-labels exclude each other; give one of them");
   }
-  refuse({{volume.has_all_labels && (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 0 ||
-                                     options.branches == standard_stream || options.nodes == standard_stream ||
-                                     options.report == standard_stream || options.html == standard_stream),
-           "--all-labels"}},
-         "has several results of a kind, which cannot go to standard output; name files");
+  if (volume.has_all_labels && number_of_results_on_standard_output(options) > 0) {
+    throw Usage_error("--all-labels: has several results of a kind, which cannot go to standard output; name files");
+  }
 }
 
 void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& options,

@@ -19,7 +19,7 @@ bool is_volume(const Skeletonize_options& options);
 /// Whether `output` is a volume of node numbers.
 bool is_node_volume(const std::string& output);
 
-/// Refuses options that do not apply to volumes, or only to them.
+/// Refuses options of volumes that exclude each other, and outputs that need a volume.
 /// \throw Usage_error
 void check_volume_options(const Skeletonize_options& options);
 

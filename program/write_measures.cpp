@@ -6,6 +6,7 @@
 #include "write_measures.h"
 
 #include "dump_json.h"
+#include "write_report.h"
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/version.h>
 

@@ -6,7 +6,7 @@
 #ifndef CSCD_PROGRAM_WRITE_MEASURES_H
 #define CSCD_PROGRAM_WRITE_MEASURES_H
 
-#include "commands.h"
+#include "options.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 
 #include <ostream>

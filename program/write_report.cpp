@@ -6,8 +6,8 @@
 #include "write_report.h"
 
 #include "dump_json.h"
+#include "options.h"
 #include <CSCD/IO/internal/json_branches.h>
-#include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
@@ -189,12 +189,26 @@ Json gaps(const CSCD::Tree_report& r)
   return result;
 }
 
+/// The options that were given and say how the skeleton is made.
+Json options_part(Skeletonize_options options)
+{
+  Json result = Json::object();
+  for (const Option& option : given_options(options)) {
+    if (is_of_method(option)) {
+      const std::string text = text_of(option);
+      result[option.name] = Json::accept(text) ? Json::parse(text) : Json(text);
+    }
+  }
+  return result;
+}
+
 Json tree_document(const Skeletonize_options& options, const Run_report& result)
 {
   const CSCD::Tree_report& r = *result.tree;
   return {{"version", CSCD_VERSION},
           {"input", options.input},
           {"method", tree_shape},
+          {"options", options_part(options)},
           {"number_of_points", r.number_of_points},
           {"number_of_duplicates", r.number_of_duplicates},
           {"number_of_thinned_points", r.number_of_thinned_points},
@@ -255,6 +269,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
                            : result.volume         ? "volume"
                                                    : "mesh"},
                 {"method", options.method},
+                {"options", options_part(options)},
                 {"seed", options.seed},
                 {"number_of_threads", report.number_of_threads},
                 {"repairs", repairs}};
@@ -264,7 +279,7 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   if (options.domain == graph_domain) {
     document["method"] = graph_domain;
   } else if (options.method == local_method) {
-    document["detail"] = options.detail.value_or(CSCD::Detail::default_value);
+    document["detail"] = options.detail;
   } else {
     document["literal"] = options.is_literal;
   }

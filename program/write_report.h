@@ -6,7 +6,7 @@
 #ifndef CSCD_PROGRAM_WRITE_REPORT_H
 #define CSCD_PROGRAM_WRITE_REPORT_H
 
-#include "commands.h"
+#include "options.h"
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeletonization_report.h>
@@ -59,6 +59,9 @@ struct Run_report
   /// What the user should know: one sentence each.
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
 };
+
+/// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
+std::string printable(const std::string& text);
 
 /// The report of a run as a JSON object. \param repairs of the input, a sentence each
 nlohmann::ordered_json report_document(const Skeletonize_options& options, const std::vector<std::string>& repairs,

@@ -6,14 +6,18 @@
 #ifndef CSCD_PROGRAM_WRITE_WITH_REPORT_H
 #define CSCD_PROGRAM_WRITE_WITH_REPORT_H
 
-#include "applications.h"
 #include "dump_json.h"
+#include "options.h"
 #include "types.h"
 #include <CSCD/IO/write_file.h>
 
 #include <ostream>
 
 namespace cscd {
+
+/// Refuses files that are the input, and two results on standard output.
+/// \throw Usage_error
+void check_files(const Application_options& options);
 
 /// Writes the result by `write(out)`, and the report if there is to be one.
 /// \param document makes the report

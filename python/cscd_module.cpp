@@ -4,8 +4,8 @@
 // The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
 // cscd/__init__.py.
 
-#include "commands.h"
 #include "compute_skeleton.h"
+#include "options.h"
 #include "types.h"
 #include "write_html_page.h"
 #include "write_measures.h"
@@ -14,13 +14,16 @@
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
-#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/version.h>
@@ -34,6 +37,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <pybind11/numpy.h>
@@ -43,6 +47,7 @@
 #include <sstream>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace {
@@ -86,14 +91,15 @@ std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string
   return result;
 }
 
-/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row.
+/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row. -1 behind
+/// the third value of a row stands for no vertex.
 template <class AddVertex, class EndRow>
 void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices,
                      const AddVertex& add_vertex, const EndRow& end_row)
 {
   const auto value = rows.unchecked<2>();
   for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-    for (py::ssize_t j = 0; j < rows.shape(1); ++j) {
+    for (py::ssize_t j = 0; j < rows.shape(1) && (j < 3 || value(i, j) != -1); ++j) {
       if (value(i, j) < 0 || value(i, j) >= number_of_vertices) {
         throw CSCD::Input_error(name + ": row " + std::to_string(i) + " names vertex " + std::to_string(value(i, j)) +
                                 ", and V has rows 0 to " + std::to_string(number_of_vertices - 1));
@@ -156,13 +162,65 @@ void make_point_set(const Coordinates& points, const std::optional<Coordinates>&
   CSCD::internal::convert_to_points(soup, source.input.points, source.input.normals);
 }
 
+/// The options that `arguments` of Python set; None leaves the default.
+/// \throw Usage_error naming the argument and its range
+template <class Options>
+Options to_options(const py::dict& arguments)
+{
+  Options result;
+  for (const cscd::Option& option : cscd::options_of(result)) {
+    const std::string name = cscd::python_name(option);
+    const py::object value = arguments.contains(name) ? py::object(arguments[name.c_str()]) : py::none();
+    if (value.is_none()) {
+      continue;
+    }
+    const bool is_flag = std::holds_alternative<bool*>(option.value);
+    const std::string text = is_flag ? (py::bool_(value) ? "true" : "false") : std::string(py::str(value));
+    if (text != cscd::text_of(option)) {
+      cscd::assign(option, text);
+    }
+  }
+  return result;
+}
+
+/// Name, default, values and help of the arguments of Python that the options of `command` are.
+template <class Options>
+py::list describe_options()
+{
+  Options options;
+  py::list result;
+  for (const cscd::Option& option : cscd::options_of(options)) {
+    if (cscd::is_of_method(option)) {
+      result.append(py::make_tuple(cscd::python_name(option), cscd::text_of(option),
+                                   option.choices.empty() ? "" : option.argument, option.help));
+    }
+  }
+  return result;
+}
+
+/// Passes progress on to `callback(stage, fraction)`, which is referred to and may be None, and raises what signals of
+/// the user raise, such as KeyboardInterrupt.
+cscd::Stage_progress to_progress(const py::object& callback)
+{
+  return [&callback](CSCD::Skeletonization_stage stage, double fraction) {
+    const py::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0) {
+      throw py::error_already_set();
+    }
+    if (!callback.is_none()) {
+      callback(CSCD::name(stage), fraction);
+    }
+  };
+}
+
 /// A skeleton, with its arrays as NumPy shows them and what it was made of.
-class Shown_skeleton
+class Python_skeleton
 {
 public:
-  Shown_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonization_result result, std::string report)
-      : m_source(std::move(source)), m_result(std::move(result)), m_report(std::move(report)),
-        m_content(CSCD::internal::index_skeleton(m_result.skeleton))
+  Python_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonize_options options,
+                  cscd::Skeletonization_result result, std::string report)
+      : m_source(std::move(source)), m_options(std::move(options)), m_result(std::move(result)),
+        m_report(std::move(report)), m_content(CSCD::internal::index_skeleton(m_result.skeleton))
   {
     const cscd::Skeleton& skeleton = m_result.skeleton;
     m_significances.reserve(num_edges(skeleton));
@@ -175,23 +233,42 @@ public:
   }
 
   const Source& source() const { return *m_source; }
+  const cscd::Skeletonize_options& options() const { return m_options; }
   const cscd::Skeletonization_result& result() const { return m_result; }
   const std::string& report() const { return m_report; }
   const CSCD::internal::Indexed_skeleton& content() const { return m_content; }
   const std::vector<double>& significances() const { return m_significances; }
   const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
 
-  Shown_skeleton simplify(const cscd::Simplify_options& options, bool stays_inside) const
+  Python_skeleton simplify(const py::dict& arguments, bool stays_inside) const
   {
+    auto options = to_options<cscd::Simplify_options>(arguments);
+    options.skeleton = "skeleton"; // in messages
+    const py::gil_scoped_release release;
     cscd::Skeletonization_result result = m_result;
     const bool has_mesh = stays_inside && !m_source->input.is_point_set;
     cscd::simplify_skeleton(options, has_mesh ? &m_source->input.mesh : nullptr, result.skeleton);
-    result.branches = CSCD::measure_branches(result.skeleton);
-    return {m_source, std::move(result), m_report};
+    measure_branches(options.root, result);
+    return {m_source, m_options, std::move(result), m_report};
   }
 
 private:
+  /// Measures the branches of a skeleton that was simplified. \param root where it begins; as before if empty
+  void measure_branches(const std::string& root, cscd::Skeletonization_result& result) const
+  {
+    cscd::Skeletonize_options options = m_options;
+    options.root = root.empty() ? options.root : root;
+    // The limbs of a tree name nodes that may be gone, and there is no surface.
+    std::optional<CSCD::Tree_report> tree = std::exchange(result.tree, std::nullopt);
+    if (tree) {
+      options.report.clear();
+    }
+    cscd::measure_branches(m_source->input, options, result);
+    result.tree = std::move(tree);
+  }
+
   std::shared_ptr<const Source> m_source;
+  cscd::Skeletonize_options m_options;
   cscd::Skeletonization_result m_result;
   std::string m_report; ///< of the skeletonization, as JSON
   CSCD::internal::Indexed_skeleton m_content;
@@ -199,14 +276,12 @@ private:
   std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
 };
 
-Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
-                           const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
-                           cscd::Skeletonize_options& options)
+Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corners>& corners,
+                            const std::optional<Coordinates>& normals, const std::optional<Corners>& edges,
+                            const py::dict& arguments, const py::object& callback)
 {
-  cscd::check_method(options);
-  if (const std::string fault = options.root.empty() ? "" : cscd::check_root(options.root); !fault.empty()) {
-    throw cscd::Usage_error("root: " + fault);
-  }
+  auto options = to_options<cscd::Skeletonize_options>(arguments);
+  const cscd::Stage_progress progress = to_progress(callback);
   const auto source = std::make_shared<Source>();
   std::optional<CSCD::Shape_file> soup;
   if (options.domain == cscd::graph_domain) {
@@ -223,38 +298,57 @@ Shown_skeleton skeletonize(const Coordinates& points, const std::optional<Corner
     make_mesh(std::move(*soup), options, *source);
   }
   options.report = cscd::standard_stream; // with all that a report has
-  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, nullptr);
+  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, progress);
   std::ostringstream report;
   cscd::write_report(report, options, source->input.repairs.sentences(), result);
-  return {source, std::move(result), report.str()};
+  return {source, std::move(options), std::move(result), report.str()};
 }
 
-std::string evaluate(const Shown_skeleton& skeleton, const std::string& radii, std::size_t resolution)
+std::string evaluate(const Python_skeleton& skeleton, const py::dict& arguments)
 {
-  cscd::Evaluate_options options;
+  auto options = to_options<cscd::Evaluate_options>(arguments);
+  const py::gil_scoped_release release;
   options.input = skeleton.source().name();
   options.skeleton = "skeleton";
-  options.radii = radii;
-  options.resolution = resolution;
   std::ostringstream out;
   cscd::write_measures_as_json(out, options,
                                cscd::measure_skeleton(skeleton.source().input, skeleton.result().skeleton, options));
   return out.str();
 }
 
-std::string page(const Shown_skeleton& skeleton, const std::string& title)
+void check_viewer_source()
 {
   if (!CSCD::has_three_js()) {
     throw cscd::Usage_error("this module was built without three.js; install libjs-three and build it again");
   }
+}
+
+std::string page(const Python_skeleton& skeleton, const std::string& title)
+{
+  check_viewer_source();
   std::ostringstream out;
   cscd::write_page(out, skeleton.source().input, skeleton.result(), title);
   return out.str();
 }
 
+/// Writes a file as `cscd skeletonize --output` does.
+void save(const Python_skeleton& skeleton, const std::string& filename)
+{
+  if (cscd::is_page(filename)) {
+    check_viewer_source();
+  }
+  cscd::Skeletonize_options options = skeleton.options();
+  options.input = std::filesystem::path(filename).stem().string(); // the title of a page, the name of a rig
+  options.outputs = {filename};
+  options.report.clear();
+  CSCD::File_group files;
+  cscd::write_results(files, skeleton.source().input, skeleton.result(), options);
+  files.publish();
+}
+
 /// A copy of the mesh that was skeletonized, which takes labels. \throw Usage_error if rows of the arrays have no
 /// counterparts in it
-cscd::Mesh skeletonized_mesh(const Shown_skeleton& skeleton)
+cscd::Mesh skeletonized_mesh(const Python_skeleton& skeleton)
 {
   const cscd::Input& input = skeleton.source().input;
   if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
@@ -275,7 +369,7 @@ std::vector<Value> values_of(const Descriptors& descriptors, const Map& map)
   return result;
 }
 
-std::vector<double> shape_diameters(const Shown_skeleton& skeleton)
+std::vector<double> shape_diameters(const Python_skeleton& skeleton)
 {
   cscd::Mesh mesh = skeletonized_mesh(skeleton);
   const auto map = mesh.add_property_map<cscd::Mesh::Vertex_index, double>("v:diameter").first;
@@ -283,7 +377,7 @@ std::vector<double> shape_diameters(const Shown_skeleton& skeleton)
   return values_of<double>(mesh.vertices(), map);
 }
 
-std::vector<Signed_index> segment(const Shown_skeleton& skeleton, std::size_t number_of_parts)
+std::vector<Signed_index> segment(const Python_skeleton& skeleton, std::size_t number_of_parts)
 {
   cscd::Mesh mesh = skeletonized_mesh(skeleton);
   const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
@@ -328,10 +422,10 @@ py::array view(const py::object& owner, const Value* values, std::vector<py::ssi
 }
 
 /// The arrays of a skeleton, without a copy: each keeps the skeleton alive.
-void define_arrays(py::class_<Shown_skeleton>& type)
+void define_arrays(py::class_<Python_skeleton>& type)
 {
-  const auto skeleton_of = [](const py::object& self) -> const Shown_skeleton& {
-    return self.cast<const Shown_skeleton&>();
+  const auto skeleton_of = [](const py::object& self) -> const Python_skeleton& {
+    return self.cast<const Python_skeleton&>();
   };
   type.def_property_readonly("nodes", [skeleton_of](const py::object& self) {
     const auto& points = skeleton_of(self).content().points;
@@ -355,52 +449,73 @@ void define_arrays(py::class_<Shown_skeleton>& type)
   });
 }
 
-void define_options(py::module_& module)
+/// The corners of the polygons, a row each, with -1 behind the corners of those that have fewer than others.
+py::object polygons_of(const CSCD::Shape_file& shape)
 {
-  using cscd::Simplify_options;
-  using cscd::Skeletonize_options;
-  py::class_<Skeletonize_options>(module, "SkeletonizeOptions")
-      .def(py::init())
-      .def_readwrite("method", &Skeletonize_options::method)
-      .def_readwrite("literal", &Skeletonize_options::is_literal)
-      .def_readwrite("shape", &Skeletonize_options::shape)
-      .def_readwrite("borders", &Skeletonize_options::borders)
-      .def_readwrite("wrap", &Skeletonize_options::wrap)
-      .def_readwrite("domain", &Skeletonize_options::domain)
-      .def_readwrite("neighbors", &Skeletonize_options::number_of_neighbors)
-      .def_readwrite("root", &Skeletonize_options::root)
-      .def_readwrite("detail", &Skeletonize_options::detail)
-      .def_readwrite("seed", &Skeletonize_options::seed)
-      .def_readwrite("threads", &Skeletonize_options::number_of_threads)
-      .def_readwrite("separators", &Skeletonize_options::maximum_number_of_sources)
-      .def_property(
-          "min_component", [](const Skeletonize_options& o) { return o.fragments.min_component_size; },
-          [](Skeletonize_options& o, std::size_t size) { o.fragments.min_component_size = size; })
-      .def_property(
-          "join", [](const Skeletonize_options& o) { return o.fragments.joins_components; },
-          [](Skeletonize_options& o, bool joins) { o.fragments.joins_components = joins; });
-  py::class_<Simplify_options>(module, "SimplifyOptions")
-      .def(py::init([] {
-        Simplify_options options;
-        options.skeleton = "skeleton"; // in messages
-        return options;
-      }))
-      .def_readwrite("min_significance", &Simplify_options::min_significance)
-      .def_readwrite("min_length", &Simplify_options::min_length)
-      .def_readwrite("min_length_over_radius", &Simplify_options::min_length_over_radius)
-      .def_readwrite("merge_junctions", &Simplify_options::junction_distance)
-      .def_readwrite("spacing", &Simplify_options::spacing)
-      .def_readwrite("spacing_over_radius", &Simplify_options::spacing_over_radius)
-      .def_readwrite("smooth", &Simplify_options::number_of_smoothing_steps)
-      .def_property(
-          "min_component", [](const Simplify_options& o) { return o.fragments.min_component_size; },
-          [](Simplify_options& o, std::size_t size) { o.fragments.min_component_size = size; })
-      .def_property(
-          "join", [](const Simplify_options& o) { return o.fragments.joins_components; },
-          [](Simplify_options& o, bool joins) { o.fragments.joins_components = joins; });
+  std::size_t width = 0;
+  for (std::size_t polygon = 0; polygon < shape.number_of_polygons(); ++polygon) {
+    width = std::max(width, shape.size_of_polygon(polygon));
+  }
+  py::array_t<std::int64_t> result({shape.number_of_polygons(), width});
+  std::fill_n(result.mutable_data(), result.size(), -1);
+  for (std::size_t polygon = 0; polygon < shape.number_of_polygons(); ++polygon) {
+    std::copy_n(shape.corners.begin() + std::ptrdiff_t(shape.first_corner[polygon]), shape.size_of_polygon(polygon),
+                result.mutable_data(py::ssize_t(polygon), 0));
+  }
+  return result;
 }
 
-/// Messages on arguments name these as the program does, by `--name`, and Python knows no dashes.
+/// A new array of rows of three or two numbers; None if there are none.
+template <class Value, class Row>
+py::object rows_or_none(const std::vector<Row>& rows)
+{
+  constexpr std::size_t width = sizeof(Row) / sizeof(Value);
+  return rows.empty() ? py::object(py::none())
+                      : py::array_t<Value>({rows.size(), width}, reinterpret_cast<const Value*>(rows.data()));
+}
+
+/// Points, polygons, normals, edges and radii of a file; None stands for what it does not have.
+py::tuple read_file(const std::string& filename)
+{
+  CSCD::Shape_file shape;
+  {
+    const py::gil_scoped_release release;
+    shape = cscd::read_shape(CSCD::internal::read_content(filename), filename, filename);
+  }
+  return py::make_tuple(rows_or_none<double>(shape.points),
+                        shape.number_of_polygons() > 0 ? polygons_of(shape) : py::none(),
+                        rows_or_none<double>(shape.normals), rows_or_none<std::int64_t>(shape.lines),
+                        shape.radii.empty() ? py::object(py::none())
+                                            : py::array_t<double>(py::ssize_t(shape.radii.size()), shape.radii.data()));
+}
+
+/// The fields of `Branch`, in their order.
+py::tuple to_tuple(const CSCD::Skeleton_branch& branch)
+{
+  return py::make_tuple(branch.nodes, py::make_tuple(name(branch.ends[0]), name(branch.ends[1])), branch.length,
+                        branch.chord, branch.min_radius, branch.mean_radius, branch.max_radius, branch.significance,
+                        branch.volume, branch.surface_area, branch.parent, branch.order);
+}
+
+/// `message` with options spelled as arguments of Python: `detail` for `--detail`, `domain="graph"` for `--as graph`.
+std::string in_words_of_python(std::string message)
+{
+  cscd::Skeletonize_options skeletonize_options;
+  cscd::Simplify_options simplify_options;
+  cscd::Evaluate_options evaluate_options;
+  for (const std::vector<cscd::Option>& table :
+       {options_of(skeletonize_options), options_of(simplify_options), options_of(evaluate_options)}) {
+    for (const cscd::Option& option : table) {
+      const std::string argument = cscd::python_name(option);
+      for (const std::string& choice : option.choices) {
+        boost::algorithm::replace_all(message, "--" + option.name + " " + choice, argument + "=\"" + choice + "\"");
+      }
+      message = std::regex_replace(message, std::regex("--" + option.name + "(?![a-z-])"), argument);
+    }
+  }
+  return message;
+}
+
 void register_usage_error()
 {
   py::register_exception_translator([](std::exception_ptr exception) {
@@ -409,11 +524,7 @@ void register_usage_error()
         std::rethrow_exception(exception);
       }
     } catch (const cscd::Usage_error& error) {
-      std::string message = error.what();
-      boost::algorithm::replace_all(message, "--as graph", "domain=\"graph\"");
-      // Only in front of a word: the names of files may have dashes, too.
-      message = std::regex_replace(message, std::regex("(^|[\\s(\"'])--(?=[a-z])"), "$1");
-      PyErr_SetString(PyExc_ValueError, message.c_str());
+      PyErr_SetString(PyExc_ValueError, in_words_of_python(error.what()).c_str());
     }
   });
 }
@@ -426,34 +537,30 @@ PYBIND11_MODULE(_core, module)
   py::register_exception<CSCD::Input_error>(module, "InputError", PyExc_ValueError);
   py::register_exception<CSCD::File_error>(module, "FileError", PyExc_OSError);
   register_usage_error();
-  define_options(module);
   const py::call_guard<py::gil_scoped_release> without_gil;
-  py::class_<Shown_skeleton> type(module, "Skeleton");
+  py::class_<Python_skeleton> type(module, "Skeleton");
   define_arrays(type);
-  type.def_property_readonly("report", &Shown_skeleton::report)
-      .def_property_readonly("warnings", [](const Shown_skeleton& skeleton) { return skeleton.result().warnings(); })
-      .def_property_readonly("repairs",
-                             [](const Shown_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
-      .def("simplify", &Shown_skeleton::simplify, "options"_a, "stays_inside"_a, without_gil)
-      .def("evaluate", &evaluate, "radii"_a, "resolution"_a, without_gil)
+  type.def_property_readonly("report", &Python_skeleton::report)
+      .def_property_readonly("warnings", [](const Python_skeleton& skeleton) { return skeleton.result().warnings(); })
+      .def_property_readonly(
+          "repairs", [](const Python_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
+      .def("simplify", &Python_skeleton::simplify, "options"_a, "stays_inside"_a)
+      .def("evaluate", &evaluate, "options"_a)
       .def("page", &page, "title"_a, without_gil)
       .def("shape_diameters", &shape_diameters, without_gil)
       .def("segment", &segment, "parts"_a, without_gil)
-      .def(
-          "save",
-          [](const Shown_skeleton& skeleton, const std::string& filename) {
-            CSCD::write_skeleton(filename, skeleton.result().skeleton);
-          },
-          "filename"_a, without_gil)
-      .def("branches", [](const Shown_skeleton& skeleton) {
+      .def("save", &save, "filename"_a, without_gil)
+      .def("branches", [](const Python_skeleton& skeleton) {
         py::list result;
         for (const CSCD::Skeleton_branch& branch : skeleton.result().branches.branches) {
-          result.append(py::make_tuple(branch.nodes, py::make_tuple(name(branch.ends[0]), name(branch.ends[1])),
-                                       branch.length, branch.chord, branch.min_radius, branch.mean_radius,
-                                       branch.max_radius, branch.significance));
+          result.append(to_tuple(branch));
         }
         return result;
       });
   module.def("find_loops", &find_loops, "V"_a, "F"_a, "seed"_a, "min_depth"_a);
-  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a);
+  module.def("skeletonize", &skeletonize, "V"_a, "F"_a, "normals"_a, "edges"_a, "options"_a, "progress"_a);
+  module.def("read", &read_file, "filename"_a);
+  module.attr("skeletonize_options") = describe_options<cscd::Skeletonize_options>();
+  module.attr("simplify_options") = describe_options<cscd::Simplify_options>();
+  module.attr("evaluate_options") = describe_options<cscd::Evaluate_options>();
 }

@@ -3,7 +3,8 @@
 """Curve skeletons of triangle meshes and point sets.
 
     import cscd
-    skeleton = cscd.skeletonize(V, F)      # or cscd.skeletonize(V) for points
+    shape = cscd.read("elephant.off")
+    skeleton = cscd.skeletonize(shape.vertices, shape.faces)      # without faces for points
     skeleton.nodes, skeleton.edges, skeleton.radius, skeleton.vertex_to_node
 
 All algorithms are those of the C++ library CSCD; doc/python.md is a tutorial.
@@ -33,17 +34,37 @@ __all__ = [
     "FileError",
     "InputError",
     "Loop",
+    "Shape",
     "Skeleton",
     "find_loops",
+    "read",
     "skeletonize",
     "__version__",
 ]
 
-FileError.__doc__ = "A file cannot be written. The message names the file and the remedy."
+FileError.__doc__ = "A file cannot be read or written. The message names the file and the remedy."
 InputError.__doc__ = "The input cannot be skeletonized. The message names the offending element and the remedy."
 
 FloatArray = npt.NDArray[np.float64]
 IndexArray = npt.NDArray[np.int32]
+
+Progress = typing.Callable[[str, float], object]
+"""Called with the name of a stage and the part of it that is done, from 0 to 1."""
+
+
+class Shape(typing.NamedTuple):
+    """The content of a file. None stands for arrays that the file does not have."""
+
+    vertices: FloatArray
+    """Vertices, points or nodes, shape (n, 3)."""
+    faces: npt.NDArray[np.int64] | None
+    """The vertices of each face, shape (m, 3) for triangles. Rows of faces with fewer vertices than others end with -1."""
+    normals: FloatArray | None
+    """Normals at the points, shape (n, 3)."""
+    edges: npt.NDArray[np.int64] | None
+    """The two ends of each edge of a skeleton or graph, shape (k, 2)."""
+    radius: FloatArray | None
+    """The radii of the nodes of a skeleton, shape (n,)."""
 
 
 class Branch(typing.NamedTuple):
@@ -65,6 +86,14 @@ class Branch(typing.NamedTuple):
     """Over the nodes."""
     significance: float
     """How far its limb reaches beyond the body it stands on, in radii; infinite if it is never pruned."""
+    volume: float
+    """Of the part of the body that belongs to the branch, in the cubed unit of the input; nan unless it is a mesh."""
+    surface_area: float
+    """Of the part of the surface that belongs to the branch; nan unless it is a mesh."""
+    parent: int | None
+    """The number of the branch before it on the way from the root; None at the root, and without `root`."""
+    order: int | None
+    """The number of branches before it on that way; None without `root`."""
 
 
 class Loop(typing.NamedTuple):
@@ -144,14 +173,20 @@ class Skeleton:
         return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
 
     def branches(self) -> list[Branch]:
-        """The paths between nodes of degree other than two, and cycles: each edge is in one of them."""
+        """The paths between nodes of degree other than two, and cycles: each edge is in one of them. The branches have
+        parents and orders if the skeleton was made with `root`."""
         return [Branch(np.array(row[0], dtype=np.int32), *row[1:]) for row in self._core.branches()]
 
     def to_networkx(self) -> networkx.Graph:
-        """A graph of which the nodes have `position` and `radius`, and the edges `length` and `significance`; a
-        `MultiGraph` if two edges join the same nodes or an edge a node with itself. Needs NetworkX."""
-        import networkx
+        """The skeleton as a graph: nodes have `position`, shape (3,), and `radius`, edges `length` and `significance`. It
+        is a `MultiGraph` if two edges join the same nodes or an edge joins a node with itself.
 
+        Raises ImportError if NetworkX is not installed.
+        """
+        try:
+            import networkx
+        except ImportError as error:
+            raise ImportError("to_networkx() needs NetworkX; install it, as by pip install networkx") from error
         ends = {frozenset(edge) for edge in self.edges.tolist()}
         is_simple = len(ends) == len(self.edges) and all(len(nodes) == 2 for nodes in ends)
         graph = networkx.Graph() if is_simple else networkx.MultiGraph()
@@ -174,66 +209,41 @@ class Skeleton:
         spacing_over_radius: float = 0,
         smooth: int = 0,
         min_component: int = 0,
+        root: npt.ArrayLike | str | None = None,
         stays_inside: bool = True,
     ) -> Skeleton:
-        """A simpler skeleton; this one stays as it is. Options mean what they mean for `cscd simplify`; what is 0 is
+        """A simpler skeleton; this one stays as it is. Options mean what they mean for `cscd simplify`; steps with 0 are
         not done.
 
-        min_significance: prune limbs that reach less than this beyond the body they stand on, in their radii
-        min_length, min_length_over_radius: prune limbs that are shorter, in the unit of the input or in their radii
-        merge_junctions: merge junctions that are nearer to each other along a branch, in radii
-        join: join components by the shortest straight edges
-        spacing, spacing_over_radius: distance of nodes along branches, in the unit of the input or in local radii
-        smooth: number of steps of smoothing
-        min_component: leave out components to which fewer vertices or points belong, but for the largest
-        stays_inside: whether what is inside of a mesh stays inside
+        OPTIONS
+        stays_inside: whether nodes inside of a mesh stay inside
 
-        Raises InputError if an option is negative or not finite, or a spacing asks for too many nodes.
+        Raises ValueError if an option is out of its range, InputError if a spacing asks for too many nodes.
         """
-        options = _core.SimplifyOptions()
-        options.min_significance = min_significance
-        options.min_length = min_length
-        options.min_length_over_radius = min_length_over_radius
-        options.merge_junctions = merge_junctions
-        options.join = join
-        options.spacing = spacing
-        options.spacing_over_radius = spacing_over_radius
-        options.smooth = _count("smooth", smooth)
-        options.min_component = _count("min_component", min_component)
+        given = locals()
+        options = {name: given[name] for name, *_ in _core.simplify_options}
+        options["root"] = _root(root)
         return Skeleton(self._core.simplify(options, stays_inside))
 
     def evaluate(self, *, radii: str = "estimated", resolution: int = 200) -> dict[str, typing.Any]:
         """How good the skeleton is for its input: what `cscd evaluate --json` writes; `None` for what is not defined.
 
-        radii: of the reconstructed surfaces, "estimated" from the input or the skeleton's "own"
-        resolution: cells of the reconstructed surfaces along the diagonal of the bounding box, up to 10000
+        OPTIONS
+
+        Raises ValueError if an option is out of its range.
         """
-        _check_choice("radii", radii, ("estimated", "own"))
-        if not 1 <= resolution <= 10000:
-            raise ValueError(f"resolution: {resolution} is not in [1, 10000]")
-        return typing.cast("dict[str, typing.Any]", json.loads(self._core.evaluate(radii, resolution)))
+        options = {"radii": radii, "resolution": resolution}
+        return typing.cast("dict[str, typing.Any]", json.loads(self._core.evaluate(options)))
 
     def save(self, filename: str | os.PathLike[str]) -> None:
         """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
-        .graphml, or .html for the viewer page. The file appears when it is complete.
+        .graphml, .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
+        decides where .swc and .glb begin.
 
-        Raises FileError if the ending is not known or the file cannot be written.
+        Raises FileError if the ending is not known or the file cannot be written, InputError if there is no mesh for a
+        rig.
         """
-        path = pathlib.Path(filename)
-        if path.suffix != ".html":
-            self._core.save(os.fspath(path))
-            return
-        try:
-            partial = path.with_name(f"{path.name}.{os.getpid()}.part")
-            try:
-                partial.write_text(self._core.page(path.stem), encoding="utf-8")
-                partial.replace(path)
-            finally:
-                partial.unlink(missing_ok=True)
-        except OSError as error:
-            raise FileError(
-                f"{path}: cannot be written ({error.strerror}); check the folder, its permissions and the disk"
-            ) from error
+        self._core.save(os.fspath(filename))
 
     def show(self) -> str:
         """Opens the viewer page in a web browser; in a notebook, end a cell with the skeleton to see it there.
@@ -255,9 +265,11 @@ class Skeleton:
         return f"<cscd.Skeleton: {len(self.nodes)} nodes, {len(self.edges)} edges>"
 
 
-def _check_choice(name: str, value: str, choices: typing.Collection[str]) -> None:
-    if value not in choices:
-        raise ValueError(f"{name}: {value} not in {{{','.join(choices)}}}")
+def _root(value: npt.ArrayLike | str | None) -> str | None:
+    """The root as the program takes it: the name of a rule, or coordinates."""
+    if value is None or isinstance(value, str):
+        return value
+    return ",".join(map(repr, np.asarray(value, dtype=np.float64).reshape(3).tolist()))
 
 
 def _count(name: str, value: int) -> int:
@@ -302,88 +314,65 @@ def skeletonize(
     edges: npt.ArrayLike | None = None,
     domain: str | None = None,
     neighbors: int = 0,
-    method: str = "local",
-    detail: float | None = None,
-    seed: int = 0,
-    threads: int = 0,
     shape: str = "auto",
-    borders: str | None = None,
+    borders: str | None = "auto",
     wrap: float | None = None,
     root: npt.ArrayLike | str | None = None,
-    literal: bool = False,
-    separators: int = 0,
+    detail: float | None = 0.5,
     min_component: int = 0,
     join: bool = False,
+    method: str = "local",
+    literal: bool = False,
+    seed: int = 0,
+    threads: int = 0,
+    separators: int = 0,
+    progress: Progress | None = None,
 ) -> Skeleton:
-    """The curve skeleton of a mesh or, without `F`, of points. Options mean what they mean for `cscd skeletonize`.
+    """The curve skeleton of a mesh or, without `F`, of points. The options are those of `cscd skeletonize`. For
+    `neighbors`, `threads` and `separators`, 0 lets the program decide.
 
-    V: vertices or points, a row of three coordinates each
-    F: faces, a row of three or more indices of vertices each, counterclockwise seen from outside. What is no oriented
-        manifold is repaired: `repairs` says how
-    normals: of the points, a row each; estimated if not given
-    edges: of a graph, a row of two indices of vertices each
-    domain: "graph" to take the input for a graph, which edges do by themselves: of the sides of faces too, or of each
-        point and its neighbors. What is no manifold, or no surface at all, gets a skeleton so
-    neighbors: of a graph of points: to how many of its neighbors each is joined; 0 lets the program decide
-    method: the algorithms, "local", those of CSCD, or "published", those of the paper, much slower
-    detail: how small a limb may be to get a branch, from 0 (none) to 1 (every bump); by default 0.5
-    seed: of the random choice of sources
-    threads: their number, 0 for all that the machine has; the skeleton does not depend on it
-    shape: what points sample: "surface" of a body, "tree" for trees and other thin shapes; "auto" decides by the points
-    borders: of a mesh: "bridge" them all, take components with borders for sheets whose skeleton runs along their middle,
-        "open", or let their shape decide, "auto"
-    wrap: of a mesh: wrap it first by a closed surface, which joins parts that touch or cut each other and closes holes,
-        gaps and hollows narrower than this, relative to the diagonal, such as 0.01
-    root: where the skeleton begins, three coordinates or "thickest", "lowest", "longest": the parents of branches in
-        `report` follow from it, and of a scan of a tree the trunk begins there; by default, trees begin at their lowest
-        points
-    literal: published method: as printed where the default differs
-    separators: greatest number of points from which separators are sought; 0 lets the method decide
-    min_component: leave out components of fewer vertices or points, but for the largest
-    join: join components into one by the shortest straight edges
+    V: vertices or points, shape (n, 3), in any unit
+    F: the vertices of each face, shape (m, 3) or more, counterclockwise seen from outside; rows may end with -1. Faces
+        that are not an oriented manifold are repaired: `repairs` says how
+    normals: of the points, shape (n, 3); estimated if not given
+    edges: of a graph, shape (k, 2); implies domain="graph"
+    OPTIONS
+    progress: called with the name of a stage and the part of it that is done, from 0 to 1; an exception that it raises
+        ends the work
 
-    The global interpreter lock is released while this runs: threads of Python skeletonize in parallel.
+    The global interpreter lock is released while this runs: threads of Python skeletonize in parallel. Ctrl-C ends the
+    work with KeyboardInterrupt, except while a surface is made of points and in scans of trees.
 
     Raises ValueError if an argument cannot be obeyed, InputError, a ValueError, if the input cannot be skeletonized.
     """
+    given = locals()
     points = _rows("V", V)
     faces = None if F is None else _faces(F)
-    options = _core.SkeletonizeOptions()
-    for name, value, choices in (
-        ("method", method, ("local", "published")),
-        ("shape", shape, ("auto", "surface", "tree")),
-        ("borders", borders, ("auto", "bridge", "open")),
-    ):
-        if value is not None:
-            _check_choice(name, value, choices)
-            setattr(options, name, value)
     ends = None if edges is None else _edges(edges)
-    if domain is not None:
-        _check_choice("domain", domain, ("graph",))
-    if domain is not None or ends is not None:
-        options.domain = "graph"
-    options.neighbors = _count("neighbors", neighbors)
+    options = {name: given[name] for name, *_ in _core.skeletonize_options}
+    options["root"] = _root(root)
+    if ends is not None:
+        options["domain"] = "graph"
     directions = None
     if normals is not None:
         directions = _rows("normals", normals)
-        if options.domain:
+        if options["domain"] is not None:
             raise ValueError("normals: graphs have none; leave out normals")
         if faces is not None:
             raise ValueError("normals: the normals of a mesh are those of its faces; leave out normals")
         if len(directions) != len(points):
             raise ValueError(f"normals: has {len(directions)} rows, and V {len(points)}")
-    if root is not None:
-        is_rule = isinstance(root, str)
-        options.root = str(root) if is_rule else ",".join(map(repr, np.asarray(root, dtype=np.float64).reshape(3).tolist()))
-    options.literal = literal
-    options.detail = detail
-    options.wrap = wrap
-    options.seed = _count("seed", seed)
-    options.threads = _count("threads", threads)
-    options.separators = _count("separators", separators)
-    options.min_component = _count("min_component", min_component)
-    options.join = join
-    return Skeleton(_core.skeletonize(points, faces, directions, ends, options))
+    return Skeleton(_core.skeletonize(points, faces, directions, ends, options, progress))
+
+
+def read(filename: str | os.PathLike[str]) -> Shape:
+    """Reads a mesh, points, a skeleton or a graph, in the format that the ending names: .off .obj .ply .stl .vtp .vtk .glb
+    .gltf .ngmesh, points as .xyz .pwn .pts .txt .csv .asc .pcd .las, skeletons as .graph .json .swc .polylines.txt, lists
+    of .edges; each also with .gz or .zst behind. Nothing is repaired. Linear in the size of the file.
+
+    Raises FileError if the file cannot be read or is malformed. The message names the place and the remedy.
+    """
+    return Shape(*_core.read(os.fspath(filename)))
 
 
 def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:
@@ -400,3 +389,22 @@ def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: 
         raise ValueError(f"min_depth: is {min_depth}; depths are not negative")
     loops = _core.find_loops(_rows("V", V), _faces(F), _count("seed", seed), float(min_depth))
     return [Loop(kind, length, depth, np.array(points)) for kind, length, depth, points in loops]
+
+
+def _describe(options: list[tuple[str, str, str, str]], indent: str) -> str:
+    """Lines of a docstring, from the table of options of the program."""
+    lines = []
+    for name, default, values, text in options:
+        notes = [values] if values else []
+        if default not in ("", "0", "false"):
+            notes.append(f"by default {default}")
+        lines.append(f"{name}: {text}" + (f" ({'; '.join(notes)})" if notes else ""))
+    return f"\n{indent}".join(lines)
+
+
+for _function, _options, _indent in (
+    (skeletonize, _core.skeletonize_options, "    "),
+    (Skeleton.simplify, _core.simplify_options, "        "),
+    (Skeleton.evaluate, _core.evaluate_options, "        "),
+):
+    _function.__doc__ = (_function.__doc__ or "").replace("OPTIONS", _describe(_options, _indent))

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 
+import typing
+
 import numpy as np
 import numpy.typing as npt
 
@@ -9,34 +11,10 @@ __version__: str
 class InputError(ValueError): ...
 class FileError(OSError): ...
 
-class SkeletonizeOptions:
-    method: str
-    literal: bool
-    shape: str
-    borders: str
-    wrap: float | None
-    domain: str
-    neighbors: int
-    root: str
-    detail: float | None
-    seed: int
-    threads: int
-    separators: int
-    min_component: int
-    join: bool
-    def __init__(self) -> None: ...
-
-class SimplifyOptions:
-    min_significance: float
-    min_length: float
-    min_length_over_radius: float
-    merge_junctions: float
-    spacing: float
-    spacing_over_radius: float
-    smooth: int
-    min_component: int
-    join: bool
-    def __init__(self) -> None: ...
+# Name, default, values and help of each argument.
+skeletonize_options: list[tuple[str, str, str, str]]
+simplify_options: list[tuple[str, str, str, str]]
+evaluate_options: list[tuple[str, str, str, str]]
 
 class Skeleton:
     @property
@@ -55,13 +33,30 @@ class Skeleton:
     def warnings(self) -> list[str]: ...
     @property
     def repairs(self) -> list[str]: ...
-    def simplify(self, options: SimplifyOptions, stays_inside: bool) -> Skeleton: ...
-    def evaluate(self, radii: str, resolution: int) -> str: ...
+    def simplify(self, options: dict[str, typing.Any], stays_inside: bool) -> Skeleton: ...
+    def evaluate(self, options: dict[str, typing.Any]) -> str: ...
     def page(self, title: str) -> str: ...
     def save(self, filename: str) -> None: ...
     def shape_diameters(self) -> list[float]: ...
     def segment(self, parts: int) -> list[int]: ...
-    def branches(self) -> list[tuple[list[int], tuple[str, str], float, float, float, float, float, float]]: ...
+    def branches(
+        self,
+    ) -> list[
+        tuple[
+            list[int],
+            tuple[str, str],
+            float,
+            float,
+            float,
+            float,
+            float,
+            float,
+            float,
+            float,
+            int | None,
+            int | None,
+        ]
+    ]: ...
 
 def find_loops(
     V: npt.NDArray[np.float64], F: npt.NDArray[np.int64], seed: int, min_depth: float
@@ -71,5 +66,15 @@ def skeletonize(
     F: npt.NDArray[np.int64] | None,
     normals: npt.NDArray[np.float64] | None,
     edges: npt.NDArray[np.int64] | None,
-    options: SkeletonizeOptions,
+    options: dict[str, typing.Any],
+    progress: typing.Callable[[str, float], object] | None,
 ) -> Skeleton: ...
+def read(
+    filename: str,
+) -> tuple[
+    npt.NDArray[np.float64],
+    npt.NDArray[np.int64] | None,
+    npt.NDArray[np.float64] | None,
+    npt.NDArray[np.int64] | None,
+    npt.NDArray[np.float64] | None,
+]: ...

@@ -3,7 +3,10 @@
 """Arrays in and out: what the module gives for shapes whose skeletons are known."""
 
 import gc
+import inspect
 import re
+import signal
+import sys
 import threading
 import time
 
@@ -12,6 +15,7 @@ import pytest
 
 import cscd
 import shapes
+from cscd import _core
 
 
 @pytest.fixture(scope="module")
@@ -120,10 +124,10 @@ def test_a_mesh_taken_for_a_graph_keeps_its_cycle():
         ({"edges": [[0, 1, 2]]}, "edges: has the shape"),
         ({"edges": [[0.0, 1.0]]}, "edges: holds float64"),
         ({"edges": [[0, 7]]}, "edges: row 0 names vertex 7"),
-        ({"domain": "volume"}, "domain: volume not in"),
-        ({"neighbors": 5}, 'neighbors: joins points to a graph; add domain="graph"'),
+        ({"domain": "volume"}, "domain: must be graph, not volume"),
+        ({"neighbors": 5}, 'neighbors: does not apply to points; leave it out or add domain="graph"'),
         ({"domain": "graph", "normals": np.zeros((3, 3))}, "normals: graphs have none"),
-        ({"domain": "graph", "method": "published"}, "method: needs a surface"),
+        ({"domain": "graph", "method": "published"}, "method: does not apply to graphs; leave it out"),
     ],
 )
 def test_what_is_wrong_with_a_graph_is_said(arguments, message):
@@ -260,8 +264,10 @@ def test_simplify(crossing):
     sparse = crossing.simplify(spacing=1.0)
     assert len(sparse.nodes) < len(crossing.nodes)
     assert np.array_equal(crossing.nodes, before)
-    with pytest.raises(cscd.InputError):
+    with pytest.raises(ValueError, match="^min_length: must be a number that is at least 0, not -1"):
         crossing.simplify(min_length=-1)
+    with pytest.raises(ValueError, match="^spacing_over_radius: must be"):
+        crossing.simplify(spacing_over_radius=np.nan)
 
 
 def test_evaluate(ring):
@@ -279,12 +285,14 @@ def test_save(ring, tmp_path):
     assert np.array_equal(positions, ring.nodes)
     ring.save(str(tmp_path / "ring.html"))
     assert "THREE" in (tmp_path / "ring.html").read_text()
+    ring.save(tmp_path / "ring.glb")
+    assert (tmp_path / "ring.glb").read_bytes()[:4] == b"glTF"
     with pytest.raises(cscd.FileError, match="ring.xyz"):
         ring.save(tmp_path / "ring.xyz")
     for name in ("ring.json", "ring.html"):
         with pytest.raises(cscd.FileError, match="cannot be written"):
             ring.save(tmp_path / "nowhere" / name)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["ring.graph", "ring.html"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["ring.glb", "ring.graph", "ring.html"]
 
 
 def test_show(ring, monkeypatch):
@@ -321,11 +329,14 @@ def test_what_cannot_be_skeletonized_is_refused(V, F, words):
 @pytest.mark.parametrize(
     "arguments, words",
     [
-        ({"method": "best"}, "method: best not in {local,published}"),
-        ({"detail": 2}, "the detail is 2"),
-        ({"detail": 0.5, "method": "published"}, "detail: the published method has no choice of detail"),
-        ({"shape": "tree"}, "only points can be a tree"),
-        ({"seed": -1}, "seed: must be an integer that is at least 0"),
+        ({"method": "best"}, "method: must be local or published, not best"),
+        ({"detail": 2}, "detail: must be a number from 0 to 1, not 2"),
+        ({"detail": 0.4, "method": "published"}, "detail: does not apply to the published method; leave it out"),
+        ({"shape": "tree"}, 'shape="tree": does not apply to meshes; leave it out'),
+        ({"seed": -1}, "seed: must be an integer that is at least 0, not -1"),
+        ({"seed": 0.5}, "seed: must be an integer that is at least 0, not 0.5"),
+        ({"root": (1, 2)}, "cannot reshape"),
+        ({"root": "deepest"}, "root: must be X,Y,Z, thickest, lowest or longest, not deepest"),
         ({"normals": np.eye(3)}, "leave out normals"),
     ],
 )
@@ -333,3 +344,85 @@ def test_arguments_that_cannot_be_obeyed_are_refused(arguments, words):
     with pytest.raises(ValueError) as refusal:
         cscd.skeletonize(*shapes.torus(), **arguments)
     assert words in str(refusal.value) and "--" not in str(refusal.value)
+
+
+def test_signatures_are_those_of_the_program():
+    arrays = {"V", "F", "normals", "edges", "progress", "self", "stays_inside"}
+    for function, table in (
+        (cscd.skeletonize, _core.skeletonize_options),
+        (cscd.Skeleton.simplify, _core.simplify_options),
+        (cscd.Skeleton.evaluate, _core.evaluate_options),
+    ):
+        parameters = inspect.signature(function).parameters
+        defaults = {
+            name: "" if parameter.default is None else str(parameter.default).lower()
+            for name, parameter in parameters.items()
+            if name not in arrays
+        }
+        assert defaults == {name: default for name, default, *_ in table}
+        for name, _, _, text in table:
+            assert f" {name}: {text}" in function.__doc__
+
+
+def test_branches_have_parents_orders_and_volumes():
+    V, F = shapes.cross()
+    rooted = cscd.skeletonize(V, F, root=(-4, 0, 0))
+    branches = rooted.branches()
+    assert [branch.parent for branch in branches].count(None) == 1
+    for number, branch in enumerate(branches):
+        assert branch.parent is None or branch.order == branches[branch.parent].order + 1, number
+    # Two bars of the length 8 and the section 1 x 1 share a cube.
+    assert sum(branch.volume for branch in branches) == pytest.approx(15)
+    assert sum(branch.surface_area for branch in branches) == pytest.approx(4 * 3.5 * 4 + 4 + 2)
+    coarse = rooted.simplify(spacing=1.0)
+    assert sum(branch.volume for branch in coarse.branches()) == pytest.approx(15)
+    assert {branch.order for branch in coarse.branches()} == {branch.order for branch in branches}
+    lowest = rooted.simplify(root=(0, -4, 0)).branches()
+    root = next(branch for branch in lowest if branch.order == 0)
+    assert min(rooted.nodes[root.nodes][:, 1]) < -3
+    bare = cscd.skeletonize(V, F).branches()
+    assert all(branch.parent is None and branch.order is None for branch in bare)
+    assert all(np.isnan(branch.volume) for branch in cscd.skeletonize(V, F, domain="graph").branches())
+
+
+def test_networkx_is_asked_for(ring, monkeypatch):
+    monkeypatch.setitem(sys.modules, "networkx", None)
+    with pytest.raises(ImportError, match="install it"):
+        ring.to_networkx()
+
+
+def test_faces_of_different_sizes_end_with_minus_one(ring):
+    V, quads = shapes.torus_of_quads()
+    triangles = np.concatenate([quads[:9, [0, 1, 2]], quads[:9, [0, 2, 3]]])
+    mixed = np.concatenate([np.column_stack([triangles, np.full(18, -1)]), quads[9:]])
+    skeleton = cscd.skeletonize(V, mixed)
+    assert skeleton.repairs == ["1431 polygons triangulated"]
+    assert len(skeleton.nodes) == len(skeleton.edges)
+
+
+def test_progress_is_reported_and_can_end_the_work():
+    calls = []
+    cscd.skeletonize(*shapes.torus(), progress=lambda *call: calls.append(call))
+    stages = list(dict.fromkeys(stage for stage, _ in calls))
+    assert stages == ["compile surface", "find separators", "pack separators", "build skeleton"]
+    assert all(0 <= fraction <= 1 for _, fraction in calls) and calls[-1][1] == 1
+
+    def stop(stage, fraction):
+        if stage == "find separators":
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        cscd.skeletonize(*shapes.torus(), progress=stop)
+
+
+def test_ctrl_c_ends_the_work():
+    V, F = shapes.torus(400, 160)
+    timer = threading.Timer(0.1, signal.raise_signal, [signal.SIGINT])
+    begin = time.perf_counter()
+    with pytest.raises(KeyboardInterrupt):
+        timer.start()
+        cscd.skeletonize(V, F, threads=1)
+    interrupted = time.perf_counter() - begin
+    begin = time.perf_counter()
+    cscd.skeletonize(V, F, threads=1)
+    assert interrupted < time.perf_counter() - begin

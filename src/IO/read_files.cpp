@@ -304,7 +304,11 @@ Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string
 
 Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
 {
-  const std::string content = read_content(in, name, ending);
+  return read_polygons_or_points(read_content(in, name, ending), ending, name);
+}
+
+Shape_file read_polygons_or_points(std::string_view content, const std::string& ending, const std::string& name)
+{
   if (const std::optional<Point_format> points_only = find_point_format(ending)) {
     return parse_points(content, *points_only, name);
   }
@@ -336,8 +340,12 @@ Skeleton read_indexed_skeleton(const std::string& filename)
 
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
 {
-  const File_format& format = read_skeleton_format(ending);
-  return parse_skeleton(read_content(in, name), format, name);
+  return read_indexed_skeleton(read_content(in, name), ending, name);
+}
+
+Indexed_skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name)
+{
+  return parse_skeleton(content, read_skeleton_format(ending), name);
 }
 
 } // namespace internal

@@ -66,6 +66,24 @@ TEST_F(Cscd, help_begins_with_examples)
   EXPECT_NE(std::string::npos, run("compare --help").out.find("--match-distance"));
 }
 
+TEST_F(Cscd, help_of_skeletonize_is_grouped_and_fits_on_a_page)
+{
+  const std::string help = run("skeletonize --help").out;
+  std::size_t place = 0;
+  for (const std::string group : {"Input", "Skeleton", "Detail", "Output", "Volumes", "Trees", "Expert"}) {
+    const std::size_t next = help.find("\n" + group + ":\n");
+    ASSERT_NE(std::string::npos, next) << group;
+    EXPECT_LT(place, next) << group;
+    place = next;
+  }
+  std::istringstream in(help);
+  std::size_t number_of_lines = 0;
+  for (std::string line; std::getline(in, line); ++number_of_lines) {
+    EXPECT_LE(line.size(), 120u) << line;
+  }
+  EXPECT_LT(number_of_lines, 70u);
+}
+
 TEST_F(Cscd, diameter_of_each_vertex_in_the_order_of_the_file)
 {
   m_folder.write("torus.off", off(torus()));
@@ -252,7 +270,8 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off second.off", 1, {"second.off"});
   expect_refusal("skeletonize torus.off -o", 1, {"--output"});
   expect_refusal("skeletonize torus.off --method unheard_of", 1, {"--method", "unheard_of"});
-  expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "published"});
+  expect_refusal("skeletonize torus.off --literal", 1, {"--literal", "the local method", "add --method published"});
+  expect_refusal("skeletonize torus.off --detail 0.3 --method published", 1, {"--detail", "the published method"});
   expect_refusal("skeletonize torus.off --seed x", 1, {"--seed", "x"});
   expect_refusal("skeletonize torus.off --seed -1", 1, {"--seed"});
   expect_refusal("skeletonize torus.off --threads 0", 1, {"--threads"});
@@ -469,7 +488,7 @@ TEST_F(Cscd, writes_the_table_of_branches)
   EXPECT_EQ(0, run("skeletonize y.off --nodes n.csv -o y.json -q").status);
   EXPECT_EQ(0u, content("n.csv").rfind("node,x,y,z,degree,branch,radius,number_of_sites,inscribed_radius,section_", 0));
   EXPECT_EQ(nlohmann::json::parse(content("y.json")).at("nodes").size() + 1, number_of_lines(content("n.csv")));
-  expect_refusal("skeletonize y.off --cylinders c.csv", 1, {"--cylinders", "--shape tree"});
+  expect_refusal("skeletonize y.off --cylinders c.csv", 1, {"--cylinders", "does not apply to meshes"});
   expect_refusal("skeletonize y.off --branches y.off", 1, {"--branches", "is the input"});
 }
 
@@ -544,8 +563,8 @@ TEST_F(Cscd, wraps_parts_that_cut_each_other)
   EXPECT_EQ(std::string::npos, content("wrap.csv").find(",,")) << "a vertex without a node";
 
   m_folder.write("pole.xyz", pole());
-  expect_refusal("skeletonize pole.xyz --wrap 0.03", 1, {"--wrap", "not for points"});
-  expect_refusal("skeletonize parts.off --as graph --wrap 0.03", 1, {"--wrap", "--as graph"});
+  expect_refusal("skeletonize pole.xyz --wrap 0.03", 1, {"--wrap", "does not apply to points", "leave it out"});
+  expect_refusal("skeletonize parts.off --as graph --wrap 0.03", 1, {"--wrap", "does not apply to graphs"});
   expect_refusal("skeletonize parts.off --wrap 0", 1, {"--wrap"});
 }
 
@@ -616,7 +635,7 @@ TEST_F(Cscd, refuses_shapes_that_do_not_fit)
 {
   m_folder.write("torus.off", off(torus()));
   m_folder.write("pole.xyz", pole());
-  expect_refusal("skeletonize torus.off --shape tree", 1, {"is a mesh", "leave out"});
+  expect_refusal("skeletonize torus.off --shape tree", 1, {"--shape tree", "does not apply to meshes", "leave it out"});
   expect_refusal("skeletonize pole.xyz --shape bush", 1, {"--shape"});
   expect_refusal("skeletonize pole.xyz --root 0,0", 1, {"--root"});
   expect_refusal("skeletonize pole.xyz --shape tree --method published", 1, {"--method published"});
@@ -891,6 +910,7 @@ TEST_F(Cscd, reports_as_json)
   EXPECT_EQ("torus.off", report.at("input"));
   EXPECT_EQ("local", report.at("method"));
   EXPECT_EQ(5, report.at("seed"));
+  EXPECT_EQ((nlohmann::json{{"seed", 5}, {"threads", 1}}), report.at("options"));
   EXPECT_EQ(1, report.at("number_of_threads"));
   EXPECT_TRUE(report.at("repairs").empty());
   EXPECT_TRUE(report.at("warnings").is_array());
@@ -1101,7 +1121,7 @@ TEST_F(Cscd, lists_of_edges_are_graphs)
   expect_refusal("skeletonize short.edges --as graph", 2, {"short.edges", "line 1", "six coordinates"});
   m_folder.write("nan.edges", "0 0 0 1 0 nan\n");
   expect_refusal("skeletonize nan.edges --as graph", 2, {"not finite"});
-  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "needs a surface"});
+  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "does not apply to graphs"});
   expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
 }
 
@@ -1169,8 +1189,8 @@ TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
   expect_refusal("skeletonize v.nrrd --as graph", 1, {"--as"});
   expect_refusal("skeletonize v.nrrd -o v.nrrd", 1, {"is the input"});
   m_folder.write("torus.off", off(torus()));
-  expect_refusal("skeletonize torus.off --label 2", 1, {"--label", "volumes"});
-  expect_refusal("skeletonize torus.off -o torus.nrrd", 1, {"volumes"});
+  expect_refusal("skeletonize torus.off --label 2", 1, {"--label", "does not apply to meshes", "leave it out"});
+  expect_refusal("skeletonize torus.off -o torus.nrrd", 1, {".nrrd", "does not apply to meshes"});
 }
 
 TEST_F(Cscd, evaluates_what_it_made_in_all_formats)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What control groups leave of the memory.
+// The memory that control groups leave.
 
 #include "../../program/memory.h"
 #include "support/Temporary_folder.h"
@@ -20,7 +20,10 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
 {
   const test_support::Temporary_folder root;
   std::filesystem::create_directories(root.path() / "slice/job");
-  const auto left = [&](const char* group) { return cscd::memory_left_in_groups(root.path() / group, root.path()); };
+  std::size_t swap = 0;
+  const auto left = [&](const char* group) {
+    return cscd::memory_left_in_groups(root.path() / group, root.path(), swap);
+  };
   EXPECT_EQ(left("slice/job"), unbounded);
   root.write("slice/job/memory.max", "max\n");
   root.write("slice/job/memory.current", "300\n");
@@ -34,6 +37,29 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
   root.write("memory.current", "150\n");
   EXPECT_EQ(left("slice/job"), 0U);
   EXPECT_EQ(left("none/such"), 0U);
+  root.write("memory.max", "max\n");
+  swap = 1000;
+  EXPECT_EQ(left("slice/job"), 1550U);
+  root.write("slice/memory.swap.max", "200\n");
+  root.write("slice/memory.swap.current", "150\n");
+  EXPECT_EQ(left("slice/job"), 600U);
+}
+
+TEST(memory_left_in_groups, knows_version_1)
+{
+  const test_support::Temporary_folder root;
+  std::filesystem::create_directories(root.path() / "job");
+  const auto left = [&](std::size_t swap) {
+    return cscd::memory_left_in_groups(root.path() / "job", root.path(), swap);
+  };
+  root.write("job/memory.limit_in_bytes", "1000\n");
+  root.write("job/memory.usage_in_bytes", "700\n");
+  root.write("job/memory.stat", "cache 20\ntotal_cache 100\n");
+  EXPECT_EQ(left(0), 400U);
+  EXPECT_EQ(left(50), 450U);
+  root.write("job/memory.memsw.limit_in_bytes", "1000\n");
+  root.write("job/memory.memsw.usage_in_bytes", "710\n");
+  EXPECT_EQ(left(50), 390U);
 }
 
 } // namespace

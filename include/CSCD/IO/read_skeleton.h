@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <istream>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -27,6 +28,7 @@ namespace internal {
 /// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
 Skeleton read_indexed_skeleton(const std::string& filename);
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
+Skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name);
 
 /// Makes a graph of `indexed`, nodes and edges in their order.
 template <class Skeleton>
