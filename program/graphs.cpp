@@ -8,7 +8,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
 #include <boost/algorithm/string/case_conv.hpp>
@@ -28,7 +28,7 @@ namespace cscd {
 
 namespace {
 
-using Graph = CSCD::internal::Indexed_skeleton;
+using Graph = CSCD::Skeleton;
 
 /// Adds the sides of the polygons of `soup`.
 void add_sides(const CSCD::Shape_file& soup, Graph& graph)
@@ -94,8 +94,8 @@ std::vector<std::array<CSCD::Index, 2>> edges_of(const CSCD::Shape_file& shape)
 
 } // namespace
 
-CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
-                                            unsigned int number_of_neighbors)
+CSCD::Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
+                          unsigned int number_of_neighbors)
 {
   Graph graph;
   graph.points = soup.points;
@@ -111,7 +111,7 @@ CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup, std::v
   return graph;
 }
 
-Input make_input(CSCD::internal::Indexed_skeleton graph)
+Input make_input(CSCD::Skeleton graph)
 {
   Input input;
   input.as_read.points = graph.points;

@@ -11,7 +11,6 @@
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>

@@ -13,7 +13,6 @@
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Vector_3.h>
@@ -46,12 +45,12 @@ struct Input
   std::optional<CSCD::internal::Manifold_triangles> triangles;
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
-  std::vector<Vector> normals;                           ///< of the points, or empty
-  std::optional<CSCD::internal::Indexed_skeleton> graph; ///< if it is taken for one: its vertices are the points
-  std::optional<Volume_body> volume;                     ///< if the mesh is the surface of voxels
-  bool is_wrapped = false;                               ///< whether the mesh is a wrap around that of the file
-  bool has_other_columns = false;                        ///< whether three numbers beside each point are no normals
-  CSCD::Shape_file as_read;                              ///< what the file has, if it was to be kept
+  std::vector<Vector> normals;         ///< of the points, or empty
+  std::optional<CSCD::Skeleton> graph; ///< if it is taken for one: its vertices are the points
+  std::optional<Volume_body> volume;   ///< if the mesh is the surface of voxels
+  bool is_wrapped = false;             ///< whether the mesh is a wrap around that of the file
+  bool has_other_columns = false;      ///< whether three numbers beside each point are no normals
+  CSCD::Shape_file as_read;            ///< what the file has, if it was to be kept
 };
 
 /// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
@@ -93,11 +92,11 @@ CSCD::Shape_file read_shape(const std::string& content, const std::string& filen
 
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
-CSCD::internal::Indexed_skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
-                                            unsigned int number_of_neighbors);
+CSCD::Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
+                          unsigned int number_of_neighbors);
 
 /// The input that is this graph.
-Input make_input(CSCD::internal::Indexed_skeleton graph);
+Input make_input(CSCD::Skeleton graph);
 
 /// What an input is called in messages.
 std::string name_of(const std::string& input);

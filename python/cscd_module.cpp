@@ -21,7 +21,7 @@
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
@@ -236,7 +236,7 @@ public:
   const cscd::Skeletonize_options& options() const { return m_options; }
   const cscd::Skeletonization_result& result() const { return m_result; }
   const std::string& report() const { return m_report; }
-  const CSCD::internal::Indexed_skeleton& content() const { return m_content; }
+  const CSCD::Skeleton& content() const { return m_content; }
   const std::vector<double>& significances() const { return m_significances; }
   const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
 
@@ -271,7 +271,7 @@ private:
   cscd::Skeletonize_options m_options;
   cscd::Skeletonization_result m_result;
   std::string m_report; ///< of the skeletonization, as JSON
-  CSCD::internal::Indexed_skeleton m_content;
+  CSCD::Skeleton m_content;
   std::vector<double> m_significances;           ///< of the edges
   std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
 };

@@ -4,7 +4,6 @@
 // The surfaces and the local method, compiled once.
 
 #include <CSCD/Local_policies_impl.h>
-#include <CSCD/Skeleton/Branch_hierarchy_impl.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/internal/parallel.h>

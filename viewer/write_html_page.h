@@ -9,7 +9,7 @@
 
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
 #include <CGAL/assertions.h>

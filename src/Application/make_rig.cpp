@@ -7,7 +7,7 @@
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/distance_to_edges.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/flat_arrays.h>
 

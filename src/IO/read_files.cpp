@@ -343,7 +343,7 @@ Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, cons
   return read_indexed_skeleton(read_content(in, name), ending, name);
 }
 
-Indexed_skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name)
+Skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name)
 {
   return parse_skeleton(content, read_skeleton_format(ending), name);
 }

@@ -11,7 +11,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>

@@ -5,7 +5,7 @@
 
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/split_into_branches.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/flat_arrays.h>

@@ -7,7 +7,7 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/flat_arrays.h>

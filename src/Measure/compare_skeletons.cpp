@@ -8,7 +8,7 @@
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

@@ -9,7 +9,7 @@
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Solid_queries.h>
 #include <CSCD/Surface/Surface_components.h>

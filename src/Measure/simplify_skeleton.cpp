@@ -7,7 +7,7 @@
 #include <CSCD/Measure/simplify_skeleton.h>
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>

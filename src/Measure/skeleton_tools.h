@@ -8,7 +8,7 @@
 
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/Box_tree.h>

@@ -7,7 +7,7 @@
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>

@@ -7,7 +7,7 @@
 #define CSCD_MEASURE_SKELETON_BRANCHES_H
 
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
 

@@ -7,7 +7,7 @@
 #define CSCD_MEASURE_DISTANCE_TO_EDGES_H
 
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 
 #include <algorithm>

@@ -9,7 +9,7 @@
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Traits/Input_points.h>
 #include <CSCD/Traits/collect_triangles.h>

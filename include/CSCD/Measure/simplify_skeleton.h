@@ -9,7 +9,6 @@
 #include <CSCD/Named_parameters.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
-#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>

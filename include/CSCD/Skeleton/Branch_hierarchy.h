@@ -1,16 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much the branches of a skeleton matter, from its nodes and radii alone.
+// How much each branch of a finished skeleton matters, and the order in which branches are pruned.
 
 #ifndef CSCD_SKELETON_BRANCH_HIERARCHY_H
 #define CSCD_SKELETON_BRANCH_HIERARCHY_H
 
-#include <CSCD/Skeleton/Indexed_skeleton.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 
 #include <boost/range/iterator_range_core.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -31,12 +38,236 @@ struct Branch_levels
   std::vector<char> is_last;  ///< whether an edge belongs to the path that is left last of a component without cycles
 };
 
+/// A path from a tip; lengths and integrals of the radius are measured from there.
+class Limb
+{
+public:
+  explicit Limb(Index tip) : m_nodes{tip}, m_length{0}, m_integral{0} {}
+
+  /// Adds the next node.
+  void append(const Skeleton& skeleton, Index edge, Index node)
+  {
+    const double length = skeleton.length(skeleton.edges[edge]);
+    m_integral.push_back(m_integral.back() + length * (radius(skeleton, end()) + radius(skeleton, node)) / 2);
+    m_length.push_back(m_length.back() + length);
+    m_nodes.push_back(node);
+    m_edges.push_back(edge);
+  }
+
+  Index tip() const { return m_nodes.front(); }
+  Index end() const { return m_nodes.back(); }
+  const std::vector<Index>& edges() const { return m_edges; }
+  double length() const { return m_length.back(); }
+
+  /// The measure of the limb, which stands on the ball of its last node.
+  double measure(const Skeleton& skeleton, Branch_measure measure) const
+  {
+    if (measure != Branch_measure::significance) {
+      return measure == Branch_measure::length ? length() : ratio(length(), mean_radius(length(), skeleton));
+    }
+    const double radius_of_body = radius(skeleton, end());
+    const double reach = length() + radius(skeleton, tip()) - radius_of_body;
+    return ratio(std::max(reach, 0.), mean_radius(length() - radius_of_body, skeleton));
+  }
+
+  /// The measure of the limb if it ends in a second tip: it stands on the ball of its mean radius.
+  double measure_between_tips(const Skeleton& skeleton, Branch_measure measure) const
+  {
+    const double mean = mean_radius(length(), skeleton);
+    if (measure != Branch_measure::significance) {
+      return measure == Branch_measure::length ? length() : ratio(length(), mean);
+    }
+    const double reach = (length() + radius(skeleton, tip()) + radius(skeleton, end())) / 2 - mean;
+    return ratio(std::max(reach, 0.), mean);
+  }
+
+private:
+  static double radius(const Skeleton& skeleton, Index node) { return skeleton.has_radii() ? skeleton.radii[node] : 0; }
+
+  /// What has no radius is infinitely slender.
+  static double ratio(double length, double radius)
+  {
+    return length <= 0 ? 0 : radius > 0 ? length / radius : std::numeric_limits<double>::infinity();
+  }
+
+  /// The mean over the first stretch of this length; the radius of the tip if there is none.
+  double mean_radius(double length, const Skeleton& skeleton) const
+  {
+    if (!(length > 0)) {
+      return radius(skeleton, tip());
+    }
+    const auto last = std::lower_bound(m_length.begin() + 1, m_length.end() - 1, length) - m_length.begin();
+    const auto i = std::size_t(last);
+    const double rest = length - m_length[i - 1];
+    const double part = m_length[i] > m_length[i - 1] ? std::min(rest / (m_length[i] - m_length[i - 1]), 1.) : 0;
+    const double from = radius(skeleton, m_nodes[i - 1]);
+    const double to = from + part * (radius(skeleton, m_nodes[i]) - from);
+    return (m_integral[i - 1] + rest * (from + to) / 2) / length;
+  }
+
+  std::vector<Index> m_nodes;
+  std::vector<Index> m_edges;
+  std::vector<double> m_length;   ///< from the tip to each node
+  std::vector<double> m_integral; ///< of the radius, likewise
+};
+
+/// Cuts the limbs of a skeleton, the least first, and records when each edge falls.
+///
+/// A limb is a branch that ends in a tip. When two branches are all that is left at a junction they are one from then
+/// on, which is measured anew, but never less than what was cut there. So the edges that fall last tell what is body.
+/// Edges on cycles and between cycles are never cut. O(n log n). Ties are broken by position, so that the answer does
+/// not depend on the numbering.
+class Branch_hierarchy
+{
+public:
+  /// \param skeleton is referred to while this is constructed
+  Branch_hierarchy(const Skeleton& skeleton, Branch_measure measure)
+      : m_skeleton(skeleton), m_measure(measure), m_incident(skeleton.number_of_nodes()),
+        m_degree(skeleton.number_of_nodes(), 0), m_limb_of_edge(skeleton.edges.size(), no_index),
+        m_level(skeleton.edges.size(), never), m_is_cut(skeleton.edges.size(), 0), m_is_last(skeleton.edges.size(), 0)
+  {
+    for (Index edge = 0; edge < skeleton.edges.size(); ++edge) {
+      for (const Index node : skeleton.edges[edge]) {
+        m_incident[node].push_back(edge);
+        ++m_degree[node];
+      }
+    }
+    for (Index node = 0; node < m_degree.size(); ++node) {
+      if (m_degree[node] == 1 && m_limb_of_edge[m_incident[node][0]] == no_index) {
+        m_limbs.emplace_back(node);
+        grow(Index(m_limbs.size() - 1), 0);
+      }
+    }
+    while (!m_queue.empty()) {
+      cut_least();
+    }
+  }
+
+  /// The level of what is never cut.
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  Branch_levels release() { return {std::move(m_level), std::move(m_is_last)}; }
+
+private:
+  using Key = std::tuple<double, double, double, double, double, Index>;
+
+  Key key(Index limb, double level) const
+  {
+    const Vector_3& tip = m_skeleton.points[m_limbs[limb].tip()];
+    return {level, m_limbs[limb].length(), tip.x(), tip.y(), tip.z(), limb};
+  }
+
+  /// Prolongs a limb to the next junction and puts it into the queue; or settles it if it ends in a tip.
+  /// \param least what it is worth at least
+  void grow(Index number, double least)
+  {
+    Limb& limb = m_limbs[number];
+    follow(limb, number);
+    if (m_degree[limb.end()] == 1) {
+      settle(limb, least);
+      return;
+    }
+    const double level = std::max(limb.measure(m_skeleton, m_measure), least);
+    m_place.resize(m_limbs.size(), m_queue.end());
+    m_place[number] = m_queue.insert(key(number, level)).first;
+  }
+
+  void follow(Limb& limb, Index number)
+  {
+    do {
+      const Index node = limb.end();
+      for (const Index edge : m_incident[node]) {
+        if (m_is_cut[edge] == 0 && m_limb_of_edge[edge] != number) {
+          m_limb_of_edge[edge] = number;
+          const auto& [a, b] = m_skeleton.edges[edge];
+          limb.append(m_skeleton, edge, a == node ? b : a);
+          break;
+        }
+      }
+    } while (m_degree[limb.end()] == 2);
+  }
+
+  /// The last path of a component is measured from that of its tips which comes first in space.
+  void settle(const Limb& limb, double least)
+  {
+    const auto position = [this](Index node) {
+      const Vector_3& p = m_skeleton.points[node];
+      return std::make_tuple(p.x(), p.y(), p.z());
+    };
+    Limb path = limb;
+    if (position(limb.end()) < position(limb.tip())) {
+      path = Limb(limb.end());
+      for (auto edge = limb.edges().rbegin(); edge != limb.edges().rend(); ++edge) {
+        const auto& [a, b] = m_skeleton.edges[*edge];
+        path.append(m_skeleton, *edge, a == path.end() ? b : a);
+      }
+    }
+    const double level = std::max(path.measure_between_tips(m_skeleton, m_measure), least);
+    for (const Index edge : path.edges()) {
+      m_level[edge] = level;
+      m_is_last[edge] = 1;
+    }
+  }
+
+  void cut_least()
+  {
+    const double level = std::get<0>(*m_queue.begin());
+    const Limb& limb = m_limbs[std::get<Index>(*m_queue.begin())];
+    m_queue.erase(m_queue.begin());
+    for (const Index edge : limb.edges()) {
+      m_level[edge] = level;
+      m_is_cut[edge] = 1;
+    }
+    const Index junction = limb.end();
+    --m_degree[junction];
+    if (m_degree[junction] == 2) {
+      join_branches(junction, level);
+    }
+  }
+
+  /// Where only two branches are left, those that are limbs grow.
+  void join_branches(Index junction, double level)
+  {
+    std::vector<Index> limbs;
+    for (const Index edge : m_incident[junction]) {
+      if (m_is_cut[edge] == 0 && m_limb_of_edge[edge] != no_index) {
+        limbs.push_back(m_limb_of_edge[edge]);
+      }
+    }
+    if (limbs.empty()) {
+      return;
+    }
+    for (const Index limb : limbs) {
+      m_queue.erase(m_place[limb]);
+    }
+    grow(limbs.front(), level);
+  }
+
+  const Skeleton& m_skeleton;
+  Branch_measure m_measure;
+  std::vector<std::vector<Index>> m_incident; ///< edges at each node; a loop stands twice
+  std::vector<std::size_t> m_degree;          ///< without cut edges
+  std::vector<Limb> m_limbs;
+  std::vector<Index> m_limb_of_edge;
+  std::set<Key> m_queue;
+  std::vector<std::set<Key>::iterator> m_place; ///< of each limb
+  std::vector<double> m_level;
+  std::vector<char> m_is_cut;
+  std::vector<char> m_is_last;
+};
+
 /// Cuts the limbs of `skeleton` in thought, the least first.
-Branch_levels branch_levels(const Indexed_skeleton& skeleton, Branch_measure measure);
+inline Branch_levels branch_levels(const Skeleton& skeleton, Branch_measure measure)
+{
+  return Branch_hierarchy(skeleton, measure).release();
+}
 
 /// The significance of every edge of `skeleton`; infinite for all where nodes have no radii. See
 /// `compute_significance()`.
-std::vector<double> significance_levels(const Indexed_skeleton& skeleton);
+inline std::vector<double> significance_levels(const Skeleton& skeleton)
+{
+  return branch_levels(skeleton, Branch_measure::significance).levels;
+}
 
 } // namespace internal
 
@@ -59,7 +290,7 @@ template <class Skeleton>
 void compute_significance([[maybe_unused]] Skeleton& skeleton)
 {
   if constexpr (has_significance_v<Skeleton>) {
-    const internal::Indexed_skeleton indexed = internal::index_skeleton(skeleton);
+    const CSCD::Skeleton indexed = internal::index_skeleton(skeleton);
     const std::vector<double> levels = internal::significance_levels(indexed);
     auto level = levels.begin();
     for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
@@ -69,9 +300,5 @@ void compute_significance([[maybe_unused]] Skeleton& skeleton)
 }
 
 } // namespace CSCD
-
-#ifndef CSCD_COMPILED
-#include <CSCD/Skeleton/Branch_hierarchy_impl.h>
-#endif
 
 #endif // CSCD_SKELETON_BRANCH_HIERARCHY_H

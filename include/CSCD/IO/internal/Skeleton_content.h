@@ -6,7 +6,6 @@
 #ifndef CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 #define CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 
-#include <CSCD/Skeleton/Indexed_skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/internal/detection.h>
