@@ -16,7 +16,6 @@
 #include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -106,26 +105,6 @@ TEST(Read_skeleton, reads_back_exactly_what_is_written)
     EXPECT_EQ(parsed.points.size(), num_vertices(skeleton));
     EXPECT_EQ(parsed.edges.size(), num_edges(skeleton));
   }
-}
-
-TEST(Read_skeleton, nodes_keep_their_order_where_the_format_has_one)
-{
-  const Temporary_folder folder;
-  for (const std::string ending : {".graph", ".json", ".obj", ".ply", ".vtp"}) {
-    const std::string filename = folder.file("skeleton" + ending);
-    CSCD::write_skeleton(filename, sample_skeleton<Skeleton_without_radius>());
-    expect_sample<Skeleton_without_radius>(read(ending, read_file(filename)));
-  }
-}
-
-TEST(Read_skeleton, reads_other_graph_types)
-{
-  CSCD::test::Skeleton_archetype<Point, int> skeleton;
-  std::istringstream in("n 1 2 3\nn 4 5 6\nc 0 1\n");
-  EXPECT_FALSE(CSCD::read_skeleton(in, ".graph", "test", skeleton));
-  EXPECT_EQ(2u, num_vertices(skeleton));
-  EXPECT_EQ(1u, num_edges(skeleton));
-  EXPECT_EQ(Point(1, 2, 3), skeleton[*vertices(skeleton).first].point);
 }
 
 TEST(Read_skeleton, graph_of_gel)
@@ -406,25 +385,6 @@ TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
     }
     EXPECT_EQ(3u, num_vertices(skeleton));
   }
-}
-
-TEST(Read_skeleton, formats_that_are_written_only_are_refused)
-{
-  const Temporary_folder folder;
-  Skeleton skeleton;
-  for (const std::string ending : {".graphml", ".txt", ""}) {
-    const std::string filename = folder.write("skeleton" + ending, "x");
-    try {
-      CSCD::read_skeleton(filename, skeleton);
-      ADD_FAILURE() << ending;
-    } catch (const CSCD::File_error& error) {
-      EXPECT_NE(std::string::npos, std::string(error.what()).find(".graph .json .obj .ply .polylines.txt .swc"));
-    }
-    EXPECT_THROW(CSCD::check_readable_skeleton_filename(filename), CSCD::File_error);
-  }
-  EXPECT_NO_THROW(CSCD::check_readable_skeleton_filename("a.swc"));
-  EXPECT_THROW(CSCD::read_skeleton(folder.file("missing.graph"), skeleton), CSCD::File_error);
-  EXPECT_THROW(CSCD::read_skeleton(folder.path().string() + "/", skeleton), CSCD::File_error);
 }
 
 } // namespace

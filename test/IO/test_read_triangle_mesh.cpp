@@ -7,9 +7,7 @@
 #include "support/Temporary_folder.h"
 #include "support/skip_or_fail.h"
 #include "write_in_foreign_locale.h"
-#include <CSCD/Application/make_rig.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/IO/write_rig.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
@@ -28,7 +26,6 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <map>
 #include <random>
 #include <sstream>
 #include <string>
@@ -153,16 +150,6 @@ TEST(Read_triangle_mesh, reads_files_by_their_ending)
   expect_cube(mesh);
 }
 
-TEST(Read_triangle_mesh, reads_other_mesh_types)
-{
-  std::istringstream in(off(cube_of_squares()));
-  CGAL::Polyhedron_3<Kernel> polyhedron;
-  CSCD::read_triangle_mesh(in, CSCD::Mesh_format::off, "input", polyhedron);
-  EXPECT_TRUE(polyhedron.is_valid());
-  EXPECT_TRUE(polyhedron.is_closed());
-  EXPECT_EQ(12u, polyhedron.size_of_facets());
-}
-
 TEST(Read_triangle_mesh, does_not_depend_on_the_global_locale)
 {
   const Foreign_global_locale locale;
@@ -253,23 +240,6 @@ TEST(Read_triangle_mesh, accepts_the_variants_of_obj)
   }
 }
 
-TEST(Read_triangle_mesh, leaves_out_faces_of_fewer_than_three_vertices)
-{
-  Mesh_file_content mesh = cube();
-  mesh.polygons.insert(mesh.polygons.begin() + 2, {0, 1});
-  mesh.polygons.push_back({5});
-  for (const auto& [content, format] : {std::pair(off(mesh), CSCD::Mesh_format::off),
-                                        {obj(mesh) + "f\n", CSCD::Mesh_format::obj},
-                                        {ascii_ply(mesh), CSCD::Mesh_format::ply},
-                                        {binary_ply(mesh, true), CSCD::Mesh_format::ply},
-                                        {legacy_vtk(mesh, false, false), CSCD::Mesh_format::vtk},
-                                        {vtp(mesh, "ascii"), CSCD::Mesh_format::vtk}}) {
-    const Result result = read(content, format);
-    expect_cube(result.mesh);
-    EXPECT_EQ(format == CSCD::Mesh_format::obj ? 3u : 2u, result.report.number_of_removed_faces);
-  }
-}
-
 TEST(Read_triangle_mesh, accepts_the_variants_of_ply)
 {
   const std::string content =
@@ -300,14 +270,6 @@ TEST(Read_triangle_mesh, reads_binary_ply_of_mixed_polygons)
     expect_cube(result.mesh);
     EXPECT_EQ(Sentences{"2 polygons triangulated"}, result.report.sentences());
   }
-}
-
-TEST(Read_triangle_mesh, accepts_very_small_numbers)
-{
-  Mesh_file_content mesh = cube();
-  std::string content = off(mesh);
-  content.replace(content.find("0 0 0\n"), 5, "1e-320 -1e-400 0");
-  expect_cube(read(content, CSCD::Mesh_format::off).mesh);
 }
 
 TEST(Read_triangle_mesh, triangulates_polygons)
@@ -345,19 +307,6 @@ TEST(Read_triangle_mesh, triangulates_polygons_that_are_not_convex)
   EXPECT_EQ(10u, num_faces(result.mesh));
   EXPECT_DOUBLE_EQ(11, PMP::area(result.mesh));
   EXPECT_EQ(Sentences{"1 polygon triangulated"}, result.report.sentences());
-}
-
-TEST(Read_triangle_mesh, triangulates_large_polygons)
-{
-  constexpr std::size_t size = 2000;
-  Mesh_file_content disc;
-  disc.polygons.emplace_back();
-  for (std::size_t i = 0; i < size; ++i) {
-    const double angle = 2 * 3.141592653589793 * double(i) / double(size);
-    disc.points.push_back({std::cos(angle), std::sin(angle), 0});
-    disc.polygons[0].push_back(i);
-  }
-  EXPECT_EQ(size - 2, num_faces(read_off(disc).mesh));
 }
 
 TEST(Read_triangle_mesh, stitches_a_soup)
@@ -696,13 +645,6 @@ TEST(Read_triangle_mesh, reads_off_with_faces_on_several_lines)
   expect_cube(read(text, CSCD::Mesh_format::off).mesh);
 }
 
-TEST(Read_triangle_mesh, reads_stl_that_ends_in_two_words)
-{
-  std::string text = ascii_stl(cube());
-  text.replace(text.find("endsolid"), 8, "end solid");
-  expect_cube(read(text, CSCD::Mesh_format::stl).mesh);
-}
-
 TEST(Read_triangle_mesh, reads_compressed_vtp)
 {
   // By zlib, in blocks of 32 bytes, as vtkXMLPolyDataWriter does in larger ones.
@@ -834,23 +776,6 @@ TEST(Read_triangle_mesh, faces_of_a_repaired_mesh_are_found_in_the_file)
     if (polygon != 1) { // which has no face of its own
       EXPECT_EQ(polygon, polygon_of_face[face_of_polygon[polygon]]);
     }
-  }
-}
-
-TEST(Read_triangle_mesh, reads_back_a_rig)
-{
-  const Mesh mesh = read_off(cube()).mesh;
-  CSCD::Rig rig;
-  rig.joints.resize(1);
-  rig.joints[0].point = {0.5, 0.5, 0.5};
-  rig.influences.assign(8, {{{0, 1}}});
-  std::ostringstream out;
-  CSCD::write_glb(out, mesh, rig);
-  const Result result = read(out.str(), CSCD::Mesh_format::gltf);
-  expect_cube(result.mesh);
-  EXPECT_TRUE(result.report.is_empty());
-  for (const auto v : mesh.vertices()) {
-    EXPECT_EQ(mesh.point(v), result.mesh.point(v));
   }
 }
 

@@ -93,19 +93,6 @@ std::size_t occurrences(const std::string& text, const std::string& part)
   return count;
 }
 
-TEST(Encode_base64, agrees_with_rfc_4648)
-{
-  using CSCD::internal::encode_base64;
-  EXPECT_EQ(encode_base64(""), "");
-  EXPECT_EQ(encode_base64("f"), "Zg==");
-  EXPECT_EQ(encode_base64("fo"), "Zm8=");
-  EXPECT_EQ(encode_base64("foo"), "Zm9v");
-  EXPECT_EQ(encode_base64("foob"), "Zm9vYg==");
-  EXPECT_EQ(encode_base64("fooba"), "Zm9vYmE=");
-  EXPECT_EQ(encode_base64("foobar"), "Zm9vYmFy");
-  EXPECT_EQ(encode_base64("\xff\xfe\x80"), "//6A");
-}
-
 TEST(Write_html_page, tells_the_figures)
 {
   const Mesh mesh = box_mesh();
@@ -205,35 +192,6 @@ TEST(Write_html_page, lists_separators)
   const nlohmann::json data = data_of(page_of(mesh, fork_in_box<Skeleton>(mesh), separators));
   EXPECT_EQ(array_of<std::uint32_t>(data, "separator_offsets"), (std::vector<std::uint32_t>{0, 3, 3, 5}));
   EXPECT_EQ(array_of<float>(data, "separator_points").size(), 15u);
-}
-
-TEST(Write_html_page, reads_other_meshes_and_cgals_skeleton)
-{
-  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-  Polyhedron mesh;
-  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
-  CGAL::Mean_curvature_flow_skeletonization<Polyhedron>::Skeleton skeleton(1);
-  skeleton[0].point = Point(0.1, 0.1, 0.1);
-  skeleton[0].vertices.assign(vertices(mesh).begin(), vertices(mesh).end());
-  const nlohmann::json data = data_of(page_of(mesh, skeleton));
-  EXPECT_FALSE(data["arrays"].contains("node_radii"));
-  EXPECT_EQ(array_of<std::uint32_t>(data, "node_of_vertex"), (std::vector<std::uint32_t>(4, 0)));
-}
-
-TEST(Write_html_page, numbers_vertices_without_the_removed_ones)
-{
-  Mesh mesh;
-  mesh.remove_vertex(mesh.add_vertex(Point(9, 9, 9)));
-  const auto kept = mesh.add_vertex(Point(5, 5, 5));
-  const auto removed = mesh.add_vertex(Point(9, 9, 9));
-  CGAL::make_triangle(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), mesh);
-  mesh.remove_vertex(removed);
-  mesh.remove_vertex(kept);
-  const nlohmann::json data = data_of(page_of(mesh, Skeleton()));
-  EXPECT_EQ(data["counts"]["vertices"], 3);
-  for (const std::uint32_t v : array_of<std::uint32_t>(data, "triangles")) {
-    EXPECT_LT(v, 3u);
-  }
 }
 
 TEST(Write_html_page, escapes_foreign_text)

@@ -25,7 +25,6 @@
 #include <cstddef>
 #include <numeric>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -186,42 +185,7 @@ TEST_P(Handle_loops_of, every_piece_are_a_basis_of_its_homology)
   EXPECT_EQ(number_of_loops, 2 * shape.genus);
 }
 
-TEST_P(Handle_loops_of, bounded_length_are_independent_and_hold_the_shortest_through_their_root)
-{
-  const Cut_levels levels(GetParam().make(), {});
-  const Triangulated_surface& surface = levels.cut.surface;
-  constexpr Index root = 0;
-  const std::vector<Vertex_loop> all = levels.loops_of_piece_with(root);
-  for (const Vertex_loop& bound : all) {
-    if (std::find(bound.begin(), bound.end(), root) == bound.end()) {
-      continue; // its stem counts, too
-    }
-    const double max_length = (1 + 1e-4) * length(surface, bound);
-    const std::vector<Vertex_loop> loops =
-        Handle_loops(levels.levels.finest(), levels.cut.arrangement)(root, float(max_length));
-    std::vector<std::vector<bool>> crosses_oddly(all.size(), std::vector<bool>(all.size()));
-    ASSERT_LE(loops.size(), all.size());
-    double shortest = max_length;
-    for (std::size_t i = 0; i < loops.size(); ++i) {
-      EXPECT_TRUE(is_simple_loop(surface, loops[i]));
-      EXPECT_LE(length(surface, loops[i]), max_length);
-      shortest = std::min(shortest, length(surface, loops[i]));
-      for (std::size_t k = 0; k < all.size(); ++k) {
-        crosses_oddly[i][k] = number_of_crossings(surface, loops[i], all[k]) % 2 == 1;
-      }
-    }
-    EXPECT_EQ(rank(crosses_oddly), loops.size());
-    EXPECT_LE(shortest, length(surface, bound) * (1 + 1e-6));
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(All, Handle_loops_of, testing::ValuesIn(shapes_with_handles()), CSCD::test::name_of_shape);
-
-TEST(Handle_loops, are_none_on_a_sphere)
-{
-  const Cut_levels levels(CSCD::test::sphere(3), {});
-  EXPECT_TRUE(levels.loops_of_piece_with(0).empty());
-}
 
 TEST(Handle_loops, are_the_shortest_through_their_root)
 {
@@ -232,57 +196,6 @@ TEST(Handle_loops, are_the_shortest_through_their_root)
   const double around_the_tube = 48 * std::sin(CSCD::test::pi / 24);
   EXPECT_NEAR(length(surface, loops[0]), around_the_tube, 1e-6);
   EXPECT_NEAR(length(surface, loops[1]), 4 * CSCD::test::pi, 0.1) << "around the hole, where it is narrowest";
-}
-
-TEST(Handle_loops, neither_cross_separators_nor_see_what_lies_beyond)
-{
-  const Shape shape = CSCD::test::ladder(3, 0.15);
-  const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  // Across both sides of the ladder: one handle is left on either side.
-  const std::vector<Separator> separators{section_separator(surface, {3.03, 0, 0}, {1, 0, 0}, {3.03, 0, 0}),
-                                          section_separator(surface, {3.03, 2, 0}, {1, 0, 0}, {3.03, 2, 0})};
-  const Cut_levels levels(shape, separators);
-  const Cut_surface& cut = levels.cut;
-  ASSERT_EQ(cut.cut_graph.pieces().size(), 2u);
-  std::set<Index> crossed;
-  for (const Separator_arrangement::Edge_point& point : cut.arrangement.points()) {
-    crossed.insert(point.edge);
-  }
-  for (double x : {2., 6.}) {
-    const std::vector<Vertex_loop> loops =
-        levels.loops_of_piece_with(CSCD::test::nearest_vertex(surface, {x, 1, 0.35}));
-    EXPECT_EQ(loops.size(), 2u);
-    expect_is_basis(surface, loops);
-    for (const Vertex_loop& loop : loops) {
-      for (std::size_t i = 0; i < loop.size(); ++i) {
-        EXPECT_EQ(crossed.count(surface.edge(surface.find_halfedge(loop[i], loop[(i + 1) % loop.size()]))), 0u);
-      }
-    }
-  }
-}
-
-TEST(Handle_loops, are_none_where_a_separator_has_a_piece_without_handles_on_both_sides)
-{
-  const Shape shape = CSCD::test::torus(3, 1, 24);
-  const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const Separator across = section_separator(surface, {3, 0, 0}, {0.03, 1, 0}, {3, 0, 1});
-  const Separator lengthwise = section_separator(surface, {0, 0, 0.03}, {0, 0, 1}, {2, 0, 0});
-  for (const Separator& separator : {across, lengthwise}) {
-    const Cut_levels levels(shape, {separator});
-    ASSERT_EQ(levels.cut.cut_graph.pieces().size(), 1u);
-    EXPECT_TRUE(levels.loops_of_piece_with(0).empty());
-  }
-}
-
-TEST(Handle_loops, are_of_the_handles_that_remain)
-{
-  const Shape shape = CSCD::test::double_torus(0.15);
-  const Triangulated_surface surface = CSCD::test::to_surface(shape);
-  const Cut_levels levels(shape, {section_separator(surface, {0, 1.03, 0}, {0, 1, 0}, {0, 1.03, 0})});
-  ASSERT_EQ(genus(levels.cut.cut_graph), 1u);
-  const std::vector<Vertex_loop> loops = levels.loops_of_piece_with(0);
-  EXPECT_EQ(loops.size(), 2u);
-  expect_is_basis(surface, loops);
 }
 
 /// Expects that separators from `first_new` on are disjoint closed curves, all packed, and no handle is left.
@@ -353,73 +266,6 @@ TEST(cut_handles, cuts_across_the_body_not_around_its_holes)
   for (const Separator& separator : separators) {
     EXPECT_LT(separator.length * solid.unit(), way_around_a_hole);
   }
-}
-
-TEST(cut_handles, adds_nothing_where_the_separators_cut_all)
-{
-  const Shape shape = CSCD::test::torus(3, 1, 24);
-  const Shape_solid solid(shape);
-  const Triangulated_surface& surface = solid.surface();
-  std::vector<Separator> separators{section_separator(surface, solid.at(0, 0, 0), {1, 0.03, 0}, solid.at(0, 3, 1))};
-  Separator_packing packing(surface, separators, {1});
-  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 0u);
-  EXPECT_EQ(separators.size(), 1u);
-  EXPECT_EQ(packing.packed(), std::vector<Index>{0});
-}
-
-TEST(cut_handles, keeps_the_separators_that_are_there)
-{
-  const Shape shape = CSCD::test::ladder(3, 0.15);
-  const Shape_solid solid(shape);
-  const Triangulated_surface& surface = solid.surface();
-  std::vector<Separator> separators{section_separator(surface, solid.at(0, 1.03, 0), {0, 1, 0}, solid.at(0, 1.03, 0)),
-                                    section_separator(surface, solid.at(3.03, 0, 0), {1, 0, 0}, solid.at(3.03, 0, 0))};
-  Separator_packing packing(surface, separators, {1, 2});
-  ASSERT_EQ(genus(packing.cut_graph()), 1u);
-  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 1u);
-  EXPECT_EQ(separators.size(), 3u);
-  EXPECT_EQ(packing.packed()[0], 0u);
-  EXPECT_EQ(packing.packed()[1], 1u);
-  expect_cuts_all_handles(solid, separators, 2, packing, shape);
-}
-
-TEST(cut_handles, finds_handles_that_no_path_joins_to_the_first_vertex)
-{
-  // Around each neighbor of the first vertex there is a separator: all edges of that vertex are crossed.
-  const Shape shape = CSCD::test::torus(3, 1, 24);
-  const Shape_solid solid(shape);
-  const Triangulated_surface& surface = solid.surface();
-  std::vector<Separator> separators;
-  Separator_packing packing(surface, separators, {});
-  for (const Index to_neighbor : surface.outgoing(0)) {
-    Separator separator;
-    const Index first = surface.twin(to_neighbor);
-    Index h = first;
-    do {
-      separator.crossings.push_back({h, 0.25});
-      h = surface.previous_around_origin(h);
-    } while (h != first);
-    ASSERT_TRUE(CSCD::test::is_closed_curve(surface, separator.crossings));
-    std::vector<CSCD::Vector_3> points;
-    CSCD::internal::crossing_points(surface, separator.crossings, points);
-    CSCD::internal::set_measures(separator, points);
-    separators.push_back(separator);
-    ASSERT_TRUE(packing.insert_last());
-  }
-  packing.cut_again();
-  const std::size_t number = separators.size();
-  ASSERT_EQ(genus(packing.cut_graph()), 1u);
-  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 1u);
-  expect_cuts_all_handles(solid, separators, number, packing, shape);
-}
-
-TEST(cut_handles, leaves_a_body_without_handles_alone)
-{
-  const Shape_solid solid(CSCD::test::y_tube(0.25));
-  std::vector<Separator> separators;
-  Separator_packing packing(solid.surface(), separators, {});
-  EXPECT_EQ(CSCD::internal::cut_handles(*solid, separators, packing), 0u);
-  EXPECT_TRUE(separators.empty());
 }
 
 } // namespace
