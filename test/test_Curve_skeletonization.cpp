@@ -21,7 +21,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -83,31 +82,6 @@ TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
   Skeleton parallel;
   all.run<CGAL::Parallel_tag>(parallel);
   expect_equal(stepwise, parallel);
-}
-
-TEST_F(Curve_skeletonization, remembers_its_parameters)
-{
-  Skeletonization skeletonization(m_traits);
-  EXPECT_EQ(skeletonization.random_seed(), 0u);
-  skeletonization.set_random_seed(3).set_number_of_threads(2).set_maximum_number_of_sources(30);
-  EXPECT_EQ(skeletonization.random_seed(), 3u);
-  EXPECT_EQ(skeletonization.number_of_threads(), 2u);
-  EXPECT_EQ(skeletonization.maximum_number_of_sources(), 30u);
-  skeletonization.find_separators();
-  EXPECT_LE(skeletonization.report().number_of_sources, 30u);
-  EXPECT_GT(skeletonization.report().number_of_sources, 0u);
-}
-
-TEST_F(Curve_skeletonization, packs_some_of_what_it_found)
-{
-  Skeletonization skeletonization(m_traits);
-  skeletonization.find_separators();
-  skeletonization.pack_separators();
-  const auto& packed = skeletonization.packed_separators();
-  EXPECT_EQ(std::set(packed.begin(), packed.end()).size(), packed.size());
-  for (const auto i : packed) {
-    ASSERT_LT(i, skeletonization.separators().size());
-  }
 }
 
 TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)

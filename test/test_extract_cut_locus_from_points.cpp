@@ -226,25 +226,6 @@ TEST(extract_cut_locus_from_points, grows_from_the_farthest_point)
   }
 }
 
-TEST(extract_cut_locus_from_points, takes_point_sets_with_normals)
-{
-  CGAL::Point_set_3<Point> points;
-  const std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(5), 3000, 1);
-  points.add_normal_map();
-  for (const Triple& p : triples) {
-    points.insert(Point(p[0], p[1], p[2]), Kernel::Vector_3(p[0], p[1], p[2]));
-  }
-  points.remove(points.begin());
-  using Set_graph = CSCD::Point_cut_locus_graph<Point, CGAL::Point_set_3<Point>::Index>;
-  Set_graph graph;
-  const auto source = *(points.begin() + 5);
-  CSCD::extract_cut_locus(points, source, graph);
-  ASSERT_GE(num_vertices(graph), 1u);
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, points.point(graph[0].location))), 1e-5);
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, CGAL::ORIGIN + (CGAL::ORIGIN - points.point(source)))),
-            0.3);
-}
-
 TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
 {
   std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(4), 1000, 1);
@@ -257,23 +238,6 @@ TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(), 0, graph), CSCD::Input_error);
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(9, Point(1, 2, 3)), 0, graph), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 7u);
-}
-
-TEST(extract_cut_locus_from_points, finds_any_number_of_sources)
-{
-  const std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(5), 3000, 1);
-  std::vector<std::size_t> sources;
-  for (std::size_t i = triples.size(); i-- > 0;) {
-    if (triples[i][2] > 0) {
-      sources.push_back(i);
-    }
-  }
-  Graph graph;
-  CSCD::extract_cut_locus(to_range(triples), sources, graph);
-  EXPECT_EQ(count_components(graph), 1u);
-  for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(graph[v].point.z(), -0.8) << "opposite to the half that is sources";
-  }
 }
 
 } // namespace

@@ -287,18 +287,6 @@ private:
   std::clock_t m_begin = std::clock();
 };
 
-TEST(Compare_skeletons, of_many_arms_at_one_hub_each_is_found)
-{
-  constexpr std::size_t number_of_arms = 1500;
-  const Stopwatch stopwatch;
-  const Skeleton_comparison c = compare_skeletons(star(number_of_arms, 3), star(number_of_arms, 3));
-  EXPECT_LT(stopwatch.seconds(), 30) << "minutes, if all pairs are looked at";
-  EXPECT_EQ(c.tips.number_matched, number_of_arms);
-  EXPECT_EQ(c.branches.number_matched, number_of_arms);
-  EXPECT_TRUE(c.has_same_structure);
-  EXPECT_NEAR(0, c.hausdorff_distance(), 1e-12);
-}
-
 /// An edge between any two of random points in a cube.
 Skeleton complete_graph(std::size_t number_of_nodes, unsigned seed)
 {

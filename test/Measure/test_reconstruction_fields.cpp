@@ -92,31 +92,6 @@ TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
   }
 }
 
-TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
-{
-  Skeleton s = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0);
-  s.points.emplace_back(5, 5, 5); // a node without edges is a ball
-  s.radii.push_back(0.5);
-  s.points.emplace_back(1, 0, 0); // an edge without length
-  s.radii.push_back(0.1);
-  s.edges.push_back({1, 3});
-  const Convolution_field field(s);
-  for (const Vector_3& p : {Vector_3(0, 0, 0), Vector_3(0.5, 0, 0), Vector_3(5, 5, 5)}) {
-    EXPECT_LT(field(p), 0);
-    EXPECT_TRUE(std::isfinite(field(p)));
-  }
-  EXPECT_NEAR(0, field({5, 5.5, 5}), 1e-3);
-  // Nodes at the same place are one ball, and none where there is an edge of some length.
-  const Skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
-  EXPECT_DOUBLE_EQ(1, Convolution_field(twice).convolution({0.5, 0, 0}));
-  EXPECT_NEAR(1,
-              Convolution_field(s).convolution({1, 0.1, 0}) /
-                  (quadrature(s, {1, 0.1, 0}) + std::pow(0.5 / Vector_3(4, 4.9, 5).norm(), 4)),
-              1e-4);
-  EXPECT_GT(field({1e8, 0, 0}), 0);
-  EXPECT_TRUE(std::isfinite(field({1e8, 0, 0})));
-}
-
 /// Edges and balls at random places in a cube.
 Skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
 {
@@ -196,18 +171,6 @@ TEST(Triangulate_field, a_capsule_is_closed_and_has_the_right_volume)
   EXPECT_NEAR(expected, facts.volume, 0.01 * expected);
   EXPECT_LT(facts.max_error, 0.02 * 0.02 / 0.2); // of second order in the size of the cells
   EXPECT_EQ(0, facts.unresolved_fraction);
-}
-
-TEST(Triangulate_field, handles_components_and_lattice_points_on_the_surface)
-{
-  EXPECT_EQ(0, Surface_facts(ring(1, 0.2, 64), 0.05).euler_number);
-  Skeleton balls;
-  balls.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-  balls.radii = {0.5, 0.25, 1};
-  const Surface_facts facts(balls, 0.25); // the balls' poles are lattice points, on the surface but for rounding
-  EXPECT_TRUE(facts.is_manifold);
-  EXPECT_EQ(6, facts.euler_number);
-  EXPECT_GT(facts.volume, 0);
 }
 
 TEST(Triangulate_field, says_what_is_too_thin)
