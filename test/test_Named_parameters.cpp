@@ -15,7 +15,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace {
 
 using CSCD::parameters::choose_parameter;

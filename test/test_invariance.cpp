@@ -21,7 +21,6 @@
 
 #include <gtest/gtest.h>
 
-
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
