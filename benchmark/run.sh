@@ -2,63 +2,36 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables and plots to the
-# pages of doc and to README.md. Takes three quarters of an hour.
-# Usage: benchmark/run.sh [--quick] [REPETITIONS [PROGRAM...]], by default 3 and all programs. With --quick only small
-# benchmarks are run, which takes some minutes, and the pages are written to build/quick.
-# If the environment variable CSCD_MODELS names a folder of OFF files, they are measured besides CGAL's.
+# Builds the program cscd and CGAL's mean curvature flow (MCF), runs both, GEL's multi-scale local separators (MSLS) where
+# PyGEL is installed, and any other skeletonizer on the same meshes, one thread each, and prints one table: time, memory,
+# topology, inside, reconstruction error.
+# Usage: benchmark/run.sh [--quick] [--peer "NAME=COMMAND"]... [--timeout SECONDS] [MESH...]
+# A COMMAND is run by the shell with {mesh} and {skeleton} replaced by file names; it writes a skeleton in one of the
+# formats that cscd reads, by default .graph, or that of "NAME.ENDING=COMMAND". doc/performance.md has commands of
+# skeletor and kimimaro. Without meshes, it takes six of CGAL's; with --quick, the two smallest of them.
 
 set -euo pipefail
 
-command="benchmark/run.sh${*:+ $*}"
-if [[ -n ${CSCD_MODELS:-} ]]; then
-  command="CSCD_MODELS=folder $command"
-fi
 # shellcheck source=benchmark/build_benchmarks.sh
 source "$(dirname "${BASH_SOURCE[0]}")/build_benchmarks.sh"
 
-# What --quick runs of each program.
-declare -A small=(
-  [benchmark_skeletonization]='^mesh/(elephant|knot1)/|^growing/elephant_[01]/'
-  [benchmark_stages]='/(3125|12500)$'
-  [benchmark_points]='^(cloud|published)/(knot1|elephant)/uniform, 5,000/|^growing/armadillo/(5000|20000)/'
-  [benchmark_geodesics]='/elephant$|^tube.*/(250|500)$'
-  [benchmark_published]='^(method|noise|holes|resolution)/(elephant|torus)/|^sources/elephant/(8|32|128|512)/|^ring/'
-  [benchmark_trees]='^tree/|^growing_tree/.*0000$'
-)
-is_quick=false
+names=(elephant knot1 homer camel armadillo refined_elephant)
 if [[ ${1:-} == --quick ]]; then
-  is_quick=true
+  names=(elephant knot1)
   shift
 fi
-repetitions=${1:-3}
-programs=("${@:2}")
-if [[ ${#programs[@]} -eq 0 ]]; then
-  programs=(benchmark_skeletonization benchmark_stages benchmark_points benchmark_geodesics
-    benchmark_published benchmark_trees)
+build_benchmarks cscd mcf_skeleton
+arguments=(
+  --peer "CSCD=$build_dir/bin/cscd skeletonize {mesh} -o {skeleton} --quiet --threads 1"
+  --peer "MCF=$build_dir/bin/benchmark/mcf_skeleton {mesh} {skeleton}")
+if python3 -c 'import pygel3d' 2>/dev/null; then
+  script="import sys; from pygel3d import hmesh, graph; g = graph.from_mesh(hmesh.load(sys.argv[1]))
+graph.save(sys.argv[2], graph.MSLS_skeleton(g))"
+  arguments+=(--peer "MSLS=python3 -c '$script' {mesh} {skeleton}")
+else
+  echo "PyGEL is not installed (pip install PyGEL3D): the table is without MSLS" >&2
 fi
-
-build_benchmarks "${programs[@]}"
-results_dir=$build_dir
-pages=("$source_dir")
-if $is_quick; then
-  # Copies of the pages, with all that is not measured anew.
-  results_dir=$build_dir/quick
-  mkdir -p "$results_dir/doc/fig"
-  cp "$source_dir/README.md" "$results_dir"
-  cp "$source_dir"/doc/*.md "$results_dir/doc"
-  pages=("$results_dir")
-fi
-
-results=()
-for program in "${programs[@]}"; do
-  filter=.
-  if $is_quick; then
-    filter=${small[$program]}
-  fi
-  "$build_dir/bin/benchmark/$program" --benchmark_filter="$filter" --benchmark_min_time=0.1 \
-    --benchmark_repetitions="$repetitions" \
-    --benchmark_out="$results_dir/$program.json" --benchmark_out_format=json
-  results+=("$results_dir/$program.json")
+for name in "${names[@]}"; do
+  arguments+=(--default "$build_dir/cgal_data/data/meshes/$name.off")
 done
-python3 "$source_dir/benchmark/write_tables.py" "$command" "$build_dir" "${pages[@]}" "${results[@]}"
+python3 "$source_dir/benchmark/measure_peers.py" --evaluator "$build_dir/bin/cscd" "${arguments[@]}" "$@"

@@ -22,3 +22,22 @@ function(cscd_add_program name)
   set_target_properties(
     ${name} PROPERTIES CXX_EXTENSIONS OFF RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin/${program_FOLDER}")
 endfunction()
+
+# cscd_add_unit(<output> SOURCES <source>... [OPTIONS <definition>...])
+# lets the build write the file <output>, which compiles all sources as one: see write_unit.cmake.
+function(cscd_add_unit output)
+  cmake_parse_arguments(PARSE_ARGV 1 unit "" "" "SOURCES;OPTIONS")
+  set(sources)
+  foreach(source IN LISTS unit_SOURCES)
+    cmake_path(ABSOLUTE_PATH source)
+    list(APPEND sources "${source}")
+  endforeach()
+  list(TRANSFORM unit_OPTIONS PREPEND -D)
+  set(script "${PROJECT_SOURCE_DIR}/cmake/write_unit.cmake")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DSOURCES=${sources}" ${unit_OPTIONS} -P "${script}"
+    COMMAND "${CMAKE_COMMAND}" -E touch "${output}"
+    DEPENDS ${sources} "${script}"
+    VERBATIM)
+endfunction()

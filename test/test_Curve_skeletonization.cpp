@@ -19,10 +19,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -86,69 +84,6 @@ TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
   expect_equal(stepwise, parallel);
 }
 
-TEST_F(Curve_skeletonization, writes_the_same_again_over_what_was_there)
-{
-  Skeletonization skeletonization(m_traits);
-  Skeleton first;
-  skeletonization.run(first);
-  Skeleton second(5);
-  skeletonization.convert_to_skeleton(second);
-  expect_equal(first, second);
-}
-
-TEST_F(Curve_skeletonization, starts_afresh_when_separators_are_sought_again)
-{
-  Skeletonization skeletonization(m_traits);
-  skeletonization.set_maximum_number_of_sources(60);
-  const std::size_t first = skeletonization.find_separators();
-  const std::size_t sources = skeletonization.report().number_of_sources;
-  ASSERT_GT(first, 0u);
-  const std::size_t second = skeletonization.find_separators();
-  EXPECT_EQ(second, first);
-  EXPECT_EQ(skeletonization.report().number_of_sources, sources);
-  EXPECT_EQ(skeletonization.report().number_of_separators, skeletonization.separators().size());
-}
-
-TEST_F(Curve_skeletonization, remembers_its_parameters)
-{
-  Skeletonization skeletonization(m_traits);
-  EXPECT_EQ(skeletonization.random_seed(), 0u);
-  skeletonization.set_random_seed(3).set_number_of_threads(2).set_maximum_number_of_sources(30);
-  EXPECT_EQ(skeletonization.random_seed(), 3u);
-  EXPECT_EQ(skeletonization.number_of_threads(), 2u);
-  EXPECT_EQ(skeletonization.maximum_number_of_sources(), 30u);
-  skeletonization.find_separators();
-  EXPECT_LE(skeletonization.report().number_of_sources, 30u);
-  EXPECT_GT(skeletonization.report().number_of_sources, 0u);
-}
-
-TEST_F(Curve_skeletonization, packs_some_of_what_it_found)
-{
-  Skeletonization skeletonization(m_traits);
-  skeletonization.find_separators();
-  skeletonization.pack_separators();
-  const auto& packed = skeletonization.packed_separators();
-  EXPECT_EQ(std::set(packed.begin(), packed.end()).size(), packed.size());
-  for (const auto i : packed) {
-    ASSERT_LT(i, skeletonization.separators().size());
-  }
-}
-
-TEST_F(Curve_skeletonization, packs_the_same_again)
-{
-  // Of a cup, separators around the hollow are dropped, and one around the handle may be added.
-  const auto cup = CSCD::test::to_mesh<Mesh>(CSCD::test::cup(0.1));
-  const Traits traits(cup);
-  Skeletonization skeletonization(traits);
-  Skeleton first;
-  skeletonization.run(first);
-  ASSERT_GT(skeletonization.report().number_of_tunnels, 0u);
-  skeletonization.pack_separators();
-  Skeleton second;
-  skeletonization.convert_to_skeleton(second);
-  expect_equal(first, second);
-}
-
 TEST_F(Curve_skeletonization, draws_separators_in_the_coordinates_of_the_input)
 {
   Skeletonization skeletonization(m_traits);
@@ -170,52 +105,6 @@ TEST_F(Curve_skeletonization, requires_stages_in_order)
   Skeleton skeleton;
   EXPECT_THROW(skeletonization.convert_to_skeleton(skeleton), CGAL::Precondition_exception);
   EXPECT_THROW(skeletonization.packed_separators(), CGAL::Precondition_exception);
-}
-
-TEST_F(Curve_skeletonization, without_separators_still_gives_a_node)
-{
-  Skeletonization skeletonization(m_traits);
-  Skeleton skeleton;
-  EXPECT_EQ(skeletonization.pack_separators(), 0u);
-  skeletonization.convert_to_skeleton(skeleton);
-  ASSERT_GE(num_vertices(skeleton), 1u);
-  EXPECT_EQ(num_edges(skeleton), num_vertices(skeleton) - 1);
-}
-
-TEST_F(Curve_skeletonization, reports_what_it_gives)
-{
-  for (const CSCD::test::Shape& shape :
-       {CSCD::test::y_tube(0.15), CSCD::test::double_torus(0.15), CSCD::test::chain_of_rings(3, 16)}) {
-    SCOPED_TRACE(shape.name);
-    const Mesh mesh = CSCD::test::to_mesh<Mesh>(shape);
-    const Traits traits(mesh);
-    Skeletonization skeletonization(traits);
-    Skeleton skeleton;
-    const CSCD::Skeletonization_report& report = skeletonization.run(skeleton);
-    EXPECT_EQ(report.number_of_input_vertices, shape.points.size());
-    EXPECT_EQ(report.number_of_surface_components, shape.number_of_components);
-    EXPECT_EQ(report.number_of_skeleton_components, shape.number_of_components);
-    EXPECT_EQ(report.genus, shape.genus);
-    EXPECT_EQ(report.betti_number, shape.genus);
-    EXPECT_EQ(report.number_of_nodes, num_vertices(skeleton));
-    EXPECT_EQ(report.number_of_edges, num_edges(skeleton));
-    EXPECT_EQ(report.number_of_separators, skeletonization.separators().size());
-    EXPECT_EQ(report.number_of_packed_separators, skeletonization.packed_separators().size());
-    EXPECT_EQ(report.number_of_levels, traits.surface().levels().size());
-    std::size_t tips = 0;
-    std::size_t junctions = 0;
-    std::size_t vertices = 0;
-    for (std::size_t node = 0; node < num_vertices(skeleton); ++node) {
-      tips += degree(node, skeleton) == 1 ? 1u : 0u;
-      junctions += degree(node, skeleton) >= 3 ? 1u : 0u;
-      vertices += skeleton[node].vertices.size();
-      EXPECT_GT(skeleton[node].radius, 0);
-    }
-    EXPECT_EQ(report.number_of_tips, tips);
-    EXPECT_EQ(report.number_of_junctions, junctions);
-    EXPECT_EQ(vertices, shape.points.size());
-    EXPECT_EQ(report.number_of_nodes_outside, 0u);
-  }
 }
 
 /// Records its calls, and stops the work at call number `last` of `go_further()`.
@@ -241,43 +130,5 @@ struct Recorder : CSCD::Default_skeletonization_visitor
 };
 
 using Visited_skeletonization = CSCD::Curve_skeletonization<Traits, CSCD::Local_policies, Recorder&>;
-
-TEST_F(Curve_skeletonization, reports_stages_to_the_visitor)
-{
-  Recorder recorder;
-  Visited_skeletonization skeletonization(m_traits, CSCD::Local_policies(), recorder);
-  Skeleton skeleton;
-  skeletonization.run(skeleton);
-  const std::vector<CSCD::Skeletonization_stage> stages{CSCD::Skeletonization_stage::find_separators,
-                                                        CSCD::Skeletonization_stage::pack_separators,
-                                                        CSCD::Skeletonization_stage::build_skeleton};
-  EXPECT_EQ(recorder.begun, stages);
-  EXPECT_EQ(recorder.ended, stages);
-  EXPECT_TRUE(recorder.is_monotone);
-  EXPECT_EQ(recorder.last_fraction, 1);
-}
-
-TEST_F(Curve_skeletonization, leaves_the_output_alone_whenever_it_is_cancelled)
-{
-  Recorder recorder;
-  Visited_skeletonization whole(m_traits, CSCD::Local_policies(), recorder);
-  Skeleton skeleton;
-  whole.run(skeleton);
-  // The last questions are asked when the skeleton is complete.
-  const std::size_t all = recorder.questions;
-  ASSERT_GT(all, 6u);
-  for (const std::size_t last : {std::size_t(1), std::size_t(2), all / 2, all - 4, all - 3, all - 2, all - 1, all}) {
-    SCOPED_TRACE(last);
-    Recorder stopper;
-    stopper.last = last;
-    Visited_skeletonization skeletonization(m_traits, CSCD::Local_policies(), stopper);
-    Skeleton untouched(1);
-    untouched[0].radius = 42;
-    EXPECT_THROW(skeletonization.run(untouched), CSCD::Cancelled_error);
-    EXPECT_EQ(stopper.questions, last);
-    ASSERT_EQ(num_vertices(untouched), 1u);
-    EXPECT_EQ(untouched[0].radius, 42);
-  }
-}
 
 } // namespace

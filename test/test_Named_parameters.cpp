@@ -15,9 +15,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-#include <type_traits>
-
 namespace {
 
 using CSCD::parameters::choose_parameter;
@@ -71,30 +68,10 @@ int number_of_threads_by_deduction(const CGAL::Named_function_parameters<T, Tag,
   return get_parameter(np, own::number_of_threads);
 }
 
-TEST(Named_parameters, Deduced_as_chain_of_cgal)
-{
-  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::number_of_threads(4)), 4);
-  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::number_of_threads(4).random_seed(7u).verbose(true)), 4);
-  EXPECT_EQ(number_of_threads_by_deduction(CSCD::parameters::verbose(true).number_of_threads(4).random_seed(7u)), 4);
-}
-
 struct Counter
 {
   int number_of_calls = 0;
 };
-
-TEST(Named_parameters, Reference_wrapper_gives_the_object)
-{
-  Counter counter;
-  const auto np = CSCD::parameters::visitor(std::ref(counter)).number_of_threads(2);
-  static_assert(std::is_same_v<decltype(get_parameter_reference(np, cgal::visitor)), Counter&>);
-  ++get_parameter_reference(np, cgal::visitor).number_of_calls;
-  EXPECT_EQ(counter.number_of_calls, 1);
-
-  const auto combined = CSCD::parameters::combine(CGAL::parameters::random_seed(7u), np);
-  ++get_parameter_reference(combined, cgal::visitor).number_of_calls;
-  EXPECT_EQ(counter.number_of_calls, 2);
-}
 
 struct Not_copyable : Counter
 {
@@ -126,16 +103,6 @@ TEST(Named_parameters, Combine_joins_chains_of_cgal_with_own)
       p::combine(CGAL::parameters::default_values(),
                  p::combine(p::default_values(), CGAL::parameters::verbose(true).random_seed(7u)).number_of_threads(2),
                  p::maximum_number_of_sources(100L)));
-}
-
-TEST(Named_parameters, Nothing_is_added_to_the_values)
-{
-  struct Three_longs
-  {
-    long values[3];
-  };
-  const auto np = CSCD::parameters::random_seed(7L).number_of_threads(2L).maximum_number_of_sources(100L);
-  EXPECT_EQ(sizeof(np), sizeof(Three_longs));
 }
 
 Mesh unit_triangle()

@@ -34,7 +34,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-#include <stdexcept>
 #include <string>
 
 namespace {
@@ -66,11 +65,6 @@ Skeletonization_report skeletonize(const Mesh& mesh, Skeleton& skeleton, unsigne
       .set_number_of_threads(number_of_threads)
       .set_maximum_number_of_sources(max_sources);
   return skeletonization.run<ConcurrencyTag>(skeleton);
-}
-
-TEST(Published_policies, are_a_model)
-{
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits::Surface>));
 }
 
 class Published_method : public testing::TestWithParam<Shape_maker>
@@ -221,19 +215,6 @@ TEST(Published_policies, work_with_targets_from_the_tree_of_the_cut_locus)
   expect_two_cycles_of_two_handles(settings);
 }
 
-TEST(Published_policies, find_no_target_where_no_vertex_passes_the_thresholds)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.2));
-  Skeleton skeleton;
-  CSCD::Field_search_settings settings;
-  settings.laplacian_threshold = -100;
-  const Skeletonization_report report = skeletonize(mesh, skeleton, 0, 1, Policies(settings), few_sources);
-  EXPECT_EQ(report.number_of_sources_without_cut, few_sources);
-  settings.laplacian_threshold.reset();
-  settings.angle_threshold = 4; // more than the greatest angle
-  EXPECT_EQ(skeletonize(mesh, skeleton, 0, 1, Policies(settings), few_sources).number_of_separators, 0u);
-}
-
 /// Fewer separators overlap, so that more are packed and there may be more tips.
 TEST(Published_policies, work_as_printed)
 {
@@ -272,25 +253,6 @@ TEST(Published_policies, place_nodes_in_sections)
   expect_two_cycles_of_two_handles(settings);
 }
 
-TEST(Published_policies, follow_the_middle_of_a_bent_limb_more_closely_by_sections)
-{
-  constexpr double major_radius = 3;
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(major_radius, 1, 24));
-  const auto mean_error = [&](CSCD::Placement_rule rule) {
-    CSCD::Field_search_settings settings;
-    settings.placement_rule = rule;
-    Skeleton skeleton;
-    skeletonize(mesh, skeleton, 0, 1, Policies(settings));
-    double sum = 0;
-    for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-      const Point& p = skeleton[node].point;
-      sum += std::hypot(std::hypot(p.x(), p.y()) - major_radius, p.z());
-    }
-    return sum / double(num_vertices(skeleton));
-  };
-  EXPECT_LT(mean_error(CSCD::Placement_rule::sections), mean_error(CSCD::Placement_rule::centroids) / 2);
-}
-
 class Multiscale_search : public testing::Test
 {
 protected:
@@ -320,42 +282,6 @@ TEST_F(Multiscale_search, finds_what_a_search_on_the_surface_finds)
     EXPECT_NEAR(std::hypot(p.x(), p.y()), 3 + 1. / 6, 0.1);
     EXPECT_NEAR(p.z(), 0, 0.1);
   }
-}
-
-TEST_F(Multiscale_search, answers_the_same_for_any_number_of_threads)
-{
-  const CSCD::test::Allow_threads allow(2);
-  run(true);
-  const Plain_skeleton expected = CSCD::test::plain(m_mesh, m_skeleton);
-  run(true, 2);
-  EXPECT_TRUE(CSCD::test::plain(m_mesh, m_skeleton) == expected);
-}
-
-TEST(Published_policies, draw_as_many_sources_as_published_unless_told_otherwise)
-{
-  // So few vertices that all are drawn many times over.
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(6, 1, 12, CSCD::test::Tube_end::flat));
-  const Traits traits(mesh);
-  Skeletonization skeletonization(traits);
-  skeletonization.find_separators();
-  EXPECT_EQ(skeletonization.report().number_of_sources, Policies::default_number_of_sources);
-}
-
-TEST(Published_policies, draw_fewer_sources_where_thousands_of_vertices_are_inserted_for_few)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::box("needle", {1e6, 1, 1}));
-  const Traits traits(mesh);
-  EXPECT_GT(traits.surface().number_of_inserted_vertices(), 5000u);
-  Skeletonization_report report;
-  double share = 0; // of the first round
-  const CSCD::Progress stop = [&share](double fraction) {
-    share = fraction;
-    throw std::runtime_error("enough is known");
-  };
-  EXPECT_THROW(Policies().find_separators(traits.surface(), CSCD::Options(), report, stop), std::runtime_error);
-  const double number = double(report.number_of_sources) / share;
-  EXPECT_LT(number, double(Policies::default_number_of_sources) / 3);
-  EXPECT_GT(number, 100);
 }
 
 /// Whatever the sources find, and if it is nothing.
@@ -397,24 +323,6 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Asymmetric, Published_invariance, testing::ValuesIn(CSCD::test::asymmetric_shapes()),
                          CSCD::test::name_of_shape);
-
-TEST_P(Published_invariance, under_moves_and_rotations)
-{
-  for (const Similarity& motion :
-       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {1, 2, 3}},
-        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}}) {
-    SCOPED_TRACE(motion.scale);
-    const Shape other = CSCD::test::moved(m_shape, motion, motion.scale);
-    const double tolerance = relative_tolerance * diagonal(other);
-    EXPECT_EQ(difference(moved(skeletonized(m_shape), motion), skeletonized(other), tolerance), "");
-  }
-}
-
-TEST_P(Published_invariance, under_scalings_by_powers_of_two_to_the_last_bit)
-{
-  const Similarity doubling{2, {0, 0, 1}, 0, {0, 0, 0}};
-  EXPECT_EQ(moved(skeletonized(m_shape), doubling), skeletonized(CSCD::test::scaled(m_shape, 2)));
-}
 
 TEST_P(Published_invariance, under_renumbering)
 {

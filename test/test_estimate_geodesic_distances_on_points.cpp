@@ -17,12 +17,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -95,32 +93,6 @@ TEST(estimate_geodesic_distances_on_points, is_exact_to_a_part_of_the_spacing_on
   }
 }
 
-TEST(estimate_geodesic_distances_on_points, does_not_depend_on_order_or_scale)
-{
-  const Points points = to_cgal_points(points_on_sphere(1000, 1));
-  const std::vector<double> expected = distances_from(points, 5);
-  EXPECT_EQ(expected, distances_from(points, 5)) << "again";
-  EXPECT_EQ(0, expected[5]);
-  EXPECT_EQ(0, std::count_if(expected.begin(), expected.end(), [](double d) { return !(d >= 0 && d < 4); }));
-
-  Points reversed(points.rbegin(), points.rend());
-  std::vector<double> distances = distances_from(reversed, points.size() - 1 - 5);
-  std::reverse(distances.begin(), distances.end());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_NEAR(expected[i], distances[i], 1e-9);
-  }
-
-  constexpr double scale = 1e4;
-  for (Point& point : reversed) {
-    point = Point(scale * point.x() + 7, scale * point.y(), scale * point.z());
-  }
-  distances = distances_from(reversed, points.size() - 1 - 5);
-  std::reverse(distances.begin(), distances.end());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_NEAR(expected[i], distances[i] / scale, 1e-6);
-  }
-}
-
 TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_duplicates)
 {
   std::vector<Triple> triples = CSCD::test::chain_of_rings(2, 16).points;
@@ -132,17 +104,6 @@ TEST(estimate_geodesic_distances_on_points, is_infinite_elsewhere_and_zero_at_du
     EXPECT_EQ(i < number, std::isfinite(distances[i])) << i;
     EXPECT_EQ(i >= number, distances[i] == infinity) << i;
   }
-}
-
-TEST(estimate_geodesic_distances_on_points, is_infinite_at_outliers)
-{
-  Points points = to_cgal_points(points_on_sphere(1000, 1));
-  points.emplace_back(20, 0, 0);
-  points.emplace_back(0, -20, 7);
-  const std::vector<double> distances = distances_from(points, 5);
-  EXPECT_EQ(std::count_if(distances.begin(), distances.end(), [](double d) { return std::isfinite(d); }), 1000);
-  EXPECT_EQ(distances[1000], infinity);
-  EXPECT_EQ(distances[1001], infinity);
 }
 
 TEST(Point_set_distance_estimator, estimates_from_each_of_many_sets_as_from_one)
@@ -191,24 +152,6 @@ TEST(Point_set_distance_estimator, takes_point_sets_with_and_without_normals)
       EXPECT_NEAR(expected[std::size_t(index)], distance[index], has_normals ? 0.05 : 1e-12);
     }
   }
-}
-
-TEST(Point_set_distance_estimator, takes_named_parameters)
-{
-  const std::vector<Triple> triples = points_on_sphere(500, 1);
-  std::vector<std::pair<Point, Vector>> pairs;
-  for (const Triple& p : triples) {
-    pairs.emplace_back(Point(p[0], p[1], p[2]), Vector(-p[0], -p[1], -p[2]));
-  }
-  using Pair = std::pair<Point, Vector>;
-  std::vector<double> distances(pairs.size(), -1);
-  const std::array<std::size_t, 2> sources{0, 1};
-  CSCD::estimate_geodesic_distances(pairs, sources, map_to(distances),
-                                    parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-                                        .normal_map(CGAL::Second_of_pair_property_map<Pair>())
-                                        .time_step_factor(2));
-  EXPECT_NEAR(0, std::max(distances[0], distances[1]), 0.05);
-  EXPECT_GT(*std::max_element(distances.begin(), distances.end()), 1.5);
 }
 
 TEST(Point_set_distance_estimator, refuses_points_that_are_no_surface)

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace {
@@ -234,16 +233,6 @@ TEST_F(Extract_curve_skeleton, replaces_what_was_in_the_output)
   CSCD::test::expect_skeleton(m_mesh, m_skeleton);
 }
 
-TEST_F(Extract_curve_skeleton, leaves_the_mesh_alone)
-{
-  const Shape before = CSCD::test::to_shape(m_mesh);
-  CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
-  const Shape after = CSCD::test::to_shape(m_mesh);
-  EXPECT_EQ(before.points, after.points);
-  EXPECT_EQ(before.triangles, after.triangles);
-  EXPECT_EQ(m_mesh.properties<Mesh::Vertex_index>().size(), Mesh().properties<Mesh::Vertex_index>().size());
-}
-
 TEST_F(Extract_curve_skeleton, keeps_the_invariants_for_every_seed)
 {
   for (unsigned int seed = 0; seed < 10; ++seed) {
@@ -263,19 +252,6 @@ TEST_F(Extract_curve_skeleton, keeps_to_the_maximum_number_of_sources)
   }
 }
 
-TEST_F(Extract_curve_skeleton, reads_points_from_the_map_it_is_given)
-{
-  const auto [map, is_new] = m_mesh.add_property_map<Mesh::Vertex_index, Point>("v:elsewhere");
-  for (const Mesh::Vertex_index v : m_mesh.vertices()) {
-    map[v] = m_mesh.point(v) + Kernel::Vector_3(1000, 0, 0);
-  }
-  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::vertex_point_map(map));
-  ASSERT_GT(num_vertices(m_skeleton), 0u);
-  for (std::size_t node = 0; node < num_vertices(m_skeleton); ++node) {
-    EXPECT_GT(m_skeleton[node].point.x(), 900);
-  }
-}
-
 TEST_F(Extract_curve_skeleton, tells_what_it_did)
 {
   const CSCD::Skeletonization_report report = CSCD::extract_curve_skeleton(m_mesh, m_skeleton);
@@ -288,98 +264,6 @@ TEST_F(Extract_curve_skeleton, tells_what_it_did)
   EXPECT_EQ(report.number_of_degenerate_faces, 0u);
   for (std::size_t stage = 0; stage < report.seconds.size(); ++stage) {
     EXPECT_GT(report.seconds[stage], 0);
-  }
-}
-
-/// Writes down what it hears, and stops the work when a stage has got this far.
-struct Recording_visitor : CSCD::Default_skeletonization_visitor
-{
-  struct Record
-  {
-    std::vector<CSCD::Skeletonization_stage> begun;
-    std::vector<CSCD::Skeletonization_stage> ended;
-    std::vector<std::vector<double>> fractions;
-    std::size_t number_of_questions = 0;
-  };
-
-  explicit Recording_visitor(Record& record, std::size_t questions_until_stop = 0)
-      : m_record(&record), m_questions_until_stop(questions_until_stop)
-  {
-  }
-
-  void on_stage_begin(CSCD::Skeletonization_stage stage)
-  {
-    m_record->begun.push_back(stage);
-    m_record->fractions.emplace_back();
-  }
-  void on_stage_end(CSCD::Skeletonization_stage stage) { m_record->ended.push_back(stage); }
-  void progress(double fraction) { m_record->fractions.back().push_back(fraction); }
-  bool go_further() { return ++m_record->number_of_questions != m_questions_until_stop; }
-
-private:
-  Record* m_record;
-  std::size_t m_questions_until_stop; ///< 0: never
-};
-
-TEST_F(Extract_curve_skeleton, reports_each_stage_once_in_order)
-{
-  Recording_visitor::Record record;
-  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::visitor(Recording_visitor(record)));
-  const std::vector<CSCD::Skeletonization_stage> all{
-      CSCD::Skeletonization_stage::compile_surface, CSCD::Skeletonization_stage::find_separators,
-      CSCD::Skeletonization_stage::pack_separators, CSCD::Skeletonization_stage::build_skeleton};
-  EXPECT_EQ(record.begun, all);
-  EXPECT_EQ(record.ended, all);
-  for (const std::vector<double>& fractions : record.fractions) {
-    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
-    for (const double fraction : fractions) {
-      EXPECT_GE(fraction, 0);
-      EXPECT_LE(fraction, 1);
-    }
-  }
-}
-
-TEST_F(Extract_curve_skeleton, stops_when_its_visitor_says_so_and_leaves_the_output_alone)
-{
-  Recording_visitor::Record whole;
-  CSCD::extract_curve_skeleton(m_mesh, m_skeleton, parameters::visitor(Recording_visitor(whole)));
-  ASSERT_GT(whole.number_of_questions, 0u);
-  for (const std::size_t question : {std::size_t(1), whole.number_of_questions}) {
-    SCOPED_TRACE(question);
-    Skeleton skeleton = CSCD::test::marked_skeleton<Skeleton>();
-    Recording_visitor::Record record;
-    const auto stopped = parameters::visitor(Recording_visitor(record, question));
-    EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, stopped), CSCD::Cancelled_error);
-    EXPECT_EQ(record.number_of_questions, question) << "asked again after it said no";
-    CSCD::test::expect_is_marked(skeleton);
-  }
-}
-
-/// Fails when a stage begins.
-struct Throwing_visitor : CSCD::Default_skeletonization_visitor
-{
-  explicit Throwing_visitor(CSCD::Skeletonization_stage stage) : m_stage(stage) {}
-
-  void on_stage_begin(CSCD::Skeletonization_stage stage) const
-  {
-    if (stage == m_stage) {
-      throw std::string(CSCD::name(stage));
-    }
-  }
-
-private:
-  CSCD::Skeletonization_stage m_stage;
-};
-
-TEST_F(Extract_curve_skeleton, passes_on_what_its_visitor_throws_and_leaves_the_output_alone)
-{
-  for (const auto stage : {CSCD::Skeletonization_stage::compile_surface, CSCD::Skeletonization_stage::find_separators,
-                           CSCD::Skeletonization_stage::pack_separators, CSCD::Skeletonization_stage::build_skeleton}) {
-    SCOPED_TRACE(CSCD::name(stage));
-    Skeleton skeleton = CSCD::test::marked_skeleton<Skeleton>();
-    EXPECT_THROW(CSCD::extract_curve_skeleton(m_mesh, skeleton, parameters::visitor(Throwing_visitor(stage))),
-                 std::string);
-    CSCD::test::expect_is_marked(skeleton);
   }
 }
 

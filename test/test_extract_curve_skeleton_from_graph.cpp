@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "support/Allow_threads.h"
 #include "support/Shape.h"
 #include "support/Similarity.h"
 #include "support/swept_shapes.h"
@@ -259,14 +258,6 @@ TEST(Graph_skeleton, nodes_of_a_torus_are_in_its_middle_with_its_radius)
   }
 }
 
-TEST(Graph_skeleton, chained_rings_stay_apart)
-{
-  const Shape shape = CSCD::test::chain_of_rings(3, 12);
-  const Counts counts = counts_of(make_place_graph(shape.points, sides(shape)));
-  EXPECT_EQ(counts.components, 3U);
-  EXPECT_EQ(counts.betti, 3U);
-}
-
 TEST(Graph_skeleton, a_soup_that_is_no_surface_is_accepted)
 {
   // A tube with a fin on it: its edges belong to three triangles each. And one triangle that hangs on a vertex.
@@ -334,31 +325,6 @@ TEST(Graph_skeleton, numbers_of_vertices_do_not_matter)
   skeletonize_graph(make_place_graph(shape.points, sides(shape)), first);
   skeletonize_graph(make_place_graph(points, edges), second);
   EXPECT_EQ(node_points(first), node_points(second));
-}
-
-TEST(Graph_skeleton, moves_with_the_graph)
-{
-  const Shape shape = CSCD::test::torus(3, 1, 16);
-  CSCD::test::Similarity motion;
-  motion.scale = 1000;
-  const std::vector<Triple> moved = CSCD::test::moved(shape.points, motion);
-  const Counts at_rest = counts_of(make_place_graph(shape.points, sides(shape)));
-  const Counts counts = counts_of(make_place_graph(moved, sides(shape)));
-  EXPECT_EQ(counts.betti, at_rest.betti);
-  EXPECT_EQ(counts.tips, at_rest.tips);
-}
-
-TEST(Graph_skeleton, does_not_depend_on_threads)
-{
-  const CSCD::test::Allow_threads threads(4);
-  const Shape shape = CSCD::test::trefoil_knot(0.4, 12);
-  const Graph graph = make_place_graph(shape.points, sides(shape));
-  Skeleton one;
-  Skeleton many;
-  CSCD::extract_curve_skeleton(graph, one);
-  CSCD::extract_curve_skeleton<CGAL::Parallel_if_available_tag>(graph, many, CSCD::parameters::number_of_threads(4));
-  EXPECT_EQ(node_points(one), node_points(many));
-  EXPECT_EQ(num_edges(one), num_edges(many));
 }
 
 TEST(Graph_skeleton, coordinates_that_are_not_finite_are_refused)
@@ -431,28 +397,6 @@ TEST(Graph_skeleton, radii_of_vertices_are_those_of_the_nodes)
   for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
     EXPECT_NEAR(skeleton[node].radius, 0.5 + skeleton[node].point.x(), 1e-9);
   }
-}
-
-TEST(Graph_skeleton, a_point_map_may_be_given)
-{
-  using Bare_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
-  Bare_graph graph(3);
-  add_edge(0, 1, graph);
-  add_edge(1, 2, graph);
-  const std::vector<Point> points{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  const auto map = boost::make_iterator_property_map(points.begin(), get(boost::vertex_index, graph));
-  Skeleton skeleton;
-  CSCD::extract_curve_skeleton(graph, skeleton, CSCD::parameters::vertex_point_map(map));
-  EXPECT_EQ(num_vertices(skeleton), 3U);
-}
-
-TEST(Graph_skeleton, the_number_of_sources_is_bounded)
-{
-  const Shape shape = CSCD::test::torus(3, 1, 16);
-  Skeleton skeleton;
-  const auto report = CSCD::extract_curve_skeleton(make_place_graph(shape.points, sides(shape)), skeleton,
-                                                   CSCD::parameters::maximum_number_of_sources(40));
-  EXPECT_EQ(report.number_of_sources, 40U);
 }
 
 } // namespace

@@ -188,19 +188,6 @@ std::vector<Triple> some_points()
   return sampled(CSCD::test::double_torus(0.2), 8000, 1);
 }
 
-TEST(Point_skeleton, does_not_depend_on_the_pose)
-{
-  const std::vector<Triple> points = some_points();
-  const Plain_skeleton skeleton = plain(skeletonize(points).skeleton);
-  for (const Similarity& motion :
-       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {0, 0, 0}},
-        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
-    SCOPED_TRACE(motion.scale);
-    const Plain_skeleton expected = moved(skeleton, motion);
-    EXPECT_EQ("", difference(expected, plain(skeletonize(moved(points, motion)).skeleton), 1e-5 * motion.scale));
-  }
-}
-
 TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
 {
   const std::vector<Triple> points = some_points();
@@ -208,16 +195,6 @@ TEST(Point_skeleton, does_not_depend_on_the_order_of_the_points)
   const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
   EXPECT_EQ(plain(skeletonize(points).skeleton),
             renamed(plain(skeletonize(CSCD::test::permuted(points, order)).skeleton), order));
-}
-
-/// On a grid, all triangles have the same size: what is taken first must not hang on addresses.
-TEST(Point_skeleton, is_the_same_from_run_to_run_on_a_grid)
-{
-  const std::vector<Triple> points = CSCD::test::torus(3, 1, 24).points;
-  const Outcome first = skeletonize(points);
-  EXPECT_EQ(1u, first.report.betti_number);
-  const std::vector<std::vector<char>> allocated(100, std::vector<char>(1000)); // moves what is allocated later
-  EXPECT_EQ(plain(first.skeleton), plain(skeletonize(points).skeleton));
 }
 
 TEST(Point_skeleton, does_not_depend_on_the_number_of_threads)
@@ -314,21 +291,6 @@ TEST(Point_skeleton, joins_the_stumps_of_a_severed_limb)
                points.end());
   const Outcome outcome = skeletonize(points);
   EXPECT_EQ(1u, outcome.report.number_of_skeleton_components);
-}
-
-TEST(Point_skeleton, warns_of_points_that_hardly_sample_a_surface)
-{
-  std::mt19937_64 random(1);
-  std::vector<Triple> points;
-  for (int i = 0; i < 2000; ++i) {
-    points.push_back(
-        {CSCD::test::random_unit(random), CSCD::test::random_unit(random), CSCD::test::random_unit(random)});
-  }
-  const Outcome outcome = skeletonize(points);
-  const std::vector<std::string>& warnings = outcome.report.warnings;
-  EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& warning) {
-    return warning.find("hardly sample the surface") != std::string::npos;
-  }));
 }
 
 TEST(Point_skeleton, handles_few_or_coplanar_points)

@@ -12,7 +12,6 @@
 #include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -25,7 +25,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace {
@@ -254,17 +253,6 @@ TEST(extract_cut_locus, moves_turns_and_scales_with_the_mesh)
   }
 }
 
-TEST(extract_cut_locus, does_not_depend_on_numbers)
-{
-  const Shape shape = CSCD::test::noisy(CSCD::test::y_tube(0.2), 0.1, 1);
-  const Graph graph = cut_locus_of(shape, shape.points[7]);
-  const Graph other = cut_locus_of(CSCD::test::renumbered(shape, 5).shape, shape.points[7]);
-  ASSERT_EQ(num_vertices(other), num_vertices(graph));
-  for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(distance_to(other, CSCD::test::to_triple(graph[v].point)), 1e-5);
-  }
-}
-
 TEST(extract_cut_locus, lies_between_several_sources)
 {
   const Shape sphere = CSCD::test::sphere(4);
@@ -286,20 +274,6 @@ TEST(extract_cut_locus, lies_between_several_sources)
   CSCD::extract_cut_locus(mesh, three, graph);
   EXPECT_EQ(betti_number(graph), 2u) << "three halves of circles from pole to pole";
   expect_length_along_edges(graph, 3 * pi);
-}
-
-TEST(extract_cut_locus, of_neighbors_is_that_of_one_source)
-{
-  const Shape sphere = CSCD::test::sphere(4);
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(sphere);
-  const Vertex source = nearest_vertex(sphere, {0, 0, 1});
-  std::vector<Vertex> patch{source};
-  for (const Vertex neighbor : vertices_around_target(halfedge(source, mesh), mesh)) {
-    patch.push_back(neighbor);
-  }
-  Graph graph;
-  CSCD::extract_cut_locus(mesh, patch, graph);
-  EXPECT_EQ(num_vertices(graph), 1u);
 }
 
 TEST(extract_cut_locus, takes_distances_as_they_are)
@@ -331,28 +305,6 @@ TEST(extract_cut_locus, stays_on_the_component_of_the_source)
   EXPECT_NEAR(graph[0].point.x(), 5, 0.2);
 }
 
-TEST(extract_cut_locus, has_one_part_on_every_component_with_a_source)
-{
-  const Shape two =
-      CSCD::test::merged("", {CSCD::test::sphere(3), CSCD::test::translated(CSCD::test::sphere(3), {5, 0, 0})});
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(two);
-  Graph graph;
-  CSCD::extract_cut_locus(mesh, std::vector<Vertex>{nearest_vertex(two, {0, 0, 1}), nearest_vertex(two, {5, 0, 1})},
-                          graph);
-  EXPECT_EQ(number_of_components(graph), 2u);
-  EXPECT_EQ(num_edges(graph), 0u);
-}
-
-TEST(extract_cut_locus, works_for_other_meshes)
-{
-  using Polyhedron = CGAL::Polyhedron_3<Kernel>;
-  const Shape shape = CSCD::test::torus(3, 1, 16);
-  const Polyhedron mesh = CSCD::test::to_mesh<Polyhedron>(shape);
-  CSCD::Cut_locus_graph<Point, boost::graph_traits<Polyhedron>::face_descriptor> graph;
-  CSCD::extract_cut_locus(mesh, *vertices(mesh).first, graph);
-  EXPECT_EQ(num_edges(graph), num_vertices(graph) + 1);
-}
-
 TEST(extract_cut_locus, refuses_what_has_no_answer)
 {
   Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tetrahedron());
@@ -362,15 +314,6 @@ TEST(extract_cut_locus, refuses_what_has_no_answer)
   EXPECT_THROW(CSCD::extract_cut_locus(mesh, lone, graph), CSCD::Input_error);
   EXPECT_THROW(CSCD::extract_cut_locus(Mesh(), lone, graph), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 7u);
-}
-
-TEST(extract_cut_locus, of_one_triangle)
-{
-  Shape shape;
-  shape.points = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}};
-  shape.triangles = {{0, 1, 2}};
-  const Graph graph = cut_locus_of(shape, {0, 0, 0});
-  EXPECT_EQ(num_vertices(graph), 1u);
 }
 
 } // namespace

@@ -27,7 +27,6 @@
 #include <cstddef>
 #include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -145,26 +144,6 @@ TEST(extract_cut_locus_from_points, of_a_torus_is_what_symmetry_says)
   }
 }
 
-TEST(extract_cut_locus_from_points, of_a_tube_is_the_line_opposite)
-{
-  const Samples samples(CSCD::test::capsule(10, 1, 48), 5000);
-  for (const auto& points : samples.clouds) {
-    const Graph graph = point_cut_locus(points, {5, 0, 1});
-    EXPECT_EQ(count_components(graph), 1u);
-    for (const auto v : boost::make_iterator_range(vertices(graph))) {
-      const Triple p = CSCD::test::to_triple(graph[v].point);
-      if (p[0] > 1 && p[0] < 9) {
-        EXPECT_LT(std::fabs(p[1]), 2 * samples.edge);
-        EXPECT_LT(p[2], 0);
-        EXPECT_NEAR(std::hypot(p[1], p[2]), 1, 0.3 * samples.edge) << "it lies on the surface";
-      }
-    }
-    for (double x = 1.5; x < 8.5; x += 0.25) {
-      EXPECT_LT(distance_from(graph, {x, 0, -1}), 1.5 * samples.edge);
-    }
-  }
-}
-
 TEST(extract_cut_locus_from_points, of_an_ellipsoid_is_an_arc)
 {
   const Samples samples(CSCD::test::ellipsoid({2, 1.2, 1}, 5), 5000);
@@ -247,64 +226,6 @@ TEST(extract_cut_locus_from_points, grows_from_the_farthest_point)
   }
 }
 
-TEST(extract_cut_locus_from_points, takes_distances_as_they_are)
-{
-  const Samples samples(CSCD::test::sphere(5), 4000);
-  const auto& points = samples.clouds.front();
-  std::vector<float> distances;
-  for (const Triple& p : points) {
-    distances.push_back(float(std::acos(std::clamp(p[2] / CSCD::test::norm(p), -1., 1.))));
-  }
-  const auto map = CGAL::make_property_map(distances);
-  Graph graph;
-  CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map).angle_threshold(pi / 3));
-  ASSERT_GE(num_vertices(graph), 1u);
-  for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(CSCD::test::norm(CSCD::test::to_triple(graph[v].point) - Triple{0, 0, -1}), 4 * samples.edge);
-    EXPECT_NEAR(graph[v].distance, distances[graph[v].location], 1e-5);
-  }
-  const std::size_t number = num_vertices(graph);
-  distances[3] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THROW(CSCD::extract_cut_locus(to_range(points), 0, graph, parameters::distance_map(map)), CSCD::Input_error);
-  EXPECT_EQ(num_vertices(graph), number) << "it is left as it was";
-}
-
-TEST(extract_cut_locus_from_points, takes_point_sets_with_normals)
-{
-  CGAL::Point_set_3<Point> points;
-  const std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(5), 3000, 1);
-  points.add_normal_map();
-  for (const Triple& p : triples) {
-    points.insert(Point(p[0], p[1], p[2]), Kernel::Vector_3(p[0], p[1], p[2]));
-  }
-  points.remove(points.begin());
-  using Set_graph = CSCD::Point_cut_locus_graph<Point, CGAL::Point_set_3<Point>::Index>;
-  Set_graph graph;
-  const auto source = *(points.begin() + 5);
-  CSCD::extract_cut_locus(points, source, graph);
-  ASSERT_GE(num_vertices(graph), 1u);
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, points.point(graph[0].location))), 1e-5);
-  EXPECT_LT(std::sqrt(CGAL::squared_distance(graph[0].point, CGAL::ORIGIN + (CGAL::ORIGIN - points.point(source)))),
-            0.3);
-}
-
-TEST(extract_cut_locus_from_points, has_one_part_on_every_component_with_a_source)
-{
-  const Shape three =
-      CSCD::test::merged("", {CSCD::test::sphere(4), CSCD::test::translated(CSCD::test::sphere(4), {5, 0, 0}),
-                              CSCD::test::translated(CSCD::test::sphere(4), {0, 5, 0})});
-  const std::vector<Triple> points = CSCD::test::sampled(three, 6000, 1);
-  Graph graph;
-  CSCD::extract_cut_locus(to_range(points),
-                          std::vector<std::size_t>{nearest_point(points, {0, 0, 1}), nearest_point(points, {5, 0, 1})},
-                          graph);
-  EXPECT_EQ(count_components(graph), 2u);
-  for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(graph[v].point.z(), -0.8);
-    EXPECT_LT(graph[v].point.y(), 2);
-  }
-}
-
 TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
 {
   std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(4), 1000, 1);
@@ -317,48 +238,6 @@ TEST(extract_cut_locus_from_points, refuses_what_has_no_answer)
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(), 0, graph), CSCD::Input_error);
   EXPECT_THROW(CSCD::extract_cut_locus(std::vector<Point>(9, Point(1, 2, 3)), 0, graph), CSCD::Input_error);
   EXPECT_EQ(num_vertices(graph), 7u);
-}
-
-TEST(extract_cut_locus_from_points, finds_any_number_of_sources)
-{
-  const std::vector<Triple> triples = CSCD::test::sampled(CSCD::test::sphere(5), 3000, 1);
-  std::vector<std::size_t> sources;
-  for (std::size_t i = triples.size(); i-- > 0;) {
-    if (triples[i][2] > 0) {
-      sources.push_back(i);
-    }
-  }
-  Graph graph;
-  CSCD::extract_cut_locus(to_range(triples), sources, graph);
-  EXPECT_EQ(count_components(graph), 1u);
-  for (const auto v : boost::make_iterator_range(vertices(graph))) {
-    EXPECT_LT(graph[v].point.z(), -0.8) << "opposite to the half that is sources";
-  }
-}
-
-TEST(Point_numbering, of_a_point_set_with_a_removed_point)
-{
-  CGAL::Point_set_3<Point> points;
-  for (int i = 0; i < 5; ++i) {
-    points.insert(Point(i, 0, 0));
-  }
-  const auto removed = *(points.begin() + 2);
-  points.remove(points.begin() + 2);
-  const CSCD::internal::Point_numbering<CGAL::Point_set_3<Point>> numbering(points);
-  EXPECT_EQ(numbering.size(), 4u);
-  EXPECT_EQ(numbering.number(removed), CSCD::no_index);
-  EXPECT_EQ(numbering.number(CGAL::Point_set_3<Point>::Index(99)), CSCD::no_index);
-  CSCD::Index number = 0;
-  for (const auto& index : points) {
-    EXPECT_EQ(numbering.number(index), number);
-    EXPECT_EQ(numbering.descriptor(number), index);
-    ++number;
-  }
-  const std::vector<Point> range(3);
-  const CSCD::internal::Point_numbering<std::vector<Point>> of_range(range);
-  EXPECT_EQ(of_range.number(2), 2u);
-  EXPECT_EQ(of_range.number(3), CSCD::no_index);
-  EXPECT_EQ(of_range.descriptor(1), 1u);
 }
 
 } // namespace

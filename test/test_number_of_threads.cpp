@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The answer is the same to the last bit from run to run and for any number of threads.
+// The answer is the same to the last bit from run to run, for any number of threads, and during other calls.
 
 #include "support/Allow_threads.h"
 #include "support/Skeleton_comparison.h"
 #include "support/name_of_shape.h"
 #include "support/shapes.h"
+#include <CSCD/Published_policies.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -16,6 +17,7 @@
 
 #include <gtest/gtest.h>
 
+#include <future>
 #include <vector>
 
 namespace {
@@ -71,6 +73,31 @@ TEST_P(Number_of_threads, changes_nothing)
     EXPECT_EQ(expected, skeletonize<CGAL::Parallel_tag>(mesh, number_of_threads));
   }
 #endif
+}
+
+/// Two calls at once, by both methods, give what each gives alone.
+TEST(Calls_from_two_threads, do_not_disturb_each_other)
+{
+  const Mesh comb = CSCD::test::to_mesh<Mesh>(CSCD::test::comb(6, 0.2));
+  const Mesh torus = CSCD::test::to_mesh<Mesh>(CSCD::test::torus(3, 1, 16));
+  const auto by_default = [&] { return skeletonize<CGAL::Sequential_tag>(comb, 1); };
+  const auto as_published = [&] {
+    Skeleton skeleton;
+    CSCD::extract_curve_skeleton(torus, skeleton,
+                                 CSCD::parameters::policies(CSCD::Published_policies()).maximum_number_of_sources(16));
+    return CSCD::test::plain(torus, skeleton);
+  };
+  const Plain_skeleton expected_by_default = by_default();
+  const Plain_skeleton expected_as_published = as_published();
+  for (int round = 0; round < 3; ++round) {
+    auto first = std::async(std::launch::async, by_default);
+    auto second = std::async(std::launch::async, by_default);
+    auto third = std::async(std::launch::async, as_published);
+    EXPECT_EQ(expected_as_published, as_published());
+    EXPECT_EQ(expected_by_default, first.get());
+    EXPECT_EQ(expected_by_default, second.get());
+    EXPECT_EQ(expected_as_published, third.get());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Number_of_threads, testing::ValuesIn(shapes_of_many_sources()),

@@ -176,25 +176,6 @@ TEST_F(Open_separators, are_found_beside_a_body)
   EXPECT_LT(m_report.number_of_open_separators, m_report.number_of_packed_separators);
 }
 
-TEST_F(Open_separators, do_not_depend_on_pose_unit_and_numbers)
-{
-  const Shape shape = CSCD::test::curved_sheet().shape;
-  skeletonize(shape);
-  const Plain_skeleton expected = plain();
-  // Distances that may be due to rounding, relative to the diagonal of the bounding box.
-  const double tolerance = 1e-6 * CSCD::test::diagonal(shape);
-  for (const Similarity& motion :
-       {Similarity{1, CSCD::test::unit({1, 2, 3}), 2, {5, -4, 7}}, Similarity{1000, {0, 1, 0}, 0.1, {0, 0, 0}}}) {
-    Shape other = shape;
-    other.points = CSCD::test::moved(shape.points, motion);
-    skeletonize(other);
-    EXPECT_EQ(difference(moved(expected, motion), plain(), motion.scale * tolerance), "");
-  }
-  const CSCD::test::Renumbered_shape renumbered = CSCD::test::renumbered(shape, 1);
-  skeletonize(renumbered.shape);
-  EXPECT_EQ(difference(renamed(expected, renumbered.new_number), plain(), tolerance), "");
-}
-
 /// Single faces, pairs, and sheets without a vertex inside.
 TEST_F(Open_separators, hold_the_invariants_on_the_smallest_sheets)
 {

@@ -30,7 +30,6 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 namespace {
 

@@ -66,16 +66,6 @@ TEST(Shape_diameters, follow_a_tapering_tube)
   }
 }
 
-TEST(Shape_diameters, scale_with_the_mesh)
-{
-  const Measured_thickness one(CSCD::test::capsule(6, 1, 24));
-  const double factor = 1. / 1024; // a power of two, so that coordinates are scaled without rounding
-  const Measured_thickness small(CSCD::test::scaled(CSCD::test::capsule(6, 1, 24), factor));
-  for (const auto vertex : one.mesh.vertices()) {
-    EXPECT_NEAR(small.of_vertices[vertex], one.of_vertices[vertex] * factor, 1e-12);
-  }
-}
-
 TEST(Shape_diameters, are_not_smoothed_with_no_steps)
 {
   Measured_thickness tube(CSCD::test::capsule(6, 1, 24));

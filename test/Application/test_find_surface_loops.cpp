@@ -25,8 +25,6 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -184,7 +182,7 @@ TEST(Find_surface_loops, torus_has_one_handle_and_one_tunnel_of_known_length)
 TEST(Find_surface_loops, handles_and_tunnels_are_dual_bases)
 {
   expect_dual_bases(CSCD::test::torus(2, 0.7, 30), 1);
-  for (std::size_t genus = 1; genus <= 10; ++genus) {
+  for (const std::size_t genus : {1U, 2U, 4U}) {
     expect_dual_bases(CSCD::test::ladder(genus, 0.2), genus);
   }
 }
@@ -202,25 +200,6 @@ TEST(Find_surface_loops, linked_and_knotted_rings_have_tunnels)
   // Bounding outside, it is unlinked with the middle of the knot.
   const Mesh_loop tunnel = of_kind(loops_of(knot), Loop_kind::tunnel).at(0);
   EXPECT_EQ(0, linking_number(pushed_outwards(tunnel, knot, -0.2), to_polygon(tunnel)) % 2);
-}
-
-TEST(Find_surface_loops, coils_have_tunnels_that_bound_outside)
-{
-  // The shortest loops along some of these tubes also go around them.
-  for (const double width : {1.45, 1.5, 1.55, 1.6}) {
-    const auto coil = [width](double t) {
-      const double from_axis = 3 + width * std::cos(7 * t);
-      return CSCD::test::Triple{from_axis * std::cos(t), from_axis * std::sin(t), 1.8 * width * std::sin(7 * t)};
-    };
-    constexpr std::size_t size = 240;
-    const CSCD::test::Shape shape =
-        CSCD::test::swept_shape("coil", CSCD::test::sampled_closed_curve(coil, size), std::vector<double>(size, 0.14),
-                                8, CSCD::test::Tube_end::joined);
-    const std::vector<Mesh_loop> loops = loops_of(shape);
-    ASSERT_EQ(2U, loops.size()) << width;
-    EXPECT_EQ(Loop_kind::tunnel, loops[1].kind);
-    EXPECT_EQ(0, linking_number(pushed_outwards(loops[1], shape, -0.1), to_polygon(loops[1])) % 2) << width;
-  }
 }
 
 TEST(Find_surface_loops, neck_is_a_constriction)
@@ -277,18 +256,6 @@ TEST(Find_surface_loops, stenosis_of_a_curved_vessel_is_found)
   }
 }
 
-TEST(Find_surface_loops, depth_has_a_lower_bound)
-{
-  const Loop_mesh mesh = CSCD::test::to_mesh<Loop_mesh>(body_with_neck(0.6, 40));
-  const auto find = [&](double min_depth) {
-    return CSCD::find_surface_loops(mesh, CSCD::parameters::default_values(), min_depth);
-  };
-  ASSERT_EQ(1U, find(0.05).size());
-  const double depth = find(0.05)[0].depth;
-  EXPECT_EQ(1U, find(0.99 * depth).size());
-  EXPECT_TRUE(find(1.01 * depth).empty());
-}
-
 TEST(Find_surface_loops, waves_of_a_limb_are_as_deep_as_they_are_high)
 {
   // Narrow at 1 and, beyond a rise in the middle, narrower at -1: only the latter is as deep as the body is thick.
@@ -318,47 +285,12 @@ TEST(Find_surface_loops, bodies_that_are_nowhere_constricted_have_no_loops)
   }
 }
 
-TEST(Find_surface_loops, depend_on_neither_numbering_nor_seed_nor_resolution)
-{
-  // Each shape with half as many vertices.
-  for (const auto& [shape, coarse_shape] :
-       {std::pair(CSCD::test::double_torus(0.15), CSCD::test::double_torus(0.15 * std::sqrt(2))),
-        std::pair(body_with_neck(0.5, 32), body_with_neck(0.5, 23))}) {
-    const std::vector<Mesh_loop> expected = loops_of(shape);
-    std::vector<std::vector<Mesh_loop>> others{loops_of(CSCD::test::renumbered(shape, 1).shape)};
-    for (unsigned seed = 0; seed < 10; ++seed) {
-      others.push_back(loops_of(coarse_shape, seed));
-    }
-    for (const std::vector<Mesh_loop>& other : others) {
-      ASSERT_EQ(expected.size(), other.size());
-      for (std::size_t i = 0; i < other.size(); ++i) {
-        EXPECT_EQ(expected[i].kind, other[i].kind);
-        EXPECT_NEAR(expected[i].length, other[i].length, 0.02 * expected[i].length);
-      }
-    }
-  }
-}
-
 TEST(Find_surface_loops, refuses_what_is_no_surface)
 {
   EXPECT_THROW(CSCD::find_surface_loops(Loop_mesh()), CSCD::Input_error);
   Loop_mesh mesh = CSCD::test::to_mesh<Loop_mesh>(CSCD::test::tetrahedron());
   mesh.point(*mesh.vertices().begin()) = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
   EXPECT_THROW(CSCD::find_surface_loops(mesh), CSCD::Input_error);
-}
-
-TEST(Independent_bits, refuse_sums_of_what_is_there)
-{
-  CSCD::internal::Independent_bits bits;
-  const auto vector = [](const char* text) { return boost::dynamic_bitset<>(std::string(text)); };
-  EXPECT_TRUE(bits.insert(vector("0110")));
-  EXPECT_TRUE(bits.insert(vector("0011")));
-  EXPECT_FALSE(bits.insert(vector("0101")));
-  EXPECT_FALSE(bits.insert(vector("0000")));
-  EXPECT_TRUE(bits.insert(vector("1001")));
-  EXPECT_FALSE(bits.insert(vector("1100")));
-  EXPECT_TRUE(bits.insert(vector("1000")));
-  EXPECT_EQ(4U, bits.size());
 }
 
 } // namespace

@@ -104,29 +104,6 @@ TEST(Segment_mesh, components_are_never_joined)
   EXPECT_NE(below.first, above.first);
 }
 
-TEST(Segment_mesh, does_not_depend_on_the_scale)
-{
-  const CSCD::test::Shape star = CSCD::test::star(4, 4, 0.5, 0.2);
-  const Segmented_shape one(star);
-  const Segmented_shape small(CSCD::test::scaled(star, 1. / 1024)); // a power of two: nothing is rounded
-  ASSERT_EQ(one.number_of_parts, small.number_of_parts);
-  for (const auto face : one.mesh.faces()) {
-    EXPECT_EQ(one.parts[face], small.parts[face]);
-  }
-}
-
-TEST(Segment_mesh, more_parts_refine_fewer)
-{
-  const CSCD::test::Shape shape = CSCD::test::star(5, 4, 0.5, 0.15);
-  Segmented_shape coarse(shape, 3);
-  const Segmented_shape fine(shape, 6);
-  const auto finer = coarse.mesh.add_property_map<Part_mesh::Face_index, std::size_t>("f:finer").first;
-  for (const auto face : coarse.mesh.faces()) {
-    finer[face] = fine.parts[face];
-  }
-  EXPECT_NEAR(CSCD::compare_segmentations(coarse.mesh, coarse.parts, finer).global_consistency_error, 0, 1e-12);
-}
-
 /// For each part, the number of edges of its boundary at each vertex.
 std::vector<std::map<Part_mesh::Vertex_index, int>> boundary_degrees(const Segmented_shape& shape)
 {

@@ -5,6 +5,7 @@
 
 #include "Parsed_skeleton.h"
 #include "archetypes/Skeleton_archetype.h"
+#include "malformed_files.h"
 #include "sample_skeleton.h"
 #include "support/Temporary_folder.h"
 #include <CSCD/IO/read_skeleton.h>
@@ -16,7 +17,6 @@
 #include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -106,26 +106,6 @@ TEST(Read_skeleton, reads_back_exactly_what_is_written)
     EXPECT_EQ(parsed.points.size(), num_vertices(skeleton));
     EXPECT_EQ(parsed.edges.size(), num_edges(skeleton));
   }
-}
-
-TEST(Read_skeleton, nodes_keep_their_order_where_the_format_has_one)
-{
-  const Temporary_folder folder;
-  for (const std::string ending : {".graph", ".json", ".obj", ".ply", ".vtp"}) {
-    const std::string filename = folder.file("skeleton" + ending);
-    CSCD::write_skeleton(filename, sample_skeleton<Skeleton_without_radius>());
-    expect_sample<Skeleton_without_radius>(read(ending, read_file(filename)));
-  }
-}
-
-TEST(Read_skeleton, reads_other_graph_types)
-{
-  CSCD::test::Skeleton_archetype<Point, int> skeleton;
-  std::istringstream in("n 1 2 3\nn 4 5 6\nc 0 1\n");
-  EXPECT_FALSE(CSCD::read_skeleton(in, ".graph", "test", skeleton));
-  EXPECT_EQ(2u, num_vertices(skeleton));
-  EXPECT_EQ(1u, num_edges(skeleton));
-  EXPECT_EQ(Point(1, 2, 3), skeleton[*vertices(skeleton).first].point);
 }
 
 TEST(Read_skeleton, graph_of_gel)
@@ -304,93 +284,11 @@ TEST(Read_skeleton, global_locale_does_not_matter)
   std::locale::global(old);
 }
 
-struct Malformed
-{
-  const char* ending;
-  std::string content;
-  const char* message;
-};
-
 TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
 {
-  const std::string ply = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n";
-  const std::string edge = "element edge 1\nproperty int vertex1\nproperty int vertex2\n";
-  const std::vector<Malformed> files{
-      {".graph", "", "empty"},
-      {".graph", "\n# nothing\n", "no nodes"},
-      {".graph", "n 0 0\nn 1 1 1\n", "line 1: a node has too few coordinates"},
-      {".graph", "n 0 0 0\nn 1 x 1\n", "line 2: a number"},
-      {".graph", "n 0 0 nan\n", "line 1: a coordinate is not finite"},
-      {".graph", "n 0 0 1e999\n", "line 1"},
-      {".graph", "n 0 0 0\nc 0\n", "line 2: a node index is missing"},
-      {".graph", "n 0 0 0\nc 0 0.5\n", "line 2: a node index is not an integer"},
-      {".graph", "n 0 0 0\nc 0 1\n", "an edge names node 1, but there are only 1"},
-      {".graph", "n 0 0 0\nc -1 0\n", "an edge names node -1"},
-      {".graph", "n 0 0 0\nc 0 99999999999999999999\n", "line 2"},
-      {".graph", "OFF\n3 1 0\n", "line 1: a line begins with neither n nor c"},
-      {".vtp", "<VTKFile type='PolyData'><PolyData></PolyData></VTKFile>", "no nodes"},
-      {".vtp", "<VTKFile type='UnstructuredGrid'>", "the only kind that is read"},
-      {".vtp",
-       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 "
-       "2\n",
-       "a mesh, not a skeleton"},
-      {".vtp",
-       "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n0 0 0\nPOINT_DATA 1\nSCALARS radius "
-       "float\nLOOKUP_TABLE default\n-1\n",
-       "a radius that is negative"},
-      {".json", "{", "not valid JSON"},
-      {".json", "[]", "not a JSON object with an array nodes"},
-      {".json", R"({"nodes": {}})", "an array nodes"},
-      {".json", R"({"nodes": [], "edges": []})", "no nodes"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0]}]})", "an array edges"},
-      {".json", R"({"nodes": [{"point": [0, 0]}], "edges": []})", "node 0 does not have a point of three numbers"},
-      {".json", R"({"nodes": [{"point": [0, 0, null]}], "edges": []})", "node 0 has a coordinate that is not a number"},
-      {".json", R"({"nodes": [{"point": [0, 0, 1e999]}], "edges": []})", "not valid JSON"},
-      {".json", R"({"nodes": [7], "edges": []})", "node 0 does not have a point"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": -1}], "edges": []})", "node 0"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": "x"}], "edges": []})", "a radius that is not a number"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0], "radius": 1}, {"point": [0, 0, 0]}], "edges": []})", "some nodes"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0]]})", "not an array of two node indices"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, -1]]})", "not an array of two node indices"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [], "joined_edges": [0]})",
-       "not an array of two node indices"},
-      {".json", R"({"nodes": [{"point": [0, 0, 0]}], "edges": [[0, 18446744073709551615]]})", "an edge names node"},
-      {".obj", "v 0 0\n", "line 1: a vertex has too few coordinates"},
-      {".obj", "v 0 0 0\nl 0 1\n", "line 2: vertex 0 is named"},
-      {".obj", "v 0 0 0\nl 1 2\n", "an edge names node 1"},
-      {".obj", "v 0 0 0\nl -2 1\n", "line 2: vertex -2 is named"},
-      {".obj", "v 0 0 0\nl a b\n", "line 2"},
-      {".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "faces but no lines"},
-      {".ply", "plyformat", "does not begin with ply"},
-      {".ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n", "ends before the end of its header"},
-      {".ply", ply + "end_header\n0 0\n1 1\n", "no property z"},
-      {".ply", ply + "property float z\nend_header\n0 0 0\n", "ends before all that its header promises"},
-      {".ply", ply + "property float z\nend_header\n0 0 0\n1 1 inf\n", "vertex 1 has a coordinate that is not finite"},
-      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 2\n", "an edge names node 2"},
-      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 -1\n", "negative or not an integer"},
-      {".ply", ply + "property float z\n" + edge + "end_header\n0 0 0\n1 1 1\n0 0.5\n", "negative or not an integer"},
-      {".ply", ply + "property float z\nelement edge 1\nproperty int a\nend_header\n0 0 0\n1 1 1\n0\n",
-       "no property vertex1"},
-      {".ply", ply + "property float z\nproperty float radius\nend_header\n0 0 0 1\n1 1 1 -1\n", "node 1"},
-      {".ply", ply + "property float z\nelement face 0\nproperty list uchar int v\nend_header\n0 0 0\n1 1 1\n",
-       "faces but no lines"},
-      {".ply", "ply\nformat ascii 1.0\nelement vertex 99999999999999\nend_header\n", "no property x"},
-      {".ply", "ply\nformat ascii 1.0\nelement x 99999999999999\nend_header\n", "no nodes"},
-      {".ply", binary_ply_of_an_edge(true).substr(0, 200), "ends before all that its header promises"},
-      {".polylines.txt", "2 0 0 0\n", "ends before the last point"},
-      {".polylines.txt", "2 0 0 0 1 1\n", "line 1: a node has too few coordinates"},
-      {".polylines.txt", "0\n", "line 1: a poly-line has no points"},
-      {".polylines.txt", "-3 0 0 0\n", "a poly-line has no points"},
-      {".polylines.txt", "1.5 0 0 0\n", "not an integer"},
-      {".polylines.txt", "99999999999 0 0 0\n", "ends before the last point"},
-      {".swc", "1 0 0 0 0 1\n", "line 1: the parent of a node is missing"},
-      {".swc", "1 0 0 0 0 -1 -1\n", "a radius that is negative"},
-      {".swc", "1 0 0 0 0 1 -1\n1 0 1 0 0 1 -1\n", "line 2: the identifier 1 stands for two nodes"},
-      {".swc", "1 0 0 0 0 1 2\n", "the identifier 2, which no node has"},
-      {".swc", "1 0 0 0 0 1 -1\n# loop 1 5\n", "the identifier 5, which no node has"},
-      {".swc", "1 0 0 0 0 1 -1\n# loop 1\n", "line 2: the identifier of a node is missing"},
-      {".swc", "one 0 0 0 0 1 -1\n", "line 1"}};
-  for (const Malformed& file : files) {
+  std::vector<Malformed_file> files = malformed_files("skeletons");
+  files.push_back({".ply", binary_ply_of_an_edge(true).substr(0, 200), "ends before all that its header promises"});
+  for (const Malformed_file& file : files) {
     SCOPED_TRACE(file.ending + (": " + file.content));
     std::istringstream in(file.content);
     Skeleton skeleton(3);
@@ -406,25 +304,6 @@ TEST(Read_skeleton, malformed_files_are_refused_with_the_reason)
     }
     EXPECT_EQ(3u, num_vertices(skeleton));
   }
-}
-
-TEST(Read_skeleton, formats_that_are_written_only_are_refused)
-{
-  const Temporary_folder folder;
-  Skeleton skeleton;
-  for (const std::string ending : {".graphml", ".txt", ""}) {
-    const std::string filename = folder.write("skeleton" + ending, "x");
-    try {
-      CSCD::read_skeleton(filename, skeleton);
-      ADD_FAILURE() << ending;
-    } catch (const CSCD::File_error& error) {
-      EXPECT_NE(std::string::npos, std::string(error.what()).find(".graph .json .obj .ply .polylines.txt .swc"));
-    }
-    EXPECT_THROW(CSCD::check_readable_skeleton_filename(filename), CSCD::File_error);
-  }
-  EXPECT_NO_THROW(CSCD::check_readable_skeleton_filename("a.swc"));
-  EXPECT_THROW(CSCD::read_skeleton(folder.file("missing.graph"), skeleton), CSCD::File_error);
-  EXPECT_THROW(CSCD::read_skeleton(folder.path().string() + "/", skeleton), CSCD::File_error);
 }
 
 } // namespace

@@ -130,12 +130,6 @@ TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
   EXPECT_EQ(0u, result[3].node);
 }
 
-TEST(Labels_of_file, keep_different_vertices_at_one_place_apart_if_nothing_was_repaired)
-{
-  const std::vector<Vector_3> points{Vector_3(0, 0, 0), Vector_3(0, 0, 0)};
-  EXPECT_EQ(1u, CSCD::internal::labels_of_file(points, points, numbered_labels(2))[1].node);
-}
-
 TEST(Write_labelled_ply, is_read_as_the_same_mesh)
 {
   const Labelled_mesh y = labelled_y_tube();
@@ -175,30 +169,6 @@ TEST(Write_labelled_ply, has_the_labels_behind_the_coordinates)
   EXPECT_EQ(0.25, number(40, 0.));
   EXPECT_EQ(-1, number(size_of_vertex + 24, std::int32_t(0)));
   EXPECT_TRUE(std::isnan(number(size_of_vertex + 32, 0.)));
-}
-
-TEST(Write_labelled_ply, keeps_polygons_and_normals_of_a_file)
-{
-  CSCD::Shape_file soup;
-  constexpr Index size = 300; // more than a byte can count
-  for (Index i = 0; i < size; ++i) {
-    soup.points.emplace_back(std::cos(0.02 * i), std::sin(0.02 * i), 0);
-    soup.normals.emplace_back(0, 0, 1);
-    soup.corners.push_back(i);
-  }
-  soup.normals[0] = Vector_3(1, 0, 0);
-  soup.end_polygon();
-  std::ostringstream out;
-  CSCD::internal::write_labelled_ply(out, soup, numbered_labels(size));
-  std::istringstream in(out.str());
-  const CSCD::Shape_file read = CSCD::internal::read_polygons(in, CSCD::Mesh_format::ply, "polygon.ply");
-  EXPECT_EQ(soup.corners, read.corners);
-  EXPECT_EQ(soup.points, read.points);
-  std::istringstream as_points(out.str());
-  std::vector<Point> points;
-  std::vector<CGAL::Simple_cartesian<double>::Vector_3> normals;
-  CSCD::read_points(as_points, CSCD::Point_format::ply, "polygon.ply", points, normals);
-  EXPECT_EQ(std::size_t(size), normals.size());
 }
 
 } // namespace

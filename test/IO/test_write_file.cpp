@@ -102,16 +102,6 @@ TEST(Write_file, link_stays_a_link)
   EXPECT_EQ("new", read_file(target));
 }
 
-TEST(Write_file, link_to_no_file_is_followed)
-{
-  const Temporary_folder folder;
-  const std::string link = folder.file("link.txt");
-  std::filesystem::create_symlink("target.txt", link);
-  CSCD::write_file(link, [](std::ostream& out) { out << "new"; });
-  EXPECT_TRUE(std::filesystem::is_symlink(link));
-  EXPECT_EQ("new", read_file(folder.file("target.txt")));
-}
-
 TEST(Write_file, permissions_are_kept)
 {
   const Temporary_folder folder;
@@ -121,14 +111,6 @@ TEST(Write_file, permissions_are_kept)
   CSCD::write_file(filename, [](std::ostream& out) { out << "new"; });
   EXPECT_EQ("new", read_file(filename));
   EXPECT_EQ(own, std::filesystem::status(filename).permissions());
-}
-
-TEST(Write_file, names_may_be_as_long_as_the_file_system_allows)
-{
-  const Temporary_folder folder;
-  const std::string filename = folder.file(std::string(255, 'a'));
-  CSCD::write_file(filename, [](std::ostream& out) { out << "content"; });
-  EXPECT_EQ("content", read_file(filename));
 }
 
 TEST(File_group, appears_when_it_is_published)

@@ -24,7 +24,6 @@
 #include <cstring>
 #include <map>
 #include <optional>
-#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -167,22 +166,6 @@ TEST(Write_rig, glb_holds_joints_and_weights)
     EXPECT_FLOAT_EQ(0.7F, weights[v]);
     EXPECT_NEAR(1, weights[v] + weights[v + 1] + weights[v + 2] + weights[v + 3], 2e-7);
   }
-}
-
-TEST(Write_rig, glb_has_one_node_above_all_joints)
-{
-  for (const std::size_t number_of_roots : {1, 2}) {
-    const Parsed_glb glb = glb_of_cube(number_of_roots);
-    const nlohmann::json& of_scene = glb.json["scenes"][0]["nodes"];
-    ASSERT_EQ(2u, of_scene.size()); // the mesh, and this
-    EXPECT_EQ(number_of_roots > 1, glb.json["nodes"][of_scene[1].get<std::size_t>()]["name"] == "rig");
-  }
-}
-
-TEST(Write_rig, glb_takes_any_name)
-{
-  const Parsed_glb glb = glb_of_cube(1, "\xff \"quoted\"");
-  EXPECT_NE(std::string::npos, glb.json["meshes"][0]["name"].get<std::string>().find("\"quoted\""));
 }
 
 TEST(Write_rig, glb_refuses_what_it_cannot_hold)

@@ -3,8 +3,10 @@
 //
 // Tests of skeletons written to files by their endings, with CGAL's own skeleton type too.
 
+#include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
 #include "support/Temporary_folder.h"
+#include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/exceptions.h>
 
@@ -13,9 +15,14 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <filesystem>
+#include <regex>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -36,6 +43,99 @@ TEST(Write_skeleton, chooses_the_format_by_the_ending)
     CSCD::write_skeleton(filename, sample_skeleton<Skeleton>());
     EXPECT_EQ(0u, read_file(filename).rfind(beginning, 0)) << filename;
   }
+}
+
+/// Without radius: a path 0 - 1 that ends in the cycle 1 - 2 - 3, and the lone node 4. Some coordinates are not exact.
+Skeleton_without_radius small_skeleton()
+{
+  Skeleton_without_radius skeleton(5);
+  const double y[] = {0, 0.1, 0, 0, 0};
+  const double z[] = {1e20, 1e20, -1234567, 1e-300, 1e20};
+  for (std::size_t i = 0; i < 5; ++i) {
+    skeleton[i].point = Point(static_cast<double>(i), y[i], z[i]);
+    skeleton[i].vertices.assign(i, i);
+  }
+  for (const auto& [u, v] : {std::pair(0, 1), std::pair(1, 2), std::pair(2, 3), std::pair(3, 1)}) {
+    add_edge(static_cast<std::size_t>(u), static_cast<std::size_t>(v), skeleton);
+  }
+  return skeleton;
+}
+
+/// A format by its ending, and what it makes of the small skeleton.
+const std::pair<const char*, const char*> texts[] = {
+    {".graph", "n 0 0 1e+20\nn 1 0.10000000000000001 1e+20\nn 2 0 -1234567\nn 3 0 1e-300\nn 4 0 1e+20\n"
+               "c 0 1\nc 1 2\nc 2 3\nc 3 1\n"},
+    {".obj", "v 0 0 1e+20\nv 1 0.10000000000000001 1e+20\nv 2 0 -1234567\nv 3 0 1e-300\nv 4 0 1e+20\n"
+             "l 1 2\nl 2 3 4 2\np 5\n"},
+    {".ply", "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\nproperty double z\n"
+             "element edge 4\nproperty int vertex1\nproperty int vertex2\nend_header\n"
+             "0 0 1e+20\n1 0.10000000000000001 1e+20\n2 0 -1234567\n3 0 1e-300\n4 0 1e+20\n"
+             "0 1\n1 2\n2 3\n3 1\n"},
+    {".polylines.txt", "2 0 0 1e+20 1 0.10000000000000001 1e+20\n"
+                       "4 1 0.10000000000000001 1e+20 2 0 -1234567 3 0 1e-300 1 0.10000000000000001 1e+20\n"
+                       "1 4 0 1e+20\n"}};
+
+TEST(Write_skeleton, writes_known_texts_whatever_the_global_locale)
+{
+  const Foreign_global_locale locale;
+  const Temporary_folder folder;
+  for (const auto& [ending, text] : texts) {
+    const std::string filename = folder.file(std::string("skeleton") + ending);
+    CSCD::write_skeleton(filename, small_skeleton());
+    EXPECT_EQ(text, read_file(filename));
+  }
+}
+
+TEST(Write_skeleton, writes_empty_skeletons)
+{
+  const Temporary_folder folder;
+  for (const auto& [ending, beginning] : beginnings) {
+    EXPECT_NO_THROW(CSCD::write_skeleton(folder.file(std::string("empty") + ending), Skeleton())) << beginning;
+  }
+}
+
+TEST(Write_skeleton, json_reports_nodes_edges_and_branches)
+{
+  const auto write = [](std::ostream& out, const Skeleton& skeleton) { CSCD::write_json(out, skeleton); };
+  const Skeleton skeleton = sample_skeleton<Skeleton>();
+  const nlohmann::json document = nlohmann::json::parse(write_in_foreign_locale(write, skeleton));
+  Parsed_skeleton parsed;
+  for (std::size_t i = 0; i < num_vertices(skeleton); ++i) {
+    const nlohmann::json& node = document.at("nodes").at(i);
+    parsed.points.emplace_back(node.at("point")[0], node.at("point")[1], node.at("point")[2]);
+    parsed.radii.push_back(node.at("radius"));
+    EXPECT_EQ(out_degree(i, skeleton), node.at("degree"));
+    EXPECT_EQ(i, node.at("number_of_sites"));
+  }
+  for (const nlohmann::json& edge : document.at("edges")) {
+    parsed.edges.emplace_back(edge[0], edge[1]);
+  }
+  expect_sample<Skeleton>(parsed);
+
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (const nlohmann::json& branch : document.at("branches")) {
+    append_path(branch.at("nodes").get<std::vector<std::size_t>>(), edges);
+    const bool is_limb = branch["nodes"] == std::vector<int>({0, 1, 2}) || branch["nodes"] == std::vector<int>({4, 5});
+    EXPECT_EQ(is_limb, branch.at("significance").is_number()) << branch;
+    EXPECT_EQ(branch["nodes"].size() > 1, branch.at("length") > 1e19) << branch;
+  }
+  EXPECT_EQ(normalized(sample_edges()), normalized(edges));
+}
+
+TEST(Write_skeleton, graphml_has_keys_for_radius_significance_and_coordinates)
+{
+  const auto write = [](std::ostream& out, const Skeleton& skeleton) { CSCD::write_graphml(out, skeleton); };
+  const std::string text = write_in_foreign_locale(write, sample_skeleton<Skeleton>());
+  for (const char* name : {"radius", "significance", "x", "y", "z"}) {
+    EXPECT_NE(std::string::npos, text.find("attr.name=\"" + std::string(name) + "\" attr.type=\"double\"")) << name;
+  }
+  const std::regex edge("<edge id=\"e[0-9]+\" source=\"n([0-9]+)\" target=\"n([0-9]+)\">");
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), edge); match != std::sregex_iterator(); ++match) {
+    edges.emplace_back(std::stoul((*match)[1]), std::stoul((*match)[2]));
+  }
+  EXPECT_EQ(normalized(sample_edges()), normalized(edges));
+  EXPECT_NE(std::string::npos, text.find(">-1234567.1000000001<"));
 }
 
 TEST(Write_skeleton, writes_skeletons_of_cgal)

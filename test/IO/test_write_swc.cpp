@@ -132,19 +132,6 @@ TYPED_TEST(Write_swc, marks_forks_and_ends)
   }
 }
 
-TYPED_TEST(Write_swc, edge_to_the_same_node_and_parallel_edges_are_loops)
-{
-  TypeParam skeleton(2);
-  add_edge(0, 1, skeleton);
-  add_edge(1, 0, skeleton);
-  add_edge(1, 1, skeleton);
-  std::ostringstream out;
-  CSCD::write_swc(out, skeleton);
-  const Swc_file file = parse(out.str());
-  EXPECT_EQ(2u, file.nodes.size());
-  EXPECT_EQ((std::vector<std::pair<std::size_t, std::size_t>>{{1, 2}, {2, 2}}), normalized(file.loops));
-}
-
 /// Reads SWC by the strictest rules of readers of neurons: identifiers 1, 2, ..., types 1 to 7, parents before
 /// children, one root for each component, of which the soma is one.
 Swc_file parse_strictly(const std::string& content, std::size_t number_of_components)
@@ -223,12 +210,6 @@ TEST(Write_swc_for_neurons, begins_at_the_roots)
   EXPECT_EQ(-1, file.nodes[0].parent);
   EXPECT_EQ(25, file.nodes.back().x);
   EXPECT_EQ(-1, file.nodes.back().parent);
-}
-
-TYPED_TEST(Write_swc, empty_skeleton_is_written)
-{
-  std::ostringstream out;
-  EXPECT_NO_THROW(CSCD::write_swc(out, TypeParam()));
 }
 
 } // namespace

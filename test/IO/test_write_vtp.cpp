@@ -130,10 +130,4 @@ TYPED_TEST(Write_vtp, numbers_its_cells)
   }
 }
 
-TYPED_TEST(Write_vtp, empty_skeleton_is_written)
-{
-  std::ostringstream out;
-  EXPECT_NO_THROW(CSCD::write_vtp(out, TypeParam()));
-}
-
 } // namespace

@@ -140,40 +140,12 @@ TEST(Skeleton_branches, measures_radii_and_frusta)
   EXPECT_EQ(0, between(table, 6, 6).cone_volume);
 }
 
-TEST(Skeleton_branches, have_the_significance_of_their_edges)
-{
-  Skeleton skeleton = limbs_and_square();
-  compute_significance(skeleton);
-  const Skeleton_branches table = CSCD::measure_branches(skeleton);
-  EXPECT_EQ(skeleton[edge(0, 3, skeleton).first].significance, between(table, 0, 3).significance);
-  EXPECT_EQ(infinity, between(table, 7, 7).significance);
-}
-
 TEST(Skeleton_branches, junctions_belong_to_the_thickest_branch)
 {
   const Skeleton_branches table = CSCD::measure_branches(limbs_and_square());
   EXPECT_EQ(&between(table, 0, 2), &table.branches[table.branch_of_node[0]]);
   EXPECT_EQ(&between(table, 0, 5), &table.branches[table.branch_of_node[4]]);
   EXPECT_EQ(&between(table, 6, 6), &table.branches[table.branch_of_node[6]]);
-}
-
-TEST(Skeleton_branches, without_radii_only_lengths_are_known)
-{
-  struct Node
-  {
-    Point point;
-    std::vector<int> vertices;
-  };
-  boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Node> skeleton(2);
-  skeleton[1].point = Point(0, 3, 4);
-  add_edge(0, 1, skeleton);
-  const Skeleton_branches table = CSCD::measure_branches(skeleton);
-  EXPECT_EQ(5, table.branches.at(0).length);
-  EXPECT_TRUE(std::isnan(table.branches[0].mean_radius));
-  EXPECT_TRUE(std::isnan(table.branches[0].cone_volume));
-  EXPECT_EQ((std::vector<Index>{0, 0}), table.branch_of_node);
-  EXPECT_THROW(find_roots(skeleton, Root_rule::thickest), CSCD::Input_error);
-  EXPECT_EQ(1u, find_roots(skeleton, Root_rule::lowest).size());
 }
 
 TEST(Find_roots, obeys_rules_in_each_component)
@@ -224,15 +196,6 @@ TEST(Skeleton_branches, orders_count_branches_from_the_root)
   EXPECT_EQ(number(1, 2), between(table, 0, 1).parent);
 }
 
-TEST(Skeleton_branches, root_within_a_branch_belongs_to_it)
-{
-  const Skeleton_branches table = CSCD::measure_branches(limbs_and_square(), {4});
-  EXPECT_EQ(0u, between(table, 0, 5).order);
-  EXPECT_EQ(1u, between(table, 0, 2).order);
-  EXPECT_EQ(0u, between(table, 6, 6).order); // other components have roots, too
-  EXPECT_EQ(0u, between(table, 7, 7).order);
-}
-
 TEST(Skeleton_branches, cycles_have_an_order_on_both_sides_of_where_they_are_cut)
 {
   // A tail 0 - 1, two ways from 1 to 2, of which 3 is the thin one, a direct edge, and a tail 2 - 4.
@@ -260,18 +223,6 @@ TEST(Skeleton_branches, cycles_have_an_order_on_both_sides_of_where_they_are_cut
       EXPECT_EQ(*branch.order, *table.branches[*branch.parent].order + 1);
     }
   }
-}
-
-TEST(Skeleton_branches, parallel_edges_and_loops_have_an_order)
-{
-  const Skeleton skeleton = drawn_skeleton({{Point(0, 0, 0), 1}, {Point(1, 0, 0), 1}, {Point(2, 0, 0), 1}},
-                                           {{0, 1}, {0, 1}, {0, 1}, {1, 2}, {2, 2}});
-  const Skeleton_branches table = CSCD::measure_branches(skeleton, {0});
-  EXPECT_EQ(5u, table.branches.size());
-  for (const Skeleton_branch& branch : table.branches) {
-    EXPECT_TRUE(branch.order);
-  }
-  EXPECT_EQ(2u, between(table, 2, 2).order);
 }
 
 struct Sum
@@ -365,19 +316,6 @@ TEST(Node_measures, of_a_torus_are_those_of_its_circle)
   for (const CSCD::Node_measures& measured : CSCD::measure_nodes(skeleton, mesh)) {
     EXPECT_NEAR(pi, measured.section_area, 0.1);
     EXPECT_NEAR(1, measured.inscribed_radius, 0.05);
-  }
-}
-
-TEST(Node_measures, of_junctions_have_no_section)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
-  Skeleton skeleton;
-  CSCD::extract_curve_skeleton(mesh, skeleton);
-  const std::vector<CSCD::Node_measures> measures = CSCD::measure_nodes(skeleton, mesh);
-  for (std::size_t node = 0; node < measures.size(); ++node) {
-    EXPECT_EQ(out_degree(node, skeleton) > 2, std::isnan(measures[node].section_area)) << node;
-    EXPECT_LT(0, measures[node].inscribed_radius);
-    EXPECT_GE(skeleton[node].radius * 1.2, measures[node].inscribed_radius);
   }
 }
 

@@ -17,8 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <random>
-#include <vector>
 
 namespace {
 
@@ -98,40 +96,6 @@ TEST_F(Compare_segmentations, refinement_in_different_places_is_consistent_local
                                                 [=](std::size_t f) { return f < 2 * quarter ? int(f / quarter) : 2; });
   EXPECT_NEAR(mixed.local_consistency_error, 0, 1e-12);
   EXPECT_NEAR(mixed.global_consistency_error, 0.25, 1e-12);
-}
-
-TEST_F(Compare_segmentations, exchange_exchanges_the_rates_only)
-{
-  const auto thirds = [](std::size_t f) { return int(f % 3); };
-  const auto prefix = [this](std::size_t f) { return f < m_size / 5 ? 0 : 1; };
-  const Segmentation_comparison one = compare(thirds, prefix);
-  const Segmentation_comparison other = compare(prefix, thirds);
-  EXPECT_DOUBLE_EQ(one.rand_error, other.rand_error);
-  EXPECT_DOUBLE_EQ(one.missing_rate, other.false_alarm_rate);
-  EXPECT_DOUBLE_EQ(one.false_alarm_rate, other.missing_rate);
-  EXPECT_DOUBLE_EQ(one.global_consistency_error, other.global_consistency_error);
-  EXPECT_DOUBLE_EQ(one.cut_discrepancy, other.cut_discrepancy);
-}
-
-TEST_F(Compare_segmentations, random_labels_have_nothing_in_common)
-{
-  std::mt19937 random(1);
-  std::vector<int> labels(2 * m_size);
-  for (int& label : labels) {
-    label = int(random() % 4);
-  }
-  const Segmentation_comparison random_pair =
-      compare([&](std::size_t f) { return labels[f]; }, [&](std::size_t f) { return labels[m_size + f]; });
-  EXPECT_NEAR(random_pair.adjusted_rand_index, 0, 0.05);
-  EXPECT_GT(random_pair.rand_error, 0.3);
-}
-
-TEST_F(Compare_segmentations, a_part_for_each_face_costs_no_table_of_all_pairs)
-{
-  m_mesh = CSCD::test::to_mesh<Segmented_mesh>(CSCD::test::sphere(6)); // 80,000 faces: 6e9 pairs
-  m_size = m_mesh.number_of_faces();
-  const auto number = [](std::size_t f) { return int(f); };
-  EXPECT_EQ(compare(number, number).rand_error, 0);
 }
 
 /// The distance between two cuts of a tube is known.

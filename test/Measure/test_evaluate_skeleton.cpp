@@ -204,38 +204,6 @@ TEST(Evaluate_skeleton, half_a_skeleton_leaves_half_the_surface_far)
   EXPECT_NEAR(1 / m.diagonal, m.round_cones.reverse_maximum, 0.02 / m.diagonal); // the end in the middle
 }
 
-TEST(Evaluate_skeleton, does_not_depend_on_place_and_unit)
-{
-  const Shape shape = bent_tube(3, 2, 0.5, 24);
-  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), centreline(shape));
-  Shape moved = shape;
-  const auto move = [](const Triple& p) { return Triple{1000 * p[0] + 7000, 1000 * p[1], 1000 * p[2] - 500}; };
-  for (Triple& p : moved.points) {
-    p = move(p);
-  }
-  for (Centreline_segment& s : moved.centreline) {
-    s = {move(s.source), move(s.target), 1000 * s.source_radius, 1000 * s.target_radius};
-  }
-  const Skeleton_measures n = evaluate_skeleton(mesh_of(moved), centreline(moved));
-  EXPECT_NEAR(1000 * m.diagonal, n.diagonal, 1e-6);
-  EXPECT_NEAR(m.convolution.mean, n.convolution.mean, 1e-6);
-  EXPECT_NEAR(m.round_cones.mean_square, n.round_cones.mean_square, 1e-6);
-  EXPECT_NEAR(m.position.deviation_by_length, n.position.deviation_by_length, 1e-6);
-  EXPECT_NEAR(m.counts.mean_turning, n.counts.mean_turning, 1e-6);
-}
-
-TEST(Evaluate_skeleton, resolution_changes_cells_and_little_else)
-{
-  const Shape shape = torus(3, 1, 24);
-  const Mesh mesh = mesh_of(shape);
-  const Skeleton skeleton = centreline(shape);
-  const CSCD::Reconstruction_error few = evaluate_skeleton(mesh, skeleton, parameters::resolution(100)).convolution;
-  const CSCD::Reconstruction_error many = evaluate_skeleton(mesh, skeleton, parameters::resolution(300)).convolution;
-  EXPECT_EQ(0.01, few.cell_size);
-  EXPECT_NEAR(9, double(many.number_of_faces) / double(few.number_of_faces), 0.5);
-  EXPECT_NEAR(many.mean, few.mean, 0.02 * many.mean);
-}
-
 TEST(Evaluate_skeleton, borders_are_bridged)
 {
   const Shape shape = tube(10, 1, 32, Tube_end::open);
@@ -243,20 +211,6 @@ TEST(Evaluate_skeleton, borders_are_bridged)
   EXPECT_EQ(2u, m.position.number_of_borders);
   EXPECT_EQ(1, m.position.fraction_of_length_inside);
   EXPECT_TRUE(m.has_topology_of_surface());
-}
-
-TEST(Evaluate_skeleton, several_components_and_a_node_alone)
-{
-  const Shape shape = merged("", {torus(3, 1, 16), translated(sphere(3), {0, 9, 0})});
-  Skeleton skeleton = centreline(torus(3, 1, 16));
-  const std::size_t ball = add_vertex(skeleton);
-  skeleton[ball].point = Point(0, 9, 0);
-  const Skeleton_measures m = evaluate_skeleton(mesh_of(shape), skeleton);
-  EXPECT_EQ(2u, m.position.number_of_surface_components);
-  EXPECT_EQ(2u, m.counts.number_of_components);
-  EXPECT_EQ(1u, m.counts.number_of_isolated_nodes);
-  EXPECT_TRUE(m.has_topology_of_surface());
-  EXPECT_LT(m.round_cones.maximum * m.diagonal, 0.1);
 }
 
 TEST(Evaluate_skeleton, measures_points_too)
@@ -313,29 +267,6 @@ TEST(Evaluate_skeleton, hubs_and_complete_graphs_are_measured)
     EXPECT_GT(m.position.fraction_of_length_inside, 0.999);
     EXPECT_LT(m.round_cones.maximum, 1);
   }
-}
-
-TEST(Evaluate_skeleton, takes_skeletons_of_other_types)
-{
-  const Shape shape = torus(3, 1, 16);
-  const Mesh mesh = mesh_of(shape);
-  const Skeleton skeleton = centreline(shape);
-  CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton cgal_skeleton(num_vertices(skeleton));
-  Skeleton_archetype<Point, Mesh::Vertex_index> archetype;
-  std::vector<decltype(add_vertex(archetype))> nodes;
-  for (std::size_t v = 0; v < num_vertices(skeleton); ++v) {
-    cgal_skeleton[v].point = skeleton[v].point;
-    nodes.push_back(add_vertex(archetype));
-    archetype[nodes.back()].point = skeleton[v].point;
-  }
-  for (auto e = edges(skeleton).first; e != edges(skeleton).second; ++e) {
-    add_edge(source(*e, skeleton), target(*e, skeleton), cgal_skeleton);
-    add_edge(nodes[source(*e, skeleton)], nodes[target(*e, skeleton)], archetype);
-  }
-  const double mean = evaluate_skeleton(mesh, skeleton, coarse).convolution.mean;
-  EXPECT_EQ(mean, evaluate_skeleton(mesh, cgal_skeleton, coarse).convolution.mean);
-  EXPECT_EQ(mean, evaluate_skeleton(mesh, archetype, coarse).convolution.mean);
-  EXPECT_THROW(evaluate_skeleton(mesh, archetype, parameters::use_skeleton_radii(true)), CSCD::Input_error);
 }
 
 /// Expects an `Input_error` whose message holds `part`.
@@ -412,13 +343,6 @@ TEST(Reconstruct_surface, is_the_surface_that_is_measured)
   CSCD::reconstruct_surface(mesh, skeleton, surface, parameters::resolution(50));
   EXPECT_TRUE(CGAL::is_closed(surface));
   EXPECT_GT(m.convolution.number_of_faces, 10 * num_faces(surface));
-}
-
-TEST(Reconstruct_surface, leaves_its_output_alone_when_it_fails)
-{
-  Mesh surface = mesh_of(tetrahedron());
-  EXPECT_THROW(CSCD::reconstruct_surface(mesh_of(cube()), Skeleton(), surface), CSCD::Input_error);
-  EXPECT_EQ(4u, num_faces(surface));
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 // skeleton.
 
 #include "support/Shape.h"
-#include "support/Similarity.h"
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Measure/evaluate_skeleton.h>
@@ -115,16 +114,6 @@ TEST(Measure_limbs, a_star_has_as_many_as_arms)
   }
 }
 
-TEST(Measure_limbs, other_bodies_of_known_limbs)
-{
-  EXPECT_EQ(6u, limbs(jack(0.2)).limbs.size());
-  EXPECT_EQ(6u, limbs(hand(0.15)).limbs.size());
-  EXPECT_EQ(7u, limbs(comb(5, 0.2)).limbs.size());
-  EXPECT_EQ(1u, limbs(ball_with_tail(0.2)).limbs.size());
-  EXPECT_EQ(2u, limbs(capsule(8, 1, 24)).limbs.size());
-  EXPECT_EQ(2u, limbs(midpoint_subdivided(box("bar", {4, 1, 1}), 4)).limbs.size());
-}
-
 TEST(Measure_limbs, open_and_closed_ends_are_both_ends)
 {
   EXPECT_EQ(2u, limbs(tube(10, 1, 24, Tube_end::open)).limbs.size());
@@ -140,21 +129,6 @@ TEST(Measure_limbs, components_count_each_by_itself)
   EXPECT_EQ(3u, m.number_of_limbs_without_tip);
   EXPECT_EQ(0.5, m.tip_recall);
   EXPECT_EQ(1, m.tip_precision);
-}
-
-TEST(Measure_limbs, do_not_depend_on_place_unit_and_numbers)
-{
-  const Shape shape = hand(0.15);
-  const std::vector<double> heights = sorted_heights(limbs(shape));
-  Shape other = shape;
-  other.points = moved(shape.points, Similarity{1000, {0.6, 0, 0.8}, 1, {5000, -3000, 100}});
-  other = renumbered(other, 7).shape;
-  const std::vector<double> others = sorted_heights(limbs(other));
-  ASSERT_EQ(heights.size(), others.size());
-  for (std::size_t i = 0; i < heights.size(); ++i) {
-    // The diagonal of the bounding box, the unit, depends on the rotation.
-    EXPECT_NEAR(heights[i] / heights.back(), others[i] / others.back(), 1e-4);
-  }
 }
 
 TEST(Measure_limbs, the_centreline_has_all_tips_and_no_others)
@@ -206,20 +180,6 @@ TEST(Measure_limbs, a_spur_is_one_tip_too_many_wherever_it_is)
     EXPECT_EQ(5. / 6, m.tip_precision);
     EXPECT_EQ(1u, m.number_of_tips_without_limb);
   }
-}
-
-TEST(Measure_limbs, points_have_none)
-{
-  const Shape shape = star(3, 6, 1, 0.3);
-  std::vector<Point> points;
-  for (const Triple& p : shape.points) {
-    points.emplace_back(p[0], p[1], p[2]);
-  }
-  const Limb_measures m =
-      CSCD::evaluate_skeleton(points, skeleton_of(segments_of(shape)), CSCD::parameters::resolution(10)).limbs;
-  EXPECT_TRUE(m.limbs.empty());
-  EXPECT_TRUE(std::isnan(m.tip_recall));
-  EXPECT_TRUE(std::isnan(m.tip_precision));
 }
 
 } // namespace

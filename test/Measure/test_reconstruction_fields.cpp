@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <random>
 #include <utility>
 #include <vector>
@@ -93,47 +92,6 @@ TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
   }
 }
 
-TEST(Convolution_field, does_not_depend_on_how_an_edge_is_divided)
-{
-  const Skeleton whole = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0.3);
-  Skeleton parts;
-  for (Index i = 0; i <= 10; ++i) {
-    parts.points.emplace_back(0.1 * i, 0, 0);
-    parts.radii.push_back(0.1 + 0.02 * i);
-    if (i > 0) {
-      parts.edges.push_back({i - 1, i});
-    }
-  }
-  for (const Vector_3& p : {Vector_3(0.5, 0.2, 0), Vector_3(-0.1, 0.01, 0), Vector_3(0.3, 0, 1)}) {
-    EXPECT_NEAR(1, Convolution_field(parts).convolution(p) / Convolution_field(whole).convolution(p), 2e-4);
-  }
-}
-
-TEST(Convolution_field, is_finite_everywhere_and_negative_on_the_skeleton)
-{
-  Skeleton s = segment({0, 0, 0}, {1, 0, 0}, 0.1, 0);
-  s.points.emplace_back(5, 5, 5); // a node without edges is a ball
-  s.radii.push_back(0.5);
-  s.points.emplace_back(1, 0, 0); // an edge without length
-  s.radii.push_back(0.1);
-  s.edges.push_back({1, 3});
-  const Convolution_field field(s);
-  for (const Vector_3& p : {Vector_3(0, 0, 0), Vector_3(0.5, 0, 0), Vector_3(5, 5, 5)}) {
-    EXPECT_LT(field(p), 0);
-    EXPECT_TRUE(std::isfinite(field(p)));
-  }
-  EXPECT_NEAR(0, field({5, 5.5, 5}), 1e-3);
-  // Nodes at the same place are one ball, and none where there is an edge of some length.
-  const Skeleton twice{{{0, 0, 0}, {0, 0, 0}}, {0.5, 0.4}, {{0, 1}}};
-  EXPECT_DOUBLE_EQ(1, Convolution_field(twice).convolution({0.5, 0, 0}));
-  EXPECT_NEAR(1,
-              Convolution_field(s).convolution({1, 0.1, 0}) /
-                  (quadrature(s, {1, 0.1, 0}) + std::pow(0.5 / Vector_3(4, 4.9, 5).norm(), 4)),
-              1e-4);
-  EXPECT_GT(field({1e8, 0, 0}), 0);
-  EXPECT_TRUE(std::isfinite(field({1e8, 0, 0})));
-}
-
 /// Edges and balls at random places in a cube.
 Skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
 {
@@ -154,21 +112,6 @@ Skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
   return result;
 }
 
-TEST(Round_cone_field, of_many_cones_is_the_least_of_their_distances)
-{
-  const Skeleton whole = random_skeleton(300, 100);
-  const Round_cone_field field(whole);
-  for (int i = 0; i < 50; ++i) {
-    const Vector_3 point(0.02 * i, 0.03 * i, 0.4);
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [u, v] : segment_ends(whole)) {
-      least = std::min(
-          least, Round_cone(whole.points[u], whole.points[v], whole.radii[u], whole.radii[v]).signed_distance(point));
-    }
-    EXPECT_EQ(field(point), least) << i;
-  }
-}
-
 TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
 {
   const Skeleton s = segment({0, 0, 0}, {2, 0, 0}, 0.5, 0.2);
@@ -186,19 +129,6 @@ TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
     }
     EXPECT_NEAR(least, field(p), 1e-6) << testing::PrintToString(p);
   }
-}
-
-TEST(Round_cone_field, a_ball_in_another_and_a_node_alone_are_balls)
-{
-  Skeleton s = segment({0, 0, 0}, {0.1, 0, 0}, 1, 0.2);
-  s.points.emplace_back(5, 0, 0);
-  s.radii.push_back(0.5);
-  const Round_cone_field field(s);
-  EXPECT_DOUBLE_EQ(1, field({0, 2, 0}));
-  EXPECT_DOUBLE_EQ(-1, field({0, 0, 0}));
-  EXPECT_DOUBLE_EQ(0.5, field({5, 0, 1}));
-  EXPECT_DOUBLE_EQ(1.5, field({0, 0, 2.5})); // the same whichever node comes first
-  EXPECT_DOUBLE_EQ(1.5, Round_cone_field(segment({0.1, 0, 0}, {0, 0, 0}, 0.2, 1))({0, 0, 2.5}));
 }
 
 /// The surface of round cones, which must be a closed oriented manifold, and its facts.
@@ -243,18 +173,6 @@ TEST(Triangulate_field, a_capsule_is_closed_and_has_the_right_volume)
   EXPECT_EQ(0, facts.unresolved_fraction);
 }
 
-TEST(Triangulate_field, handles_components_and_lattice_points_on_the_surface)
-{
-  EXPECT_EQ(0, Surface_facts(ring(1, 0.2, 64), 0.05).euler_number);
-  Skeleton balls;
-  balls.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}};
-  balls.radii = {0.5, 0.25, 1};
-  const Surface_facts facts(balls, 0.25); // the balls' poles are lattice points, on the surface but for rounding
-  EXPECT_TRUE(facts.is_manifold);
-  EXPECT_EQ(6, facts.euler_number);
-  EXPECT_GT(facts.volume, 0);
-}
-
 TEST(Triangulate_field, says_what_is_too_thin)
 {
   Skeleton s = segment({0.013, 0.013, 0.013}, {1.013, 0.013, 0.013}, 0.2, 0.2);
@@ -263,28 +181,6 @@ TEST(Triangulate_field, says_what_is_too_thin)
   s.radii.insert(s.radii.end(), {1e-4, 1e-4});
   s.edges.push_back({2, 3});
   EXPECT_NEAR(0.5, Surface_facts(s, 0.05).unresolved_fraction, 0.05);
-}
-
-TEST(Triangulate_field, nodes_without_edges_count_as_edges_do)
-{
-  Skeleton nodes;
-  nodes.points.assign(100'000, CSCD::Vector_3::Zero());
-  Skeleton path = nodes;
-  for (Index v = 1; v < path.number_of_nodes(); ++v) {
-    path.edges.push_back({v - 1, v});
-  }
-  EXPECT_EQ(CSCD::internal::max_number_of_cells(nodes), CSCD::internal::max_number_of_cells(path));
-  EXPECT_LT(CSCD::internal::max_number_of_cells(path), CSCD::internal::max_number_of_cells(Skeleton()));
-}
-
-TEST(Triangulate_field, coarsens_the_lattice_where_radii_are_huge)
-{
-  const Skeleton s = segment({0, 0, 0}, {1, 0, 0}, 2, 2);
-  constexpr std::size_t maximum_number_of_cells = 4000;
-  const Field_surface result = triangulate_field(Round_cone_field(s), s, 0.02, maximum_number_of_cells);
-  EXPECT_EQ(0.16, result.cell_size); // an area of 63 takes some 1.5 cells for each square of the lattice
-  EXPECT_LT(2000u, result.triangles.faces.size());
-  EXPECT_FALSE(Triangulated_surface(Indexed_triangles(result.triangles)).defect());
 }
 
 TEST(Estimate_radii, are_exact_on_a_cone)
@@ -317,40 +213,6 @@ TEST(Estimate_radii, interpolates_where_no_point_is_near)
   EXPECT_NEAR(6, radii[3], 1e-12);
   EXPECT_NEAR(7, radii[4], 1e-12);
   EXPECT_NEAR(3, radii[5], 1e-12); // nothing is known of its component: the mean of all distances
-}
-
-TEST(Estimate_radii, refuses_thousands_of_cycles)
-{
-  constexpr Index number_of_nodes = 80;
-  Skeleton s;
-  for (Index v = 0; v < number_of_nodes; ++v) {
-    s.points.emplace_back(v, 0.1 * v * v, 0);
-    for (Index u = 0; u < v; ++u) {
-      s.edges.push_back({u, v});
-    }
-  }
-  EXPECT_THROW(estimate_radii({{-0.1, -1, 0}, {1.1, -3, 0}}, s), Input_error);
-}
-
-TEST(Estimate_radii, do_not_depend_on_scale)
-{
-  const Skeleton s = ring(1, 0, 8);
-  std::vector<Vector_3> points;
-  for (int i = 0; i < 100; ++i) {
-    points.emplace_back(1.2 * std::cos(i), 1.2 * std::sin(i), 0.1);
-  }
-  const std::vector<double> radii = estimate_radii(points, s);
-  Skeleton large = s;
-  for (Vector_3& p : large.points) {
-    p *= 1000;
-  }
-  for (Vector_3& p : points) {
-    p *= 1000;
-  }
-  const std::vector<double> large_radii = estimate_radii(points, large);
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    EXPECT_NEAR(1000 * radii[i], large_radii[i], 1e-9);
-  }
 }
 
 } // namespace

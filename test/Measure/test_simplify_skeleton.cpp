@@ -23,10 +23,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <random>
 #include <set>
-#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -153,38 +151,6 @@ TEST(Significance, is_the_reach_beyond_the_body_in_radii)
   EXPECT_NEAR(significance_at(skeleton, left), (110 + 4 + 4) / 8. - 1, 1e-12);
 }
 
-TEST(Significance, mean_radius_is_that_outside_of_the_body)
-{
-  Skeleton skeleton;
-  const std::size_t middle = add_node(skeleton, Point(0, 0, 0), 2);
-  add_limb(skeleton, middle, {-50, 0, 0}, 1, 2);
-  add_limb(skeleton, middle, {50, 0, 0}, 1, 2);
-  // One edge, from radius 2 to 0.5 over length 6: outside it goes from 1.5 to 0.5.
-  const std::size_t tip = add_limb(skeleton, middle, {0, 6, 0}, 1, 0.5);
-  CSCD::compute_significance(skeleton);
-  EXPECT_NEAR(significance_at(skeleton, tip), (6 + 0.5 - 2) / 1., 1e-12);
-}
-
-TEST(Significance, twigs_do_not_divide_what_is_left_of_a_branch)
-{
-  // A spine with a head at one end and two legs at each: cut in the order of their lengths, head and tail stay one.
-  Skeleton skeleton;
-  const std::size_t front = add_node(skeleton, Point(0, 0, 0), 1);
-  const std::size_t back = add_limb(skeleton, front, {1, 0, 0}, 10, 1);
-  const std::size_t head = add_limb(skeleton, front, {-1, 0, 0}, 9, 1);
-  const std::size_t tail = add_limb(skeleton, back, {1, 0, 0}, 8, 1);
-  std::vector<std::size_t> legs;
-  for (const int i : {0, 1, 2, 3}) {
-    legs.push_back(add_limb(skeleton, i < 2 ? front : back, {0, i % 2 == 0 ? 1. : -1., 0}, 3 + i, 1));
-  }
-  CSCD::compute_significance(skeleton);
-  for (const int i : {0, 1, 2, 3}) {
-    EXPECT_NEAR(significance_at(skeleton, legs[std::size_t(i)]), 3 + i, 1e-12);
-  }
-  EXPECT_NEAR(significance_at(skeleton, head), (27 + 2) / 2. - 1, 1e-12);
-  EXPECT_EQ(significance_at(skeleton, head), significance_at(skeleton, tail));
-}
-
 TEST(Significance, cycles_and_what_joins_them_are_infinitely_significant)
 {
   Skeleton skeleton;
@@ -204,57 +170,6 @@ TEST(Significance, cycles_and_what_joins_them_are_infinitely_significant)
   EXPECT_EQ(num_vertices(skeleton), 6u);
   EXPECT_EQ(betti_number(skeleton), 2u);
   EXPECT_EQ(skeleton[1].vertices.size(), 6u) << "those of the limb with tip " << tip;
-}
-
-TEST(Significance, does_not_depend_on_scale_and_numbering)
-{
-  for (unsigned seed = 0; seed < 60; ++seed) {
-    Skeleton skeleton = random_skeleton(seed);
-    CSCD::compute_significance(skeleton);
-
-    Skeleton scaled = skeleton;
-    constexpr double scale = 1024; // exact
-    for (const auto v : boost::make_iterator_range(vertices(scaled))) {
-      scaled[v].point = CGAL::ORIGIN + scale * (scaled[v].point - CGAL::ORIGIN);
-      scaled[v].radius *= scale;
-    }
-    CSCD::compute_significance(scaled);
-    auto e = edges(skeleton).first;
-    for (const auto its_edge : boost::make_iterator_range(edges(scaled))) {
-      EXPECT_EQ(scaled[its_edge].significance, skeleton[*e++].significance) << seed;
-    }
-
-    // Without equal positions the numbering does not matter.
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> offset(0, 1e-3);
-    for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-      skeleton[v].point = skeleton[v].point + Kernel::Vector_3(offset(random), offset(random), offset(random));
-    }
-    CSCD::compute_significance(skeleton);
-    std::vector<std::size_t> number(num_vertices(skeleton));
-    std::iota(number.begin(), number.end(), std::size_t(0));
-    std::shuffle(number.begin(), number.end(), random);
-    Skeleton renumbered(number.size());
-    for (std::size_t v = 0; v < number.size(); ++v) {
-      renumbered[number[v]] = skeleton[v];
-    }
-    std::vector<std::pair<std::size_t, std::size_t>> ends;
-    for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-      ends.emplace_back(number[target(edge, skeleton)], number[source(edge, skeleton)]);
-    }
-    std::shuffle(ends.begin(), ends.end(), random);
-    for (const auto& [a, b] : ends) {
-      add_edge(a, b, renumbered);
-    }
-    CSCD::compute_significance(renumbered);
-    EXPECT_EQ(content(renumbered), content(skeleton)) << seed;
-
-    const auto np = parameters::minimum_significance(1.5).junction_distance(1.2).join_components(true).spacing(2.5);
-    CSCD::simplify_skeleton(skeleton, np);
-    CSCD::simplify_skeleton(renumbered, np);
-    EXPECT_EQ(num_vertices(renumbered), num_vertices(skeleton)) << seed;
-    EXPECT_EQ(num_edges(renumbered), num_edges(skeleton)) << seed;
-  }
 }
 
 TEST(Simplify_skeleton, pruning_keeps_what_is_as_significant_as_asked)
@@ -485,31 +400,6 @@ TEST(Simplify_skeleton, joins_by_the_shortest_edges)
   }
 }
 
-TEST(Simplify_skeleton, joins_what_is_farther_apart_than_the_root_of_the_largest_number)
-{
-  Skeleton skeleton;
-  for (const double x : {0., 1e300, -1e300}) {
-    add_node(skeleton, Point(x, 0, 0), 1);
-  }
-  CSCD::simplify_skeleton(skeleton, parameters::join_components(true));
-  EXPECT_EQ(number_of_components(skeleton), 1u);
-  EXPECT_EQ(num_edges(skeleton), 2u);
-}
-
-TEST(Simplify_skeleton, a_joined_end_is_no_opening)
-{
-  Skeleton skeleton;
-  add_limb(skeleton, add_node(skeleton, Point(0, 0, 0), 1), {1, 0, 0}, 9, 1);
-  add_limb(skeleton, add_node(skeleton, Point(15, 0, 0), 1), {1, 0, 0}, 9, 1);
-  for (const std::size_t end : {0, 9, 10, 19}) {
-    skeleton[end].is_opening = true;
-  }
-  CSCD::simplify_skeleton(skeleton, parameters::join_components(true));
-  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    EXPECT_EQ(skeleton[v].is_opening, degree(v, skeleton) == 1) << skeleton[v].point;
-  }
-}
-
 TEST(Simplify_skeleton, joined_edges_stay_marked)
 {
   Skeleton skeleton;
@@ -649,22 +539,5 @@ struct Plain_node
   std::vector<std::size_t> vertices;
 };
 using Plain_skeleton = boost::adjacency_list<boost::listS, boost::listS, boost::undirectedS, Plain_node>;
-
-TEST(Simplify_skeleton, works_on_any_skeleton_type)
-{
-  Plain_skeleton skeleton;
-  const auto first = add_vertex({Point(0, 0, 0), {1}}, skeleton);
-  for (const double x : {1., 5., 20.}) {
-    add_edge(first, add_vertex({Point(x, 1, 0), {std::size_t(x)}}, skeleton), skeleton);
-  }
-  EXPECT_FALSE(CSCD::has_significance_v<Plain_skeleton>);
-  CSCD::simplify_skeleton(skeleton, parameters::minimum_branch_length(3).spacing(2));
-  std::size_t number = 0;
-  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    number += skeleton[v].vertices.size();
-  }
-  EXPECT_EQ(number, 4u);
-  EXPECT_THROW(CSCD::simplify_skeleton(skeleton, parameters::minimum_significance(1)), CSCD::Input_error);
-}
 
 } // namespace

@@ -106,28 +106,6 @@ TEST(Handle_repair, cuts_where_limbs_touch_and_keeps_necks)
   }
 }
 
-/// Two loops around the same handle: cut along the one, the other separates.
-TEST(Loop_flood, tells_whether_a_loop_separates)
-{
-  constexpr Index around = 8;
-  const Shape torus = CSCD::test::torus(3, 1, around);
-  const Triangulated_surface surface(to_indexed_triangles(torus));
-  const auto ring = [](Index number) {
-    Vertex_loop loop;
-    for (Index i = 0; i < around; ++i) {
-      loop.push_back(number * around + i);
-    }
-    return loop;
-  };
-  CSCD::internal::Loop_flood flood(surface);
-  EXPECT_FALSE(flood.separates(ring(0)));
-  EXPECT_FALSE(flood.separates(ring(5)));
-  flood.add_barrier(ring(0));
-  EXPECT_TRUE(flood.separates(ring(5)));
-  const Index face = 0;
-  EXPECT_TRUE(flood.separates({surface.origin(3 * face), surface.origin(3 * face + 1), surface.origin(3 * face + 2)}));
-}
-
 TEST(split_pinched_vertices, gives_every_fan_a_vertex)
 {
   // Two tetrahedra that touch in vertex 0, and one triangle of a third fan.

@@ -136,17 +136,6 @@ TEST(Quotient_skeleton, of_a_tube_is_centred_and_has_its_radius)
   }
 }
 
-TEST(Quotient_skeleton, of_what_has_no_separator_is_a_node)
-{
-  const Shape_solid solid(CSCD::test::tetrahedron());
-  Skeletonization_report report;
-  const CSCD::internal::Region_packing packing(*solid, {}, CSCD::Field_search_settings(), report);
-  const Embedded_skeleton skeleton = CSCD::internal::Quotient_skeleton_builder(*solid, packing.regions())(report);
-  ASSERT_EQ(skeleton.graph.size(), 1u);
-  EXPECT_TRUE(solid->is_inside(skeleton.graph[0].position));
-  EXPECT_EQ(skeleton.node_of_vertex, std::vector<Index>(solid.surface().number_of_vertices(), 0));
-}
-
 /// The regions that `region(point)` makes of the vertices.
 template <class Surface, class Region>
 Meetings meetings(const Surface& surface, const Region& region)
@@ -158,12 +147,6 @@ Meetings meetings(const Surface& surface, const Region& region)
   }
   std::sort(result.begin(), result.end());
   return result;
-}
-
-TEST(Quotient_graph, of_one_region_is_empty)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 16));
-  EXPECT_TRUE(meetings(surface, [](const Vector_3&) { return Index(0); }).empty());
 }
 
 TEST(Quotient_graph, of_slices_of_a_tube_is_a_path)
@@ -194,21 +177,6 @@ TEST(Quotient_graph, of_sectors_of_a_ball_is_one_junction)
   EXPECT_EQ(meetings(surface, sector), (Meetings{{0, 1, 2}}));
 }
 
-TEST(Quotient_graph, counts_a_region_for_each_of_its_border_cycles)
-{
-  // Four sectors around a torus with a disc cut out of one of them at the border of two: all meet the junction once but
-  // the ring beyond, which is no part of it.
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 48));
-  const auto region = [](const Vector_3& point) {
-    if ((point - Vector_3(4, 0, 0)).norm() < 0.7) {
-      return Index(3);
-    }
-    const double turn = (std::atan2(point.y(), point.x()) / CSCD::test::pi + 2.);
-    return Index(std::fmod(turn, 2.) * 1.499);
-  };
-  EXPECT_EQ(meetings(surface, region), (Meetings{{0, 1}, {0, 2, 3}, {1, 2}}));
-}
-
 /// The faces of `surface` that have no vertex within `radius` of one of `centers`.
 Point_complex with_holes(const Triangulated_surface& surface, const std::vector<Vector_3>& centers, double radius)
 {
@@ -231,70 +199,6 @@ Point_complex with_holes(const Triangulated_surface& surface, const std::vector<
     normals.push_back(surface.vertex_normal(vertex));
   }
   return {std::vector<Vector_3>(surface.points()), std::move(normals), triangles};
-}
-
-TEST(Quotient_graph, goes_on_across_holes)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 48));
-  const auto sector = [](const Vector_3& point) {
-    return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * 3 * 0.999));
-  };
-  const Meetings expected{{0, 1}, {0, 2}, {1, 2}};
-  const Vector_3 border(std::cos(CSCD::test::pi / 3), std::sin(CSCD::test::pi / 3), 0);
-  EXPECT_EQ(meetings(with_holes(surface, {}, 0), sector), expected);
-  for (const double radius : {0.2, 0.4}) {
-    const std::vector<Vector_3> centers{4 * border, 2 * border, 3 * border + Vector_3::UnitZ()};
-    EXPECT_EQ(meetings(with_holes(surface, centers, radius), sector), expected) << "a curve in three parts is one";
-  }
-}
-
-TEST(Region_meetings, have_no_cycle_around_a_handle_of_a_few_edges)
-{
-  const auto sector = [](const Vector_3& point) {
-    return Index(std::floor((std::atan2(point.y(), point.x()) / CSCD::test::pi + 1) / 2 * 3 * 0.999));
-  };
-  const auto count = [&](std::size_t around) {
-    const Point_complex complex = with_holes(CSCD::test::to_surface(CSCD::test::torus(6, 1, around)), {}, 0);
-    const auto region = [&](Index vertex) { return sector(complex.point(vertex)); };
-    EXPECT_EQ(CSCD::internal::count_cycles(Quotient_graph(complex, region).meetings()), 1u);
-    return CSCD::internal::count_cycles(CSCD::internal::region_meetings(complex, region));
-  };
-  EXPECT_EQ(count(4), 0u);
-  EXPECT_EQ(count(16), 1u);
-}
-
-/// Rings around a tube, several of which a hole breaks, stay a row.
-TEST(Quotient_graph, keeps_rings_in_a_row_across_holes)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(12, 1, 48, CSCD::test::Tube_end::flat));
-  const auto ring = [](const Vector_3& point) { return Index(std::floor(std::clamp(2 * point.x(), 0., 23.))); };
-  Meetings expected;
-  for (Index i = 0; i + 1 < 24; ++i) {
-    expected.push_back({i, i + 1});
-  }
-  EXPECT_EQ(meetings(surface, ring), expected);
-  for (const double radius : {0.2, 0.5, 0.9}) {
-    const std::vector<Vector_3> centers{{3.1, 1, 0}, {6, 0, 1}, {6.3, 0, -1}, {9.2, 0, 1}};
-    EXPECT_EQ(meetings(with_holes(surface, centers, radius), ring), expected) << radius;
-  }
-}
-
-/// Regions that meet around a hole, with others that only reach into it.
-TEST(Quotient_graph, joins_what_meets_around_a_hole)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(5));
-  const auto region = [](const Vector_3& point) {
-    const double angle = std::atan2(point.y(), point.x()) / CSCD::test::pi + 1; // 0 to 2
-    const double polar = std::atan2(std::hypot(point.x(), point.y()), point.z());
-    if (polar > 1) {
-      return Index(3);
-    }
-    const auto sector = Index(std::min(2., std::floor(1.5 * angle)));
-    const double within = 1.5 * angle - sector;
-    return sector == 1 && polar < 0.6 && within > 0.3 && within < 0.7 ? Index(4) : sector;
-  };
-  const Meetings expected{{0, 1, 2, 3}, {1, 4}};
-  EXPECT_EQ(meetings(with_holes(surface, {Vector_3::UnitZ()}, 0.3), region), expected);
 }
 
 /// Whether the graph of the parts of one color that are connected is a tree.

@@ -75,24 +75,6 @@ TEST(Plane_section, is_an_ellipse_where_the_plane_is_tilted)
   }
 }
 
-TEST(Plane_section, passes_beside_vertices_and_edges_that_lie_in_the_plane)
-{
-  // On a subdivided cube, this plane holds vertices and edges of the mesh, and no rounding occurs.
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::subdivided_cube(3));
-  Plane_section section(surface);
-  for (const double x : {0.125, 0.5, 0.875, 1.}) {
-    const Index vertex = CSCD::test::nearest_vertex(surface, {x, 0, 0.25});
-    ASSERT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, any_length));
-    EXPECT_TRUE(is_closed_curve(surface, section.crossings()));
-    EXPECT_TRUE(is_simple(surface, section.crossings()));
-    EXPECT_NEAR(section.length(), 4, 0.01);
-    for (const Edge_crossing& crossing : section.crossings()) {
-      EXPECT_GE(surface.point(surface.origin(crossing.halfedge)).x(), x);
-      EXPECT_LT(surface.point(surface.target(crossing.halfedge)).x(), x);
-    }
-  }
-}
-
 TEST(Plane_section, closes_for_every_vertex_and_every_axis)
 {
   const std::vector<Vector_3> axes{{1, 0, 0},
@@ -121,43 +103,6 @@ TEST(Plane_section, closes_for_every_vertex_and_every_axis)
       }
     }
   }
-}
-
-TEST(Plane_section, through_a_face_follows_the_cycle_there)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::torus(3, 1, 24));
-  Plane_section section(surface);
-  std::size_t on_one_side = 0;
-  std::size_t on_other_side = 0;
-  for (Index face = 0; face < surface.number_of_faces(); ++face) {
-    if (!section.cut_at_face(face, {1, 0, 0}, {0.01, 0, 0}, any_length)) {
-      continue;
-    }
-    // The plane cuts the tube of the torus twice.
-    EXPECT_NEAR(section.length(), 2 * pi, 0.05);
-    double least = any_length;
-    double most = -any_length;
-    for (const Vector_3& point : section.points()) {
-      least = std::fmin(least, point.y());
-      most = std::fmax(most, point.y());
-    }
-    EXPECT_GT(least * most, 0);
-    EXPECT_EQ(surface.point(surface.origin(3 * face)).y() > 0, least > 0);
-    ++(least > 0 ? on_one_side : on_other_side);
-  }
-  EXPECT_GT(on_one_side, 24u);
-  EXPECT_GT(on_other_side, 24u);
-}
-
-TEST(Plane_section, is_given_up_when_it_gets_too_long)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::tube(10, 1, 48, CSCD::test::Tube_end::flat));
-  Plane_section section(surface);
-  const Index vertex = CSCD::test::nearest_vertex(surface, {5, 0, 1});
-  EXPECT_TRUE(section.cut_at_vertex(vertex, {1, 0, 0}, 6.5));
-  EXPECT_FALSE(section.cut_at_vertex(vertex, {1, 0, 0}, 5));
-  EXPECT_FALSE(section.cut_at_vertex(vertex, {0, 0, 1}, 10)) << "along the tube";
-  EXPECT_FALSE(section.cut_at_face(0, {1, 0, 0}, {5, 0, 0}, any_length)) << "the plane misses this face";
 }
 
 TEST(Plane_section, refuses_an_axis_that_is_no_number)

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <random>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -70,33 +68,6 @@ TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
           const auto middle = queries.middle_behind(point);
           ASSERT_TRUE(middle) << testing::PrintToString(point);
           EXPECT_LT((*middle - center - aside).norm(), 1e-12) << testing::PrintToString(point);
-        }
-      }
-    }
-  }
-}
-
-TEST(Solid_queries, finds_the_middle_behind_points_of_the_surface)
-{
-  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
-  const Solid_queries queries(surface);
-  const auto middle = queries.middle_behind(Vector_3(0.53, 0.46, 1));
-  ASSERT_TRUE(middle);
-  EXPECT_LT((*middle - Vector_3(0.53, 0.46, 0.5)).norm(), 1e-12);
-}
-
-TEST(Solid_queries, knows_the_cube_where_rays_meet_edges_and_vertices)
-{
-  // Points of a grid, from which any direction of small integer slope meets edges and vertices.
-  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
-  const Solid_queries queries(surface);
-  for (int x = -2; x <= 18; ++x) {
-    for (int y = -2; y <= 18; ++y) {
-      for (int z = -2; z <= 18; ++z) {
-        const Vector_3 point = Vector_3(x, y, z) / 16;
-        const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
-        if (depth != 0) {
-          ASSERT_EQ(queries.is_inside(point), depth > 0) << testing::PrintToString(point);
         }
       }
     }
@@ -201,15 +172,6 @@ TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
   }
 }
 
-TEST(Solid_queries, respects_a_cavity)
-{
-  const Triangulated_surface surface = to_surface(CSCD::test::hollow_sphere(3));
-  const Solid_queries queries(surface);
-  EXPECT_FALSE(queries.is_inside({0.1, 0.1, 0.1}));
-  EXPECT_TRUE(queries.is_inside({0.5, 0.5, 0.2}));
-  EXPECT_FALSE(queries.is_inside({1, 1, 1}));
-}
-
 TEST(Solid_queries, takes_bodies_that_overlap_for_one)
 {
   const CSCD::test::Shape cube = CSCD::test::subdivided_cube(1);
@@ -247,38 +209,6 @@ TEST(Solid_queries, takes_bodies_that_overlap_for_one)
     }
     EXPECT_GT(number_of_passages, 0u) << "segments within both";
   }
-}
-
-TEST(Solid_queries, survives_faces_without_area)
-{
-  // A cube of which one face is split at a point of its diagonal, and a needle on an edge.
-  CSCD::test::Shape shape = CSCD::test::cube();
-  shape.points.push_back({0.5, 0, 0}); // on the edge between vertices 0 and 1
-  shape.triangles.erase(std::find(shape.triangles.begin(), shape.triangles.end(), CSCD::test::Triangle{0, 1, 5}));
-  shape.triangles.push_back({0, 8, 5});
-  shape.triangles.push_back({8, 1, 5});
-  shape.triangles.push_back({0, 1, 8}); // collinear
-  const Triangulated_surface surface = to_surface(shape);
-  ASSERT_FALSE(surface.defect());
-  const Solid_queries queries(surface);
-  EXPECT_TRUE(queries.is_inside({0.5, 0.3, 0.4}));
-  EXPECT_FALSE(queries.is_inside({0.5, -0.3, -0.4}));
-  const Vector_3 below(0.5, -1, -1);
-  EXPECT_NEAR((queries.closest_point(below).point - Vector_3(0.5, 0, 0)).norm(), 0, 1e-14);
-}
-
-TEST(Solid_queries, answers_on_a_flat_body)
-{
-  CSCD::test::Shape pillow;
-  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
-  const Triangulated_surface surface = to_surface(pillow);
-  const Solid_queries queries(surface);
-  EXPECT_FALSE(queries.is_inside({0.2, 0.2, 0.1}));
-  EXPECT_FALSE(queries.is_inside({0.2, 0.2, -0.1}));
-  EXPECT_NEAR((queries.closest_point({0.2, 0.2, 0.1}).point - Vector_3(0.2, 0.2, 0)).norm(), 0, 1e-14);
-  EXPECT_TRUE(queries.first_hit({0.2, 0.2, 0.1}, {0, 0, -1}));
-  EXPECT_FALSE(queries.first_hit({0.2, 0.2, 0.1}, {0, 0, 1}));
 }
 
 } // namespace

@@ -13,10 +13,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace {
 
@@ -51,12 +49,6 @@ Triangulated_surface expect_closed(const Indexed_triangles& input, std::size_t n
   EXPECT_FALSE(surface.defect());
   EXPECT_EQ(long(surface.number_of_vertices()) - long(surface.number_of_faces() / 2), euler_number);
   return surface;
-}
-
-TEST(bridge_borders, leaves_a_closed_surface_alone)
-{
-  const auto input = CSCD::test::to_indexed_triangles(CSCD::test::sphere(1));
-  expect_closed(input, 0, 2);
 }
 
 TEST(bridge_borders, closes_all_open_shapes)
@@ -103,52 +95,6 @@ TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
   input.first_hole_filling_face = input.faces.size();
   const Triangulated_surface surface = expect_closed(input, 1, 0, 1);
   EXPECT_EQ(surface.degree(6), 6u);
-}
-
-TEST(bridge_borders, zips_a_slit_across)
-{
-  // A grid of 2 x n cells whose middle line is opened: the two sides of the slit are nearer to each other than to the
-  // next vertex of their own side.
-  const Index n = 12;
-  const double gap = 0.2;
-  Indexed_triangles input;
-  for (Index i = 0; i <= n; ++i) {
-    for (double y : {-1., -gap / 2, gap / 2, 1.}) {
-      input.points.emplace_back(i, i == 0 || i == n ? y / (std::abs(y) < 0.5 ? 1e3 : 1) : y, 0);
-    }
-  }
-  for (Index i = 0; i < n; ++i) {
-    for (Index row : {0u, 2u}) {
-      const Index a = 4 * i + row;
-      input.faces.push_back({a, a + 4, a + 5});
-      input.faces.push_back({a, a + 5, a + 1});
-    }
-  }
-  // Both ends are joined, so that the slit is a border cycle of its own.
-  for (Index i : {0u, n}) {
-    const Index a = 4 * i;
-    const Index tip = Index(input.points.size());
-    input.points.emplace_back(i == 0 ? -1. : n + 1., 0, 0);
-    if (i == 0) {
-      input.faces.insert(input.faces.end(), {{a, a + 1, tip}, {a + 1, a + 2, tip}, {a + 2, a + 3, tip}});
-    } else {
-      input.faces.insert(input.faces.end(), {{a + 1, a, tip}, {a + 2, a + 1, tip}, {a + 3, a + 2, tip}});
-    }
-  }
-  input.first_hole_filling_face = input.faces.size();
-  Bridged bridged(input);
-  EXPECT_EQ(bridged.number_of_borders, 2u);
-  std::size_t across = 0;
-  for (std::size_t f = input.faces.size(); f < bridged.triangles.faces.size(); ++f) {
-    double longest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      longest = std::max(longest, (bridged.triangles.points[bridged.triangles.faces[f][k]] -
-                                   bridged.triangles.points[bridged.triangles.faces[f][(k + 1) % 3]])
-                                      .norm());
-    }
-    across += longest < 1.1;
-  }
-  EXPECT_GE(across, 2 * n) << "each cell of the slit is closed by two short triangles";
 }
 
 TEST(bridge_borders, fills_a_round_hole_evenly)

@@ -4,7 +4,6 @@
 // The published method on point clouds, end to end: topology on generated shapes, what must not change the skeleton,
 // and input that samples no surface.
 
-#include "support/Allow_threads.h"
 #include "support/Shape.h"
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
@@ -33,11 +32,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <random>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -89,36 +84,6 @@ Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources 
     EXPECT_GE(skeletonization.polyline(skeletonization.separators()[packed]).size(), 3u);
   }
   return outcome;
-}
-
-TEST(Point_set_traits, are_a_model)
-{
-  CSCD::check_skeletonization_traits<Traits>();
-  EXPECT_TRUE((CSCD::is_skeletonization_policies_v<Policies, Traits::Surface>));
-  EXPECT_FALSE((CSCD::is_skeletonization_policies_v<CSCD::Local_policies, Traits::Surface>));
-}
-
-TEST(Point_set_traits, describe_the_surface)
-{
-  const Shape shape = CSCD::test::torus(3, 1, 24);
-  const Points points = CSCD::test::to_points<Point>(sampled(shape, 4000, 1));
-  const Traits traits(points);
-  EXPECT_EQ(traits.surface().number_of_components(), 1u);
-  const CSCD::Point_complex& surface = traits.surface().triangulation();
-  double area = 0;
-  double max_error = 0;
-  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    area += surface.vertex_area(vertex);
-    const Point p = traits.to_input_point(surface.point(vertex));
-    const double radius = std::hypot(p.x(), p.y());
-    const Vector_3 outward((radius - 3) * p.x() / radius, (radius - 3) * p.y() / radius, p.z());
-    max_error = std::max(max_error, 1 - surface.normal(vertex).dot(outward.normalized()));
-    ASSERT_EQ(traits.descriptors(vertex).size(), 1u);
-    EXPECT_LT(CGAL::squared_distance(points[*traits.descriptors(vertex).begin()], p), 1e-24);
-  }
-  EXPECT_LT(max_error, 0.1);
-  const double unit = traits.to_input_length(1);
-  EXPECT_NEAR(area * unit * unit, 4 * CSCD::test::pi * CSCD::test::pi * 3, 2);
 }
 
 TEST(Point_set_traits, know_the_body)
@@ -179,17 +144,6 @@ TEST_P(Sampled_cloud, has_the_topology_of_the_shape)
     SCOPED_TRACE(seed);
     expect_topology(skeletonize(sampled(m_shape, number_of_points, seed)));
   }
-}
-
-TEST_P(Sampled_cloud, has_it_under_noise_and_with_missing_data)
-{
-  const double spacing = mean_spacing(m_shape, number_of_points);
-  std::vector<Triple> points = CSCD::test::shaken(sampled(m_shape, number_of_points, 1), 0.3 * spacing, 2);
-  const double radius = 0.02 * diagonal(m_shape);
-  for (const std::size_t i : {0u, 1000u, 2000u}) {
-    points = CSCD::test::without_ball(std::move(points), Triple(points[i]), radius);
-  }
-  expect_topology(skeletonize(points));
 }
 
 TEST_P(Sampled_cloud, has_nearly_the_skeleton_of_the_mesh)
@@ -264,102 +218,6 @@ TEST(Point_cloud_skeleton, comes_by_the_named_parameter_policies)
   EXPECT_FALSE(report.genus.has_value()) << "no surface is made of the points";
   EXPECT_FALSE(report.reconstruction.has_value());
   EXPECT_EQ(report.number_of_rejections, expected.report.number_of_rejections);
-}
-
-TEST(Point_cloud_skeleton, does_not_depend_on_the_pose)
-{
-  const std::vector<Triple> points = some_points();
-  const Plain_skeleton skeleton = CSCD::test::plain(skeletonize(points, few_sources).skeleton);
-  for (const Similarity& motion :
-       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, CSCD::test::unit({1, 2, 3}), 1, {0, 0, 0}},
-        Similarity{1e-6, {0, 1, 0}, 2, {0, 0, 0}}}) {
-    SCOPED_TRACE(motion.scale);
-    const Plain_skeleton expected = moved(skeleton, motion);
-    EXPECT_EQ("", difference(expected, CSCD::test::plain(skeletonize(moved(points, motion), few_sources).skeleton),
-                             1e-5 * motion.scale));
-  }
-}
-
-TEST(Point_cloud_skeleton, does_not_depend_on_the_order_of_the_points)
-{
-  const std::vector<Triple> points = some_points();
-  std::mt19937_64 random(1);
-  const std::vector<std::size_t> order = CSCD::test::random_permutation(points.size(), random);
-  EXPECT_EQ(CSCD::test::plain(skeletonize(points, few_sources).skeleton),
-            CSCD::test::renamed(
-                CSCD::test::plain(skeletonize(CSCD::test::permuted(points, order), few_sources).skeleton), order));
-}
-
-TEST(Point_cloud_skeleton, does_not_depend_on_the_number_of_threads)
-{
-  const CSCD::test::Allow_threads allow(3);
-  const std::vector<Triple> points = some_points();
-  const Plain_skeleton expected = CSCD::test::plain(skeletonize(points, few_sources).skeleton);
-  for (const unsigned number_of_threads : {1u, 2u, 3u}) {
-    const Outcome outcome = skeletonize<CGAL::Parallel_if_available_tag>(points, few_sources, number_of_threads);
-    EXPECT_EQ(expected, CSCD::test::plain(outcome.skeleton));
-  }
-}
-
-TEST(Point_cloud_skeleton, holds_duplicates_and_points_off_the_surface)
-{
-  std::vector<Triple> points = some_points();
-  const std::vector<Triple> twice(points.begin(), points.begin() + 100);
-  points.insert(points.end(), twice.begin(), twice.end());
-  points.push_back({100, 0, 0});
-  points.push_back({0, 200, 0});
-  const Outcome outcome = skeletonize(points, few_sources);
-  EXPECT_EQ(1u, outcome.report.number_of_skeleton_components);
-  const std::vector<std::string>& warnings = outcome.report.warnings;
-  ASSERT_EQ(2u, warnings.size());
-  EXPECT_EQ(0u, warnings[0].find("100 points at the place of others"));
-  EXPECT_NE(std::string::npos, warnings[1].find("points in small fragments or alone"));
-}
-
-TEST(Point_cloud_skeleton, takes_normals)
-{
-  // Elements that carry both.
-  using Element = std::pair<Point, Vector>;
-  std::vector<Element> elements;
-  for (const Triple& p : sampled(CSCD::test::sphere(4), 1000, 1)) {
-    elements.emplace_back(Point(p[0], p[1], p[2]), Vector(p[0], p[1], p[2]));
-  }
-  const CGAL::First_of_pair_property_map<Element> point_map;
-  const CGAL::Second_of_pair_property_map<Element> normal_map;
-  using Element_traits = CSCD::Point_set_traits<std::vector<Element>, CGAL::First_of_pair_property_map<Element>>;
-  const Element_traits traits(elements, point_map, normal_map);
-  const CSCD::Point_complex& surface = traits.surface().triangulation();
-  for (Index vertex = 0; vertex < surface.number_of_vertices(); ++vertex) {
-    const Vector& vector = elements[*traits.descriptors(vertex).begin()].second;
-    const auto normal = Vector_3(vector.x(), vector.y(), vector.z()).normalized();
-    EXPECT_LT((surface.normal(vertex) - normal).norm(), 1e-12);
-  }
-}
-
-TEST(Point_cloud_skeleton, handles_few_or_coplanar_points)
-{
-  std::mt19937_64 random(1);
-  for (const std::size_t number : {12u, 20u, 50u}) {
-    SCOPED_TRACE(number);
-    EXPECT_LE(1u, skeletonize(sampled(CSCD::test::sphere(3), number, 1), few_sources).report.number_of_nodes);
-  }
-  std::vector<Triple> plane;
-  for (int i = 0; i < 500; ++i) {
-    plane.push_back({CSCD::test::random_unit(random), CSCD::test::random_unit(random), 0});
-  }
-  EXPECT_EQ(1u, skeletonize(plane, few_sources).report.number_of_skeleton_components);
-}
-
-TEST(Point_cloud_skeleton, is_refused_of_what_samples_no_surface)
-{
-  std::vector<Triple> line;
-  for (int i = 0; i < 100; ++i) {
-    line.push_back({0.1 * i, 0, 0});
-  }
-  for (const std::vector<Triple>& triples : {std::vector<Triple>{}, {{0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}, line}) {
-    const Points points = CSCD::test::to_points<Point>(triples);
-    EXPECT_THROW(Traits{points}, CSCD::Input_error);
-  }
 }
 
 } // namespace

@@ -177,19 +177,6 @@ TEST_P(Scanned_tree, is_found_from_one_side)
   expect_match(match(m_tree, outcome), 0.75);
 }
 
-TEST_P(Scanned_tree, has_few_superfluous_branches_from_two_sides)
-{
-  const std::vector<Triple> all = m_tree.scanned(2 * number, 0.5, 1);
-  std::vector<Triple> both = CSCD::test::seen_from(all, {12, 0, 1.5}, 0.0015, 0.1);
-  const std::vector<Triple> other = CSCD::test::seen_from(all, {-6, 10, 1.5}, 0.0015, 0.1);
-  both.insert(both.end(), other.begin(), other.end());
-  const Tree_outcome outcome = tree_of(CSCD::test::shaken(both, 0.004, 2));
-  EXPECT_GT(outcome.report.number_of_thinned_points, 0u);
-  const Tree_match result = match(m_tree, outcome);
-  expect_match(result, 0.8);
-  EXPECT_LE(double(result.superfluous), 0.12 * double(result.number_of_limbs)) << "a quarter on the whole scan";
-}
-
 TEST_P(Scanned_tree, is_found_across_gaps)
 {
   std::vector<Triple> points = m_tree.scanned(number, 1, 1);
@@ -241,23 +228,6 @@ TEST(Tree_skeleton, is_the_same_from_call_to_call_and_for_any_order)
   EXPECT_EQ(expected, renamed(CSCD::test::plain(tree_of(CSCD::test::permuted(points, order)).skeleton), order));
 }
 
-TEST(Tree_skeleton, moves_with_the_scan)
-{
-  const std::vector<Triple> points = some_scan();
-  const Tree_outcome outcome = tree_of(points);
-  for (const Similarity& motion :
-       {Similarity{1, {0, 0, 1}, 0, {5e5, 5e6, 100}}, Similarity{1, {0, 0, 1}, 1, {0, 0, 0}},
-        Similarity{1e-6, {0, 0, 1}, 2, {0, 0, 0}}, Similarity{1e100, {0, 0, 1}, 0, {0, 0, 0}}}) {
-    SCOPED_TRACE(motion.scale);
-    const Plain_skeleton expected = moved(CSCD::test::plain(outcome.skeleton), motion);
-    const Tree_outcome other = tree_of(moved(points, motion));
-    EXPECT_EQ("", difference(expected, CSCD::test::plain(other.skeleton), 1e-4 * motion.scale));
-    ASSERT_EQ(outcome.report.branches.size(), other.report.branches.size());
-    EXPECT_NEAR(motion.scale * outcome.report.branches.front().radius_at_base,
-                other.report.branches.front().radius_at_base, 1e-4 * motion.scale);
-  }
-}
-
 /// A trunk with a limb that has a limb.
 TEST(Tree_skeleton, counts_orders)
 {
@@ -299,34 +269,6 @@ TEST(Tree_skeleton, begins_at_the_given_root)
   EXPECT_THROW(CSCD::extract_tree_skeleton(points, skeleton, CSCD::parameters::root(Tree_point(0, std::nan(""), 5))),
                CSCD::Input_error);
   EXPECT_GT(skeleton[0].point.z(), 4.8);
-}
-
-TEST(Tree_skeleton, is_the_same_for_all_ranges)
-{
-  const Tree_points points = CSCD::test::to_points<Tree_point>(some_scan());
-  Tree_graph expected;
-  CSCD::extract_tree_skeleton(points, expected);
-  CGAL::Point_set_3<Tree_point> point_set;
-  std::vector<std::pair<int, Tree_point>> pairs;
-  for (const Tree_point& p : points) {
-    point_set.insert(p);
-    pairs.emplace_back(0, p);
-  }
-  Tree_graph of_pairs;
-  CSCD::extract_tree_skeleton(
-      pairs, of_pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>()));
-  EXPECT_EQ(CSCD::test::plain(expected), CSCD::test::plain(of_pairs));
-  EXPECT_EQ(CSCD::is_scan_of_trees(
-                pairs, CSCD::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Tree_point>>())),
-            CSCD::is_scan_of_trees(point_set));
-  CSCD::Skeleton_graph<Tree_point, CGAL::Point_set_3<Tree_point>::Index> of_point_set;
-  CSCD::extract_tree_skeleton(point_set, of_point_set);
-  ASSERT_EQ(num_vertices(expected), num_vertices(of_point_set));
-  for (std::size_t node = 0; node < num_vertices(expected); ++node) {
-    EXPECT_EQ(expected[node].point, of_point_set[node].point);
-    EXPECT_TRUE(std::equal(expected[node].vertices.begin(), expected[node].vertices.end(),
-                           of_point_set[node].vertices.begin(), of_point_set[node].vertices.end()));
-  }
 }
 
 /// The roots come first, so that the parents in SWC are those of the branches.
@@ -376,20 +318,6 @@ TEST(Tree_skeleton, of_a_line_is_the_line)
     EXPECT_NEAR(3, outcome.report.branches.front().length, 0.01);
     EXPECT_NEAR(0, outcome.report.branches.front().radius_at_base, 1e-6);
   }
-}
-
-TEST(Tree_skeleton, of_a_plane_is_some_tree)
-{
-  std::vector<Triple> upright;
-  std::vector<Triple> lying;
-  for (int i = 0; i < 40; ++i) {
-    for (int j = 0; j < 40; ++j) {
-      upright.push_back({0.1 * i, 0, 0.1 * j});
-      lying.push_back({0.1 * i, 0.1 * j, 0});
-    }
-  }
-  EXPECT_EQ(1u, tree_of(upright).report.number_of_objects);
-  EXPECT_EQ(1u, tree_of(lying).report.number_of_objects);
 }
 
 } // namespace

@@ -15,8 +15,6 @@
 #include <cstdint>
 #include <numeric>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace {
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Tests that benchmark/geodesics_tables.py finds what benchmark_geodesics.cpp counts.
+"""Tests that benchmark/reproduce/geodesics_tables.py finds what benchmark_geodesics.cpp counts.
 
 Usage: test_geodesics_tables.py FOLDER_OF_THE_SCRIPTS
 """

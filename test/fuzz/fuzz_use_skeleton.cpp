@@ -17,7 +17,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -132,12 +132,6 @@ TEST_F(Invariants, notice_a_report_that_lies)
   EXPECT_EQ(violations().size(), 3u);
 }
 
-TEST_F(Invariants, notice_cavities_that_are_not_there)
-{
-  m_report.number_of_cavities = 1;
-  EXPECT_FALSE(violations().empty());
-}
-
 TEST_F(Invariants, notice_nodes_outside)
 {
   m_skeleton[4].point = Point(4, 1.5, 0);
@@ -149,15 +143,6 @@ TEST_F(Invariants, notice_nodes_outside)
   m_report.number_of_edges_outside = 2;
   EXPECT_EQ(violations(), Violations{});
   EXPECT_NEAR(CSCD::test::centreline_error(m_shape, m_skeleton).max_of_nodes, 1.5, 1e-12);
-}
-
-TEST_F(Invariants, notice_a_gap_and_a_wrong_radius)
-{
-  m_skeleton[8].point = Point(7, 0, 0);
-  m_skeleton[4].radius = 1.5;
-  const CSCD::test::Centreline_error error = CSCD::test::centreline_error(m_shape, m_skeleton);
-  EXPECT_NEAR(error.max_gap, 1, 1e-12);
-  EXPECT_NEAR(error.max_of_radii, 0.5, 1e-12);
 }
 
 TEST_F(Invariants, comparison_ignores_names_only)
@@ -185,26 +170,6 @@ TEST_F(Invariants, comparison_ignores_names_only)
   b = a;
   b.points[4] = b.points[3];
   EXPECT_NE(CSCD::test::difference(a, b, 10), "");
-}
-
-TEST(Inside_count, knows_a_cavity)
-{
-  const Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::hollow_sphere(2));
-  Skeleton skeleton(2);
-  skeleton[0].point = Point(0, 0, 0.75);
-  skeleton[1].point = Point(0, 0, 0);
-  EXPECT_EQ(CSCD::test::count_inside(mesh, skeleton).number_of_nodes_outside, 1u);
-}
-
-TEST(Surface_facts, count_isolated_vertices_and_borders)
-{
-  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::with_small_holes(CSCD::test::torus(3, 1, 16), 3, 1));
-  mesh.add_vertex(Point(0, 0, 0));
-  const CSCD::test::Surface_facts facts = CSCD::test::surface_facts(mesh);
-  EXPECT_EQ(facts.number_of_isolated_vertices, 1u);
-  EXPECT_EQ(facts.number_of_vertices, mesh.number_of_vertices() - 1);
-  EXPECT_EQ(facts.number_of_border_cycles, 3u);
-  EXPECT_EQ(facts.genus, 1u);
 }
 
 } // namespace
