@@ -26,8 +26,13 @@ step()
   echo "== $name: $((SECONDS - begin)) s"
 }
 
+# Node.js of other sources brings npm, and excludes the package.
+node_packages=()
+command -v node >/dev/null || node_packages+=(nodejs)
+command -v npm >/dev/null || node_packages+=(npm)
 step "packages" install_packages "${library_packages[@]}" "${python_packages[@]}" libgtest-dev libbenchmark-dev \
-  chromium clang clang-format clang-tidy ccache doxygen dpkg-dev file nodejs npm python3
+  chromium clang clang-format clang-tidy ccache doxygen dpkg-dev file python3 \
+  ${node_packages[@]+"${node_packages[@]}"}
 jobs=$(number_of_jobs)
 
 # configure <preset> [<option>...]
