@@ -14,7 +14,6 @@
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/internal/read_content.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>

@@ -163,6 +163,15 @@ TEST_P(Plain_bodies, have_their_axis_as_skeleton)
   }
 }
 
+/// The name of `body`, of letters and digits alone.
+std::string test_name(const Plain_body& body)
+{
+  std::string name = body.name;
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Shapes, Plain_bodies,
     testing::Values(Plain_body{"square bar", rectangle(1, 1)}, Plain_body{"thick square bar", rectangle(2, 2)},
@@ -175,11 +184,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Plain_body{"pyramidal frustum", regular_polygon(4), 0.6},
                     Plain_body{"hexagonal frustum", regular_polygon(6), 0.5},
                     Plain_body{"conical frustum", regular_polygon(32), 0.6}),
-    [](const testing::TestParamInfo<Plain_body>& info) {
-      std::string name = info.param.name;
-      std::replace_if(
-          name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
-      return name;
-    });
+    [](const auto& tested) { return test_name(tested.param); });
 
 } // namespace

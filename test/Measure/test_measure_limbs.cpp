@@ -78,16 +78,6 @@ Limb_measures limbs(const Shape& shape)
   return limbs(shape, skeleton);
 }
 
-std::vector<double> sorted_heights(const Limb_measures& measures)
-{
-  std::vector<double> result;
-  for (const CSCD::Surface_limb& limb : measures.limbs) {
-    result.push_back(limb.height);
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 TEST(Measure_limbs, bodies_without_limbs_have_none)
 {
   for (const Shape& shape : {sphere(3), torus(4, 1, 32), trefoil_knot(0.3, 12), chain_of_rings(3, 16), cube(),

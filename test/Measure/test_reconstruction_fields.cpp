@@ -33,19 +33,6 @@ Skeleton segment(const Vector_3& source, const Vector_3& target, double source_r
   return {{source, target}, {source_radius, target_radius}, {{0, 1}}};
 }
 
-/// A circle around the z axis as a polygon.
-Skeleton ring(double radius, double node_radius, Index number_of_nodes)
-{
-  Skeleton result;
-  for (Index i = 0; i < number_of_nodes; ++i) {
-    const double angle = 2 * pi * double(i) / double(number_of_nodes);
-    result.points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
-    result.radii.push_back(node_radius);
-    result.edges.push_back({i, (i + 1) % number_of_nodes});
-  }
-  return result;
-}
-
 /// F of one edge by quadrature.
 double quadrature(const Skeleton& s, const Vector_3& point)
 {
@@ -90,26 +77,6 @@ TEST(Convolution_field, a_long_line_gives_the_cylinder_of_its_radius)
     // The end of a half line: half the line, so that the radius is smaller by the cubic root of 2.
     EXPECT_NEAR(0, field({radius / std::cbrt(2), 0, 100 * radius}), 1e-5);
   }
-}
-
-/// Edges and balls at random places in a cube.
-Skeleton random_skeleton(Index number_of_edges, Index number_of_balls)
-{
-  std::mt19937 generator(5);
-  std::uniform_real_distribution<double> uniform;
-  Skeleton result;
-  for (Index i = 0; i < 2 * number_of_edges + number_of_balls; ++i) {
-    const double x = uniform(generator);
-    const double y = uniform(generator);
-    const Vector_3 step(uniform(generator), uniform(generator), uniform(generator));
-    const bool is_target = i % 2 == 1 && i < 2 * number_of_edges;
-    result.points.push_back(is_target ? Vector_3(result.points.back() + 0.03 * step) : Vector_3(x, y, step.x()));
-    result.radii.push_back(0.002 * uniform(generator));
-    if (is_target) {
-      result.edges.push_back({i - 1, i});
-    }
-  }
-  return result;
 }
 
 TEST(Round_cone_field, is_the_distance_from_the_hull_of_two_balls)
