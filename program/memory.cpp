@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -22,7 +21,7 @@ namespace {
 constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
 
 /// The number in a file, or behind `key` there; nothing if there is none, as where a group has no bound.
-std::optional<std::size_t> number_in(const std::filesystem::path& file, const std::string& key = "")
+std::optional<std::size_t> number_in(const std::string& file, const std::string& key = "")
 {
   std::ifstream in(file);
   for (std::string word; !key.empty() && in >> word && word != key;) {
@@ -33,7 +32,7 @@ std::optional<std::size_t> number_in(const std::filesystem::path& file, const st
 }
 
 /// The bytes that a bound leaves. \param used the file of the bytes in use \param free how many of them are a cache
-std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::path& used, std::size_t free)
+std::size_t left_by(const std::string& bound, const std::string& used, std::size_t free)
 {
   const std::optional<std::size_t> most = number_in(bound);
   const std::optional<std::size_t> now = number_in(used);
@@ -41,16 +40,16 @@ std::size_t left_by(const std::filesystem::path& bound, const std::filesystem::p
 }
 
 /// The bytes that one control group leaves. It has files of version 2 or 1.
-std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t swap)
+std::size_t memory_left_in_group(const std::string& group, std::size_t swap)
 {
-  const std::size_t cache = number_in(group / "memory.stat", "file").value_or(0);
-  const std::size_t old_cache = number_in(group / "memory.stat", "total_cache").value_or(0);
-  const std::size_t swap_left = std::min(swap, left_by(group / "memory.swap.max", group / "memory.swap.current", 0));
+  const std::size_t cache = number_in(group + "/memory.stat", "file").value_or(0);
+  const std::size_t old_cache = number_in(group + "/memory.stat", "total_cache").value_or(0);
+  const std::size_t swap_left = std::min(swap, left_by(group + "/memory.swap.max", group + "/memory.swap.current", 0));
   const std::size_t left =
-      std::min(left_by(group / "memory.max", group / "memory.current", cache),
-               left_by(group / "memory.limit_in_bytes", group / "memory.usage_in_bytes", old_cache));
+      std::min(left_by(group + "/memory.max", group + "/memory.current", cache),
+               left_by(group + "/memory.limit_in_bytes", group + "/memory.usage_in_bytes", old_cache));
   const std::size_t left_with_swap =
-      left_by(group / "memory.memsw.limit_in_bytes", group / "memory.memsw.usage_in_bytes", old_cache);
+      left_by(group + "/memory.memsw.limit_in_bytes", group + "/memory.memsw.usage_in_bytes", old_cache);
   return std::min(left > unbounded - swap_left ? unbounded : left + swap_left, left_with_swap);
 }
 
@@ -58,15 +57,14 @@ std::size_t memory_left_in_group(const std::filesystem::path& group, std::size_t
 /// The bytes that the control groups of this process leave.
 std::size_t memory_left_in_own_groups(std::size_t swap)
 {
-  const std::filesystem::path root = "/sys/fs/cgroup";
+  const std::string root = "/sys/fs/cgroup";
   std::size_t result = unbounded;
   std::ifstream groups("/proc/self/cgroup"); // number:controllers:/path, in version 2 0::/path
   for (std::string line; std::getline(groups, line);) {
     const bool is_old = line.find(":memory:/") != std::string::npos;
     if (is_old || line.rfind("0::/", 0) == 0) {
-      const std::filesystem::path top = is_old ? root / "memory" : root;
-      const std::filesystem::path group = top / line.substr(line.find(":/") + 2);
-      result = std::min(result, memory_left_in_groups(group.lexically_normal(), top, swap));
+      const std::string top = is_old ? root + "/memory" : root;
+      result = std::min(result, memory_left_in_groups(top + line.substr(line.find(":/") + 1), top, swap));
     }
   }
   return result;
@@ -75,15 +73,14 @@ std::size_t memory_left_in_own_groups(std::size_t swap)
 
 } // namespace
 
-std::size_t memory_left_in_groups(std::filesystem::path group, const std::filesystem::path& root, std::size_t swap)
+// Strings, since copies of std::filesystem::path crash in libstdc++ where memory runs out.
+std::size_t memory_left_in_groups(std::string group, const std::string& root, std::size_t swap)
 {
-  std::size_t least = unbounded;
-  for (;; group = group.parent_path()) {
+  std::size_t least = memory_left_in_group(root, swap);
+  for (; group.size() > root.size(); group.resize(group.rfind('/'))) {
     least = std::min(least, memory_left_in_group(group, swap));
-    if (group == root || group == group.parent_path()) {
-      return least;
-    }
   }
+  return least;
 }
 
 void limit_memory_to_available()

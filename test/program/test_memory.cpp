@@ -22,7 +22,7 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
   std::filesystem::create_directories(root.path() / "slice/job");
   std::size_t swap = 0;
   const auto left = [&](const char* group) {
-    return cscd::memory_left_in_groups(root.path() / group, root.path(), swap);
+    return cscd::memory_left_in_groups((root.path() / group).string(), root.path().string(), swap);
   };
   EXPECT_EQ(left("slice/job"), unbounded);
   root.write("slice/job/memory.max", "max\n");
@@ -50,7 +50,7 @@ TEST(memory_left_in_groups, knows_version_1)
   const test_support::Temporary_folder root;
   std::filesystem::create_directories(root.path() / "job");
   const auto left = [&](std::size_t swap) {
-    return cscd::memory_left_in_groups(root.path() / "job", root.path(), swap);
+    return cscd::memory_left_in_groups((root.path() / "job").string(), root.path().string(), swap);
   };
   root.write("job/memory.limit_in_bytes", "1000\n");
   root.write("job/memory.usage_in_bytes", "700\n");

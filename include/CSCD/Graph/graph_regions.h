@@ -24,11 +24,13 @@
 
 namespace CSCD {
 
-/// The radius of what a vertex of `graph` stands for.
+/// \cond INTERNAL
+/// The radius of what a vertex of `graph` stands for; found by the type of the graph.
 inline double vertex_radius(const Spatial_graph& graph, Index vertex)
 {
   return graph.radius(vertex);
 }
+/// \endcond
 
 namespace internal {
 
