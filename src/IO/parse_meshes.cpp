@@ -170,8 +170,11 @@ private:
         if (!m_scanner.skip_blanks_in_line()) {
           m_scanner.fail(too_few_coordinates);
         }
-        m_shape.points.back() /= m_scanner.coordinate();
-        if (!m_shape.points.back().allFinite()) {
+        const double weight = m_scanner.coordinate();
+        if (weight != 0) {
+          m_shape.points.back() /= weight;
+        }
+        if (weight == 0 || !m_shape.points.back().allFinite()) {
           m_scanner.fail("a homogeneous vertex lies at infinity", "correct this line");
         }
       }
