@@ -50,8 +50,8 @@ inline std::vector<double> separator_costs(const std::vector<Separator>& separat
 /// Finds the branches of a cut graph that stand on no limb, and the ends of branches that lead into a corner of the
 /// body.
 ///
-/// A corner of a box or a plank is no limb, although loops surround it. Its separators cut off less, relative to their
-/// squared length, than those of a limb, and they turn aside from the branch.
+/// A corner of a box or a plank is not a limb, although loops surround it. Its separators cut off less, relative to
+/// their squared length, than those of a limb, and they turn aside from the branch.
 class Spurious_branches
 {
 public:
@@ -179,7 +179,8 @@ private:
         }
       }
     }
-    return is_limb(1) ? number_of_weak_steps(1) : 0;
+    const std::size_t first_of_limb = number_of_weak_steps(1);
+    return first_of_limb < m_branch.size() ? first_of_limb : 0;
   }
 
   /// The cosine of the angle between the planes of two steps.

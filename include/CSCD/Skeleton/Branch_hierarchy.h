@@ -84,7 +84,7 @@ public:
 private:
   static double radius(const Skeleton& skeleton, Index node) { return skeleton.has_radii() ? skeleton.radii[node] : 0; }
 
-  /// What has no radius is infinitely slender.
+  /// A limb without a radius is infinitely slender.
   static double ratio(double length, double radius)
   {
     return length <= 0 ? 0 : radius > 0 ? length / radius : std::numeric_limits<double>::infinity();
@@ -143,7 +143,7 @@ public:
     }
   }
 
-  /// The level of what is never cut.
+  /// The level of edges that are never cut.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   Branch_levels release() { return {std::move(m_level), std::move(m_is_last)}; }
