@@ -415,7 +415,8 @@ TEST_F(Cscd, says_what_the_numbers_behind_coordinates_are)
   EXPECT_EQ(std::string::npos, with_normals.err.find("colors"));
   const Outcome with_colors = run("skeletonize colors.xyz -o b.graph");
   EXPECT_NE(std::string::npos, with_colors.out.find("1440 points, ")) << with_colors.out;
-  EXPECT_NE(std::string::npos, with_colors.err.find("colors.xyz: three numbers behind the coordinates are not normals"));
+  EXPECT_NE(std::string::npos,
+            with_colors.err.find("colors.xyz: three numbers behind the coordinates are not normals"));
 }
 
 TEST_F(Cscd, skeletonizes_trees)
