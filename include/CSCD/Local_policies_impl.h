@@ -6,9 +6,10 @@
 #ifndef CSCD_LOCAL_POLICIES_IMPL_H
 #define CSCD_LOCAL_POLICIES_IMPL_H
 
-#include <CSCD/Local/local_stages.h>
+#include <CSCD/Local/Covering_search.h>
 #include <CSCD/Local_policies.h>
 #include <CSCD/Packing/Separator_packing.h>
+#include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Skeleton/embed_skeleton.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/detection.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>

@@ -7,7 +7,7 @@
 #define CSCD_SKELETONIZATION_VISITOR_H
 
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/detection.h>
+#include <CSCD/input_concepts.h>
 
 #include <array>
 #include <chrono>

@@ -15,7 +15,6 @@
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
-#include <CSCD/internal/detection.h>
 
 #include <iterator>
 #include <optional>

@@ -6,10 +6,32 @@
 #ifndef CSCD_INPUT_CONCEPTS_H
 #define CSCD_INPUT_CONCEPTS_H
 
-#include <CSCD/internal/detection.h>
-
 #include <cstddef>
 #include <iterator>
+#include <type_traits>
+
+namespace CSCD::internal {
+
+template <class... T, class Function>
+constexpr bool is_valid(const Function& /* expression */)
+{
+  return std::is_invocable_v<const Function&, T...>;
+}
+
+template <class Result, class... T, class Function>
+constexpr bool gives(const Function& /* expression */)
+{
+  return std::is_invocable_r_v<Result, const Function&, T...>;
+}
+
+} // namespace CSCD::internal
+
+/// Whether an expression in `t`, an object of type `T`, is valid. The expression is not evaluated.
+#define CSCD_IS_VALID(T, ...)                                                                                          \
+  ::CSCD::internal::is_valid<T>([]([[maybe_unused]] auto&& t) -> decltype(__VA_ARGS__) { return __VA_ARGS__; })
+/// Whether it is valid and convertible to `Result`.
+#define CSCD_GIVES(Result, T, ...)                                                                                     \
+  ::CSCD::internal::gives<Result, T>([]([[maybe_unused]] auto&& t) -> decltype(__VA_ARGS__) { return __VA_ARGS__; })
 
 namespace CSCD {
 

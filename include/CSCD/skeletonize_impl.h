@@ -6,9 +6,10 @@
 #ifndef CSCD_SKELETONIZE_IMPL_H
 #define CSCD_SKELETONIZE_IMPL_H
 
-#include <CSCD/Local/local_stages.h>
+#include <CSCD/Local/Covering_search.h>
 #include <CSCD/Options.h>
 #include <CSCD/Packing/Separator_packing.h>
+#include <CSCD/Packing/cut_handles.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>

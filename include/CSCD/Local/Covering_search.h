@@ -493,6 +493,20 @@ private:
   std::optional<Surface_regions> m_regions; ///< of the separators packed for trial
 };
 
+/// Seeks separators until they cover the surface, or until the bound of `options` on the number of sources is reached.
+/// Separators around a hollow are not returned.
+inline std::vector<Separator> find_local_separators(const Triangulated_solid& solid, const Options& options,
+                                                    Skeletonization_report& report, const Progress& progress)
+{
+  std::vector<Separator> separators = Covering_search(solid, options)(report, progress);
+  const auto first_tunnel = std::remove_if(separators.begin(), separators.end(), [&solid](const Separator& separator) {
+    return is_around_hollow(solid, separator);
+  });
+  report.number_of_tunnels = std::size_t(separators.end() - first_tunnel);
+  separators.erase(first_tunnel, separators.end());
+  return separators;
+}
+
 } // namespace CSCD::internal
 
 #endif // CSCD_LOCAL_COVERING_SEARCH_H

@@ -10,6 +10,8 @@
 #include <CSCD/Packing/Separator_packing.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/Straightening.h>
+#include <CSCD/Separator/limb_tests.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -23,6 +25,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace CSCD::internal {
@@ -419,6 +422,21 @@ inline std::size_t cut_handles(const Triangulated_solid& solid, std::vector<Sepa
                                Separator_packing& packing)
 {
   return Handle_cutting(solid, separators, packing)();
+}
+
+/// Packs `separators` and cuts the surface along the packed ones. Appends separators around handles that no source has
+/// found.
+inline std::unique_ptr<Separator_packing> pack_local_separators(const Triangulated_solid& solid, const Detail& detail,
+                                                                std::vector<Separator>& separators,
+                                                                Skeletonization_report& report)
+{
+  auto packing = std::make_unique<Separator_packing>(solid.triangulation(), separators, separator_costs(separators),
+                                                     detail.min_branch_area_ratio());
+  report.number_of_handle_cuts = cut_handles(solid, separators, *packing);
+  for (std::size_t i = separators.size() - report.number_of_handle_cuts; i < separators.size(); ++i) {
+    mark_open(solid, separators[i]);
+  }
+  return packing;
 }
 
 } // namespace CSCD::internal

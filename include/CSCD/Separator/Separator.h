@@ -8,7 +8,7 @@
 
 #include <CSCD/Surface/Triangulated_surface.h>
 #include <CSCD/Vector_3.h>
-#include <CSCD/internal/detection.h>
+#include <CSCD/input_concepts.h>
 
 #include <CGAL/assertions.h>
 

@@ -12,7 +12,7 @@
 #include <CSCD/Surface/Normalization.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/detection.h>
+#include <CSCD/input_concepts.h>
 #include <CSCD/internal/flat_arrays.h>
 
 #include <CGAL/Iterator_range.h>

@@ -8,7 +8,7 @@
 
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
-#include <CSCD/internal/detection.h>
+#include <CSCD/input_concepts.h>
 
 #include <boost/io/ios_state.hpp>
 #include <boost/range/iterator_range_core.hpp>
