@@ -24,7 +24,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -55,27 +54,26 @@ public:
   }
 
   /// The loops of the piece with the vertex `root`, twice its genus of them, each simple, through `root` or with its
-  /// stem from there left out. They are fewer where all edges between two parts of the piece are crossed.
-  /// \param max_length of a loop with its stem there and back: longer ones are left out; with few vertices in reach, it
-  ///        takes linear time
-  std::vector<Vertex_loop> operator()(Index root, float max_length = std::numeric_limits<float>::infinity())
+  /// stem from there left out; the shortest first. They are fewer where all edges between two parts of the piece are
+  /// crossed.
+  std::vector<Vertex_loop> operator()(Index root)
   {
-    grow_tree(root, max_length / 2);
-    Disjoint_sets regions = m_capped;
-    collect_cotree_edges(regions);
-    std::vector<Vertex_loop> loops;
-    // The longest loops first: their edges go to the cotree, and those of the shortest remain.
-    for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
-      if (!join_across(edge->halfedge, regions) && edge->loop_length <= max_length) {
-        loops.push_back(close_loop(edge->halfedge));
-      }
-    }
-    std::reverse(loops.begin(), loops.end());
-    return loops;
+    m_front.clear();
+    grow_tree(root);
+    return close_loops();
   }
 
-  /// Whether a path leads from the last root to `vertex`.
-  bool has_reached(Index vertex) const { return m_front.is_reached(vertex); }
+  /// The loops of all pieces, likewise, from a root in each part of them.
+  std::vector<Vertex_loop> of_all_pieces()
+  {
+    m_front.clear();
+    for (Index vertex = 0; vertex < m_surface.number_of_vertices(); ++vertex) {
+      if (!m_front.is_reached(vertex)) {
+        grow_tree(vertex);
+      }
+    }
+    return close_loops();
+  }
 
 private:
   struct Cotree_edge
@@ -141,21 +139,35 @@ private:
 
   Index region_after(const Chord_end& end) const { return border(end.point, end.is_left_after); }
 
-  void grow_tree(Index root, float max_distance)
+  void grow_tree(Index root)
   {
-    m_front.clear();
     m_front.reach(root, 0);
     m_parent[root] = no_index;
     m_front.spread([&](Index vertex, float distance) {
       const Corner* corner = m_corners.fan(vertex).begin();
       for (Index halfedge : m_surface.outgoing(vertex)) {
         const float next_distance = distance + corner->length;
-        if (next_distance <= max_distance && !is_crossed(halfedge) && m_front.reach(corner->neighbor, next_distance)) {
+        if (!is_crossed(halfedge) && m_front.reach(corner->neighbor, next_distance)) {
           m_parent[corner->neighbor] = vertex;
         }
         ++corner;
       }
     });
+  }
+
+  std::vector<Vertex_loop> close_loops()
+  {
+    Disjoint_sets regions = m_capped;
+    collect_cotree_edges(regions);
+    std::vector<Vertex_loop> loops;
+    // The longest loops first: their edges go to the cotree, and those of the shortest remain.
+    for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
+      if (!join_across(edge->halfedge, regions)) {
+        loops.push_back(close_loop(edge->halfedge));
+      }
+    }
+    std::reverse(loops.begin(), loops.end());
+    return loops;
   }
 
   /// Unites what lies on the two sides of an edge that is not crossed. \return whether it was two regions
@@ -236,19 +248,19 @@ public:
   {
   }
 
-  /// Cuts all handles that can be cut. \return the number of separators that were added
+  /// Cuts all handles that can be cut; O(n log n) for each round, and a round cuts many. \return the number of
+  /// separators that were added
   std::size_t operator()()
   {
     std::size_t count = 0;
-    // A piece that is cut stays one, with its number, and has as many handles less as separators were added.
-    for (Index piece = 0; piece < m_packing.cut_graph().pieces().size(); ++piece) {
-      while (m_packing.cut_graph().pieces()[piece].genus() > 0) {
-        const std::size_t added = cut_piece(piece);
-        if (added == 0) {
-          break;
-        }
-        count += added;
+    bool is_any_allowed = false;
+    while (has_handles()) {
+      const std::size_t added = cut(is_any_allowed);
+      if (added == 0 && is_any_allowed) {
+        break;
       }
+      is_any_allowed = added == 0;
+      count += added;
     }
     return count;
   }
@@ -256,16 +268,11 @@ public:
 private:
   /// Sweeps of straightening: the loops run along edges.
   static constexpr int number_of_straightening_passes = 15;
-  /// Bound for the vertices visited in looking for shorter loops around the handles of one piece: a few seconds at
-  /// most.
-  static constexpr std::size_t max_visits = 10000000;
   /// A loop spans the body if so many of the samples of its disc are inside: the middles between points of the loop and
   /// its center ...
   static constexpr double min_inside_part = 0.5;
   /// ... of which so many tell.
   static constexpr std::size_t max_number_of_samples = 32;
-  /// Of sums of lengths in single precision, relative to them.
-  static constexpr double rounding = 1e-4;
 
   struct Candidate
   {
@@ -274,21 +281,29 @@ private:
     bool is_inside = false;
   };
 
-  /// Cuts the piece along as many loops as lower its genus, each by one: all that span the body and are disjoint, less
-  /// those that are not needed; if there are none, one that does not span it.
-  std::size_t cut_piece(Index piece)
+  bool has_handles() const
   {
-    std::vector<Candidate> candidates = find_candidates(piece);
+    const std::vector<Cut_graph::Piece>& pieces = m_packing.cut_graph().pieces();
+    return std::any_of(pieces.begin(), pieces.end(), [](const Cut_graph::Piece& piece) { return piece.genus() > 0; });
+  }
+
+  /// Cuts along all loops that span the body, or if `is_any_allowed`, along any, that are disjoint and each lower the
+  /// genus by one. \return their number
+  std::size_t cut(bool is_any_allowed)
+  {
+    std::vector<Candidate> candidates;
+    for (const Vertex_loop& loop : Handle_loops(m_solid.levels().finest(), m_packing.arrangement()).of_all_pieces()) {
+      candidates.push_back(measure(loop));
+    }
     std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
       return a.is_inside != b.is_inside ? a.is_inside : a.length < b.length;
     });
     std::vector<Separator> trial;
     Separator_arrangement arrangement = m_packing.arrangement();
     for (const Candidate& candidate : candidates) {
-      if (!candidate.is_inside && !trial.empty()) {
-        break;
+      if (candidate.is_inside || is_any_allowed) {
+        insert(candidate.loop, trial, arrangement);
       }
-      insert(candidate.loop, trial, arrangement);
     }
     return pack(needed(trial, arrangement));
   }
@@ -322,50 +337,6 @@ private:
       m_packing.cut_again();
     }
     return separators.size();
-  }
-
-  std::vector<Candidate> find_candidates(Index piece) const
-  {
-    Handle_loops handle_loops(m_solid.levels().finest(), m_packing.arrangement());
-    // Loops from the first root pass near the handles; rooted there, they become the shortest around them.
-    const std::size_t max_roots = max_visits / m_surface.number_of_vertices();
-    const std::vector<Vertex_loop> rough_loops = find_rough_loops(piece, max_roots, handle_loops);
-    std::vector<Candidate> candidates;
-    for (std::size_t i = 0; i < rough_loops.size(); ++i) {
-      candidates.push_back(measure(rough_loops[i]));
-      if (i < max_roots) {
-        // Longer ones are around handles far away, where other roots find shorter ones.
-        const auto max_length = float((1 + rounding) * candidates.back().length);
-        for (const Vertex_loop& loop : handle_loops(rough_loops[i].front(), max_length)) {
-          candidates.push_back(measure(loop));
-        }
-      }
-    }
-    return candidates;
-  }
-
-  /// The loops from the first vertex of the piece from which there are any: where separators are as dense as vertices,
-  /// no path leads from some of them to the handles.
-  std::vector<Vertex_loop> find_rough_loops(Index piece, std::size_t max_roots, Handle_loops& handle_loops) const
-  {
-    std::vector<Vertex_loop> loops;
-    std::vector<char> is_passed(m_surface.number_of_vertices(), 0);
-    std::size_t number_of_roots = 0;
-    for (Index root = 0; root < m_surface.number_of_vertices() && loops.empty(); ++root) {
-      if (is_passed[root] != 0 || m_packing.cut_graph().piece_of_vertex(root) != piece) {
-        continue;
-      }
-      loops = handle_loops(root);
-      if (++number_of_roots > max_roots) {
-        break;
-      }
-      for (Index vertex = root; vertex < m_surface.number_of_vertices(); ++vertex) {
-        if (handle_loops.has_reached(vertex)) {
-          is_passed[vertex] = 1;
-        }
-      }
-    }
-    return loops;
   }
 
   Candidate measure(const Vertex_loop& loop) const
