@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where limbs end: at openings, the borders of the input, which faces without area close; or by tips, and not in rims.
+// Where limbs end: at openings, the borders of the input, which faces without area close; or by tips.
 
 #ifndef CSCD_SKELETON_LIMB_ENDS_H
 #define CSCD_SKELETON_LIMB_ENDS_H
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -269,8 +268,6 @@ private:
   static constexpr double max_reach_of_end = 2;
   /// The part of a piece beyond this distance is far, relative to its farthest point.
   static constexpr double far_part = 0.6;
-  /// A limb ends in a thin part if the surface is nearer to the tip than this, relative to its depth.
-  static constexpr double max_thin_end = 0.6;
 
   void add_tips(Index piece)
   {
@@ -334,7 +331,8 @@ private:
     const double radius = m_graph[base].radius;
     const Vector_3 start = m_graph[base].position;
     const double reach = distance_to_end(piece, base, direction);
-    const double length = reach - depth_of_tip(piece, start, direction, reach, radius);
+    const double depth = tip_depth * radius;
+    const double length = reach - (reach > depth ? depth : depth / 2);
     if (length >= min_tip_length * radius) {
       join_tip(piece, base, start + length * direction);
     } else if (length > 0 && m_graph.degree(base) == 1) {
@@ -360,31 +358,6 @@ private:
     return hit ? hit->distance : 0;
   }
 
-  Index component_of_face(Index face) const
-  {
-    return m_cut.solid.component(m_cut.solid.query_level().to_finest(m_cut.solid.query_surface().origin(3 * face)));
-  }
-  Index component_of_piece(Index piece) const
-  {
-    return m_cut.solid.component(m_cut.solid.query_level().to_finest(*m_pieces[piece].begin()));
-  }
-
-  /// How far below the surface a tip is: less where the limb ends in a thin part. Walls of other components that reach
-  /// into the limb do not count.
-  double depth_of_tip(Index piece, const Vector_3& start, const Vector_3& direction, double reach, double radius) const
-  {
-    const double depth = tip_depth * radius;
-    if (reach <= depth) {
-      return depth / 2;
-    }
-    const Vector_3 point = start + (reach - depth) * direction;
-    const Surface_point nearest = m_cut.solid.closest_point(point);
-    const double distance = (nearest.point - point).norm();
-    const bool is_thin =
-        distance < max_thin_end * depth && component_of_face(nearest.face) == component_of_piece(piece);
-    return is_thin ? std::max(distance, depth / 2) : depth;
-  }
-
   /// A place inside below the surface of `piece` that is far from `base`, in the direction of the mean of that.
   std::optional<Vector_3> far_end_of(Index piece, Index base) const
   {
@@ -408,79 +381,6 @@ private:
   const Cut_graph_nodes& m_nodes;
   Skeleton_builder& m_graph;
   Limb_openings m_openings;
-};
-
-/// Cuts off short ends of branches that turn aside where the body lies all around the branch: in a rim, they lead to no
-/// point more than to others.
-class Rim_trimming
-{
-public:
-  /// Both are referred to.
-  Rim_trimming(const Triangulated_solid& solid, Skeleton_builder& builder) : m_solid(solid), m_builder(builder) {}
-
-  void operator()()
-  {
-    for (Index tip = 0; tip < m_builder.size(); ++tip) {
-      const Skeleton_builder::Node& node = m_builder[tip];
-      if (!node.is_removed && node.neighbors.size() == 1 && !node.is_opening && !node.is_on_sheet) {
-        trim(tip);
-      }
-    }
-  }
-
-private:
-  /// The greatest length of an end that is cut off, relative to the radius where it starts ...
-  static constexpr double max_length = 1.5;
-  /// ... and the greatest cosine of the turn there.
-  static constexpr double max_cosine = 0.5;
-
-  void trim(Index tip)
-  {
-    Index outer_neighbor = tip;
-    Index base = m_builder[tip].neighbors[0];
-    while (m_builder.is_regular(base) && m_builder.edge_length(tip, base) < max_length * m_builder[base].radius) {
-      if (leads_into_rim(tip, base, m_builder.other_neighbor(base, outer_neighbor))) {
-        contract_until(tip, base);
-        return;
-      }
-      outer_neighbor = std::exchange(base, m_builder.other_neighbor(base, outer_neighbor));
-    }
-  }
-
-  void contract_until(Index tip, Index base)
-  {
-    while (tip != base) {
-      const Index next = m_builder[tip].neighbors[0];
-      m_builder.contract(tip, next);
-      tip = next;
-    }
-  }
-
-  /// Whether the way from `base` to `tip` turns aside from the branch that comes from `inner_neighbor`, in a body that
-  /// lies around that as far out.
-  bool leads_into_rim(Index tip, Index base, Index inner_neighbor) const
-  {
-    const Vector_3& position = m_builder[base].position;
-    Index last = base;
-    Index node = inner_neighbor;
-    while (m_builder.is_regular(node) && m_builder.edge_length(node, base) < m_builder[base].radius) {
-      last = std::exchange(node, m_builder.other_neighbor(node, last));
-    }
-    const Vector_3 axis = (position - m_builder[node].position).normalized();
-    const Vector_3 way = m_builder[tip].position - position;
-    const double along = way.dot(axis);
-    if (along > max_cosine * way.norm()) {
-      return false;
-    }
-    const Vector_3 aside = way - along * axis;
-    const Vector_3 across = axis.cross(aside);
-    const Vector_3 center = position + along * axis;
-    return m_solid.is_inside(center - aside) && m_solid.is_inside(center + across) &&
-           m_solid.is_inside(center - across);
-  }
-
-  const Triangulated_solid& m_solid;
-  Skeleton_builder& m_builder;
 };
 
 } // namespace CSCD::internal

@@ -30,14 +30,13 @@ namespace CSCD::internal {
 inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
 {
   const Piece_vertices pieces(cut);
-  const Cut_graph_nodes nodes(cut, pieces, routing, graph);
+  const Cut_graph_nodes nodes(cut, pieces, graph);
   make_simple(graph);
   merge_junctions(graph);
   settle_on_sheets(cut.solid, graph);
   routing.bring_inside();
   Junction_centering(cut.solid, graph)();
   Limb_ends(cut, pieces, nodes, graph)();
-  Rim_trimming(cut.solid, graph)();
 }
 
 /// Centers the nodes of `graph` that are on sheets, and leads branches to the borders.
