@@ -99,4 +99,5 @@ step "clang-tidy, the rest of it" finish_tidy
 
 echo "Seconds of each step, $SECONDS in all:"
 printf '%s\n' "${summary[@]}"
-times | awk 'END { print "CPU time of all that was run (user, system): " $0 }'
+echo "CPU time of the shell, and of all that it ran (user, system):"
+times # in a pipe, it would report those of a subshell
