@@ -46,7 +46,3 @@ write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/CSCDConfig.cmake" "${PROJECT_BINARY_DIR}/CSCDConfigVersion.cmake"
         DESTINATION "${cscd_package_dir}" COMPONENT library)
-
-# Debian asks for the license at this place, one file a package.
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libcscd-dev" RENAME copyright
-        COMPONENT library)

@@ -459,7 +459,7 @@ Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& inp
 {
   std::optional<Progress_bar> bar;
   Stage_progress progress;
-  if (!options.is_quiet && isatty(STDERR_FILENO) == 1) {
+  if (!options.is_quiet && isatty(STDERR_FILENO) != 0) {
     bar.emplace(std::cerr);
     progress = [&bar](CSCD::Skeletonization_stage stage, double fraction) { bar->show(stage, fraction); };
   }

@@ -7,8 +7,8 @@
 #define CSCD_VERSION_H
 
 #define CSCD_VERSION_MAJOR 0
-#define CSCD_VERSION_MINOR 2
+#define CSCD_VERSION_MINOR 3
 #define CSCD_VERSION_PATCH 0
-#define CSCD_VERSION "0.2.0"
+#define CSCD_VERSION "0.3.0"
 
 #endif // CSCD_VERSION_H
