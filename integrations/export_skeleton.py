@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: export_skeleton.py SKELETON.json OUTPUT [--scale S] [--segment N]
 
-Writes a skeleton in .json, as cscd writes it, for other tools. OUTPUT is a file .mrk.json for 3D Slicer, with a curve of
-markups for each branch, or else a folder of precomputed skeletons for Neuroglancer."""
+Writes a skeleton in .json, as cscd writes it, for other tools. OUTPUT is a file .mrk.json for 3D Slicer, with a curve
+of markups for each branch, or else a folder of precomputed skeletons for Neuroglancer."""
 
 import argparse
 import array

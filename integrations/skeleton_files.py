@@ -14,8 +14,8 @@ class SkeletonError(Exception):
 
 def find_program(program=""):
     """`program` if it is given, else cscd next to this file, else that on the path."""
-    beside = pathlib.Path(__file__).parent
-    found = shutil.which(program or "cscd", path=None if program else f"{beside}{os.pathsep}{os.environ.get('PATH', '')}")
+    folders = f"{pathlib.Path(__file__).parent}{os.pathsep}{os.environ.get('PATH', '')}"
+    found = shutil.which(program or "cscd", path=None if program else folders)
     if not found:
         raise SkeletonError(f"{program or 'cscd'}: is not a program; install cscd, or name its file in the settings")
     return found

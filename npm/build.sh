@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: build.sh [OUT]
-# Installs missing packages (Debian, Ubuntu), builds the npm package into the folder OUT, build/npm by default, and tests
-# it in a fresh folder: in Node and in headless Chromium. Prints product, bytes, test and seconds. The module is that of
-# the page: its build takes minutes.
+# Installs missing packages (Debian, Ubuntu), builds the npm package into the folder OUT, build/npm by default, and
+# tests it in a fresh folder: in Node and in headless Chromium. Prints product, bytes, test and seconds. The WebAssembly
+# module is that of the page: its build takes minutes.
 
 set -euo pipefail
 

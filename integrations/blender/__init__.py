@@ -130,7 +130,7 @@ def make_bones(armature, rig):
 
 
 def assign_weights(source, rig):
-    """Adds a vertex group for each joint. Repairs merge vertices, but never move one: places tell which is which."""
+    """Adds a vertex group for each joint. Repairs merge vertices, but never move one: places identify them."""
     tree = mathutils.kdtree.KDTree(len(rig.positions))
     for number, position in enumerate(rig.positions):
         tree.insert(position, number)

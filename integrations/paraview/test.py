@@ -17,8 +17,8 @@ def check_torus(skeleton):
     data = skeleton.GetPointData()
     radius, branch, node = (data.GetArray(name) for name in ("radius", "branch", "node"))
     check(count > 10 and skeleton.GetNumberOfLines() == 1, f"a torus has one closed branch, of {count} nodes")
-    check(skeleton.GetCell(0).GetPointId(0) == skeleton.GetCell(0).GetPointId(skeleton.GetCell(0).GetNumberOfPoints() - 1),
-          "it is closed")
+    ids = skeleton.GetCell(0).GetPointIds()
+    check(ids.GetId(0) == ids.GetId(ids.GetNumberOfIds() - 1), "it is closed")
     check(all(abs(radius.GetTuple1(i) - 1) < 0.1 for i in range(count)), "radius")
     check(all(branch.GetTuple1(i) == 0 and node.GetTuple1(i) == i for i in range(count)), "branch and node")
 
@@ -46,7 +46,7 @@ def test_paraview(simple, plugin):
     if not hasattr(inspect, "getargspec"):  # ParaView before 5.11.1 loads no plugin in Python 3.11 without it
         inspect.getargspec = inspect.getfullargspec
     simple.LoadPlugin(plugin, remote=False, ns=globals())
-    torus = simple.Superquadric(Toroidal=1, Scale=[1, 1, 1], ThetaResolution=64, PhiResolution=64, Thickness=1 / 3, Size=4)
+    torus = simple.Superquadric(Toroidal=1, ThetaResolution=64, PhiResolution=64, Thickness=1 / 3, Size=4)
     skeleton = CSCDSkeleton(Input=torus, Detail=0.4, Seed=1)  # noqa: F821: of the plugin
     skeleton.UpdatePipeline()
     from paraview import servermanager
