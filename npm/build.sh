@@ -38,7 +38,7 @@ cd "$work/test"
 begin=$SECONDS
 npm install --silent --no-audit --no-fund "$tarball" three@0.160 typescript@5 >&2
 tar --extract --gzip --file /usr/share/doc/libcgal-dev/data.tar.gz data/meshes/elephant.off
-cp "$source_dir/npm/test.mjs" .
+cp "$source_dir"/npm/{test.mjs,types.mts} .
 npx tsc --noEmit --strict --module nodenext --target esnext types.mts >&2
 ELEPHANT=data/meshes/elephant.off node --test test.mjs >&2
 python3 "$source_dir/npm/test_in_chromium.py" "$work/test" >&2
