@@ -11,7 +11,12 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 out=$(realpath --canonicalize-missing "${1:-$source_dir/build/integrations}")
-program=$(realpath "${CSCD_PROGRAM:-$source_dir/build/bin/cscd}")
+program=${CSCD_PROGRAM:-$source_dir/build/bin/cscd}
+if [[ ! -x $program ]]; then
+  echo "$program: is not a program; build cscd, or name its file by CSCD_PROGRAM" >&2
+  exit 1
+fi
+program=$(realpath "$program")
 python=/usr/bin/python3 # that of the packages, whatever else is first in PATH
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"

@@ -14,7 +14,9 @@ const [program, ...meshes] = process.argv.slice(2);
 const sum = (seconds) => Object.values(seconds).reduce((a, b) => a + b, 0);
 const text = (seconds) => seconds.toFixed(2).padStart(8);
 
-console.log('mesh, vertices: seconds of the first call, of a later one, in its stages, of the program, ratio of stages');
+console.log(
+  'mesh, vertices: seconds of the first call, of a later one, in its stages, of the program, ratio of stages',
+);
 for (const mesh of meshes) {
   const numbers = readFileSync(mesh, 'utf8').replace(/^OFF/, '').trim().split(/\s+/).map(Number);
   const end = 3 + 3 * numbers[0];

@@ -57,8 +57,7 @@ function skeletonize_arrays({ cscd, positions, indices, options }) {
   const name = indices.length > 0 ? 'mesh' : 'points'; // for messages
   const bytes = ply_of(positions, indices);
   if (!skeletonize_file({ cscd, name, bytes, options: { ...options, format: 'ply' } })) return {};
-  const json = (option) =>
-    JSON.parse(new TextDecoder().decode(save({ cscd, option, name: 'skeleton.json' }).saved));
+  const json = (option) => JSON.parse(new TextDecoder().decode(save({ cscd, option, name: 'skeleton.json' }).saved));
   const { nodes, edges } = json('output');
   const first = cscd.ccall('cscd_nodes_of_vertices', 'number', [], []) / Int32Array.BYTES_PER_ELEMENT;
   return {
