@@ -67,7 +67,7 @@ async function compute() {
   set_state('computing');
   const bytes = await file.arrayBuffer();
   if (!worker) start_worker();
-  worker.postMessage({ name: file.name, bytes, detail: Number(element('detail').value) }, [bytes]);
+  worker.postMessage({ name: file.name, bytes, options: { detail: element('detail').value } }, [bytes]);
 }
 
 function open_file(chosen) {
