@@ -12,12 +12,13 @@ if(CSCD_BUILD_EXAMPLES)
   list(APPEND CPACK_COMPONENTS_ALL program)
 endif()
 if(CSCD_BUILD_PYTHON)
-  list(APPEND CPACK_COMPONENTS_ALL python)
+  list(APPEND CPACK_COMPONENTS_ALL python python_documents)
 endif()
 set(CPACK_COMPONENT_LIBRARY_GROUP development)
 set(CPACK_COMPONENT_COMPILED_GROUP development)
 set(CPACK_COMPONENT_PROGRAM_GROUP program)
 set(CPACK_COMPONENT_PYTHON_GROUP python)
+set(CPACK_COMPONENT_PYTHON_DOCUMENTS_GROUP python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 
@@ -72,7 +73,7 @@ file(CONFIGURE OUTPUT "${changelog}" CONTENT "cscd (${PROJECT_VERSION}) unstable
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
 execute_process(COMMAND gzip --best --no-name --force --keep "${changelog}")
-set(components library program python)
+set(components library program python_documents) # wheels have the component python alone
 set(packages libcscd-dev cscd python3-cscd)
 foreach(component package IN ZIP_LISTS components packages)
   install(FILES "${PROJECT_SOURCE_DIR}/packaging/copyright" "${changelog}.gz"
