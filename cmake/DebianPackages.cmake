@@ -31,7 +31,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcscd-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "curve skeletons of triangle meshes and point sets: C++ library
- Headers, in the style of CGAL, and static libraries of the parts that are not templates.")
+ Headers, in the style of CGAL, and static libraries of the parts that are not
+ templates.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libboost-dev (>= 1.74), libeigen3-dev (>= 3.3)")
 if(CSCD_WITH_TBB)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtbb-dev")
