@@ -12,12 +12,13 @@ if(CSCD_BUILD_EXAMPLES)
   list(APPEND CPACK_COMPONENTS_ALL program)
 endif()
 if(CSCD_BUILD_PYTHON)
-  list(APPEND CPACK_COMPONENTS_ALL python)
+  list(APPEND CPACK_COMPONENTS_ALL python python_documents)
 endif()
 set(CPACK_COMPONENT_LIBRARY_GROUP development)
 set(CPACK_COMPONENT_COMPILED_GROUP development)
 set(CPACK_COMPONENT_PROGRAM_GROUP program)
 set(CPACK_COMPONENT_PYTHON_GROUP python)
+set(CPACK_COMPONENT_PYTHON_DOCUMENTS_GROUP python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 
@@ -30,7 +31,8 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcscd-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "curve skeletons of triangle meshes and point sets: C++ library
- Headers, in the style of CGAL, and static libraries of the parts that are not templates.")
+ Headers, in the style of CGAL, and static libraries of the parts that are not
+ templates.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libcgal-dev (>= 5.5), libboost-dev (>= 1.74), libeigen3-dev (>= 3.3)")
 if(CSCD_WITH_TBB)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libtbb-dev")
@@ -72,7 +74,7 @@ file(CONFIGURE OUTPUT "${changelog}" CONTENT "cscd (${PROJECT_VERSION}) unstable
  -- ${CPACK_PACKAGE_CONTACT}  ${date}
 ")
 execute_process(COMMAND gzip --best --no-name --force --keep "${changelog}")
-set(components library program python)
+set(components library program python_documents) # wheels have the component python alone
 set(packages libcscd-dev cscd python3-cscd)
 foreach(component package IN ZIP_LISTS components packages)
   install(FILES "${PROJECT_SOURCE_DIR}/packaging/copyright" "${changelog}.gz"

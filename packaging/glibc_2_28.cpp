@@ -4,6 +4,7 @@
 // Lets the Python module run with glibc 2.28 and newer on x86_64. Linked with Debian's glibc 2.36, it would need newer
 // versions of the functions below. They are defined here, hidden, and call the version of glibc 2.2.5.
 
+#include <pthread.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -15,37 +16,29 @@
   __asm__(".symver old_" #name "," #name "@GLIBC_2.2.5");                                                              \
   extern "C" Result old_##name parameters
 
+// CSCD_FORWARD(<result>, <name>, <parameters>, <arguments>) defines a function by its old version.
+#define CSCD_FORWARD(Result, name, parameters, arguments)                                                              \
+  CSCD_OLD(Result, name, parameters);                                                                                  \
+  CSCD_DEFINE(Result, name, parameters)                                                                                \
+  {                                                                                                                    \
+    return old_##name arguments;                                                                                       \
+  }
+
 // Of 2.29 and 2.35: without the wrapper that sets errno. Both versions return the same.
-CSCD_OLD(double, exp, (double));
-CSCD_DEFINE(double, exp, (double x))
-{
-  return old_exp(x);
-}
+CSCD_FORWARD(double, exp, (double x), (x))
+CSCD_FORWARD(double, log, (double x), (x))
+CSCD_FORWARD(double, pow, (double x, double y), (x, y))
+CSCD_FORWARD(double, hypot, (double x, double y), (x, y))
 
-CSCD_OLD(double, log, (double));
-CSCD_DEFINE(double, log, (double x))
-{
-  return old_log(x);
-}
-
-CSCD_OLD(double, pow, (double, double));
-CSCD_DEFINE(double, pow, (double x, double y))
-{
-  return old_pow(x, y);
-}
-
-CSCD_OLD(double, hypot, (double, double));
-CSCD_DEFINE(double, hypot, (double x, double y))
-{
-  return old_hypot(x, y);
-}
-
-// Of 2.34, which took it over from the library of threads. Every process of Python has that.
-CSCD_OLD(int, pthread_once, (int*, void (*)()));
-CSCD_DEFINE(int, pthread_once, (int* control, void (*function)()))
-{
-  return old_pthread_once(control, function);
-}
+// Of 2.34, which took them over from the library of threads. Every process of Python has that.
+CSCD_FORWARD(int, pthread_once, (pthread_once_t * control, void (*function)()), (control, function))
+CSCD_FORWARD(int, pthread_key_create, (pthread_key_t * key, void (*destroy)(void*)), (key, destroy))
+CSCD_FORWARD(int, pthread_key_delete, (pthread_key_t key), (key))
+CSCD_FORWARD(void*, pthread_getspecific, (pthread_key_t key), (key))
+CSCD_FORWARD(int, pthread_setspecific, (pthread_key_t key, const void* value), (key, value))
+CSCD_FORWARD(int, pthread_rwlock_rdlock, (pthread_rwlock_t * lock), (lock))
+CSCD_FORWARD(int, pthread_rwlock_wrlock, (pthread_rwlock_t * lock), (lock))
+CSCD_FORWARD(int, pthread_rwlock_unlock, (pthread_rwlock_t * lock), (lock))
 
 // Of 2.33: older versions pass the version of the structure.
 constexpr int stat_version = 1;
