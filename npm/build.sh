@@ -10,7 +10,7 @@
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-out=${1:-$source_dir/build/npm}
+out=$(realpath --canonicalize-missing "${1:-$source_dir/build/npm}")
 max_size=1500000 # bytes
 "$source_dir/examples/web/build.sh" >&2
 # shellcheck source=cmake/install_packages.sh
@@ -26,7 +26,7 @@ mkdir -p "$package" "$work/test" "$out"
 cp -r "$source_dir"/npm/{*.js,index.d.ts,package.json,README.md,examples} "$source_dir/LICENSE" "$package"
 cp "$source_dir/build/web/cscd.wasm" "$package"
 cat "$source_dir"/build/web/cscd.js "$source_dir"/examples/web/worker.js >"$package/worker.js"
-tarball=$out/$(cd "$package" && npm pack --silent --pack-destination "$(realpath "$out")")
+tarball=$out/$(cd "$package" && npm pack --silent --pack-destination "$out")
 size=$(stat --format=%s "$tarball")
 if ((size > max_size)); then
   echo "$tarball: has $size bytes; at most $max_size are allowed" >&2

@@ -15,7 +15,7 @@ from .skeleton_files import SkeletonError, skeletonize_file
 bl_info = {
     "name": "CSCD curve skeletons",
     "author": "The CSCD developers",
-    "version": (0, 2, 0),
+    "version": (0, 3, 0),
     "blender": (3, 4, 0),
     "location": "3D View > Sidebar > CSCD",
     "description": "Turns a mesh into its curve skeleton: a curve with radii, or an armature with weights",
