@@ -186,10 +186,13 @@ void write_diameters(const Application_options& options)
       options,
       [&](std::ostream& out) {
         out.precision(std::numeric_limits<double>::max_digits10);
-        for (const double diameter : CSCD::internal::values_of_file(
-                 input.input.as_read.points, CSCD::internal::to_vectors(input.mesh().points()),
-                 std::vector<double>(diameters.begin(), diameters.end()), [](double value) { return value > 0; })) {
-          out << diameter << '\n';
+        std::vector<char> is_known;
+        for (const double diameter : diameters) {
+          is_known.push_back(diameter > 0 ? 1 : 0);
+        }
+        for (const CSCD::Index vertex : CSCD::internal::vertices_of_file(
+                 input.input.as_read.points, CSCD::internal::to_vectors(input.mesh().points()), is_known)) {
+          out << (vertex != CSCD::no_index ? diameters[Mesh::Vertex_index(vertex)] : 0.) << '\n';
         }
       },
       [&] {

@@ -311,9 +311,7 @@ private:
   void read_header()
   {
     while (m_encoding.empty()) {
-      if (!m_scanner.skip_blanks('#')) {
-        m_scanner.fail_at_end("the keyword DATA");
-      }
+      m_scanner.expect("the keyword DATA", '#');
       const std::string keyword(m_scanner.word());
       if (keyword == "FIELDS") {
         while (m_scanner.skip_blanks_in_line()) {

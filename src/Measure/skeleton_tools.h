@@ -7,6 +7,7 @@
 #define CSCD_SRC_MEASURE_SKELETON_TOOLS_H
 
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
@@ -194,10 +195,7 @@ public:
 private:
   double parameter(Index i, const Vector_3& point) const
   {
-    const Vector_3& source = m_points[m_segments[i][0]];
-    const Vector_3 along = m_points[m_segments[i][1]] - source;
-    const double squared_length = along.squaredNorm();
-    return squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+    return nearest_parameter(point, m_points[m_segments[i][0]], m_points[m_segments[i][1]]);
   }
 
   std::vector<Vector_3> m_points;
