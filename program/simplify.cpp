@@ -37,9 +37,7 @@ void check_options(const Simplify_options& options)
   for (const std::string& output : options.outputs) {
     check_is_not_input(output, options.mesh, "--output");
   }
-  if (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 1) {
-    throw Usage_error("only one of the results can go to standard output; name files for the others");
-  }
+  check_standard_output(std::count(options.outputs.begin(), options.outputs.end(), standard_stream));
   if (options.mesh == standard_stream && options.skeleton == standard_stream) {
     throw Usage_error("only one of SKELETON and --mesh can be standard input");
   }

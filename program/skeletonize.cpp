@@ -102,9 +102,7 @@ void check_options(const Skeletonize_options& options)
   check_applicability(options, possible_kinds(options));
   check_volume_options(options);
   check_outputs(options);
-  if (number_of_results_on_standard_output(options) > 1) {
-    throw Usage_error("only one of the results can go to standard output; name files for the others");
-  }
+  check_standard_output(number_of_results_on_standard_output(options));
 }
 
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
@@ -336,12 +334,8 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
                             const std::string& other_endings)
 {
   for (const std::string& output : outputs) {
-    try {
-      if (output != standard_stream) {
-        CSCD::check_skeleton_filename(output);
-      }
-    } catch (const CSCD::File_error& error) {
-      throw Usage_error(error.what() + other_endings);
+    if (output != standard_stream) {
+      check_name([&] { CSCD::check_skeleton_filename(output); }, other_endings);
     }
     check_is_not_input(output, input, "--output");
   }

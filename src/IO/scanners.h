@@ -235,7 +235,8 @@ inline std::string lower_case(std::string_view text)
 class Text_scanner
 {
 public:
-  /// The remedy of most faults.
+  /// A fault, and the remedy of most faults.
+  static constexpr const char* number_expected = "a number with a decimal point is expected";
   static constexpr const char* correct_line = "correct this line or write the file again";
 
   /// \param text must outlive the scanner
@@ -339,14 +340,24 @@ public:
   {
     skip_plus();
     double value = 0;
-    const std::from_chars_result result = number_from_chars(m_at, m_end, value);
-    if (result.ec == std::errc::result_out_of_range && is_underflow(m_at, result.ptr)) {
-      value = 0;
-    } else if (result.ec != std::errc() || (result.ptr != m_end && !is_blank(*result.ptr))) {
-      fail("a number with a decimal point is expected");
+    const char* const end = read_number(m_at, m_end, value);
+    if (end == nullptr || (end != m_end && !is_blank(*end))) {
+      fail(number_expected);
     }
-    m_at = result.ptr;
+    m_at = end;
     return value;
+  }
+
+  /// Reads a number without a plus; what is too small becomes 0. \return its end; null if there is none, or too large a
+  /// one
+  static const char* read_number(const char* first, const char* last, double& value)
+  {
+    const std::from_chars_result result = number_from_chars(first, last, value);
+    if (result.ec == std::errc::result_out_of_range && is_underflow(first, result.ptr)) {
+      value = 0;
+      return result.ptr;
+    }
+    return result.ec == std::errc() ? result.ptr : nullptr;
   }
 
   /// Reads a number which is finite.

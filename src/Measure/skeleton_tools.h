@@ -20,7 +20,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -136,6 +138,24 @@ inline std::vector<std::array<Index, 2>> segment_ends(const Skeleton& skeleton)
     }
   }
   return ends;
+}
+
+/// Takes pairs of things of two kinds, the nearest first, each thing at most once. \return the pairs that were taken
+/// \param pairs distance and numbers; of equal distances the least numbers come first
+inline std::vector<std::array<Index, 2>> take_nearest_pairs(std::vector<std::tuple<double, Index, Index>>&& pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  std::set<Index> first;
+  std::set<Index> second;
+  std::vector<std::array<Index, 2>> result;
+  for (const auto& [distance, i, j] : pairs) {
+    if (first.count(i) == 0 && second.count(j) == 0) {
+      first.insert(i);
+      second.insert(j);
+      result.push_back({i, j});
+    }
+  }
+  return result;
 }
 
 /// A point of a segment.
