@@ -8,7 +8,6 @@
 
 #include "Progress_bar.h"
 #include "roots.h"
-#include "wrap.h"
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Graph_policies.h>
 #include <CSCD/IO/write_correspondence.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation of the skeleton, and which node the vertices of the input belong to.
+// The computation of the skeleton, which node the vertices of the input belong to, and wraps around meshes.
 
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
@@ -22,6 +22,12 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
 /// The label of each vertex or point of the file, in its order.
 /// \pre `input` has kept what was read
 std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
+
+/// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that
+/// cut each other, and solid where the inside is reached by narrow holes only. It does not keep the vertices.
+/// \param size holes, gaps and hollows that are narrower are closed; relative to the diagonal of the bounding box
+/// \throw CSCD::Input_error if nothing can be wrapped
+void wrap_mesh(Input& input, double size);
 
 } // namespace cscd
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands `cscd evaluate` and `cscd compare`: from arguments to measures.
+// The commands `cscd evaluate` and `cscd compare`: from arguments to measures, for programs and for people.
 
 #include "commands.h"
 #include "types.h"
 #include "write_measures.h"
+#include "write_report.h"
 #include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_triangle_mesh.h>
@@ -14,22 +15,244 @@
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/reconstruct_surface.h>
 #include <CSCD/Named_parameters.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/exceptions.h>
+#include <CSCD/version.h>
 
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <iomanip>
 #include <iostream>
+#include <locale>
+#include <sstream>
 #include <string>
 
 namespace cscd {
 
+namespace {
+
+using Json = nlohmann::ordered_json;
+using CSCD::internal::counted;
+
+Json to_json(const CSCD::Skeleton_counts& c)
+{
+  return {{"number_of_nodes", c.number_of_nodes},
+          {"number_of_edges", c.number_of_edges},
+          {"number_of_components", c.number_of_components},
+          {"betti_number", c.betti_number},
+          {"number_of_tips", c.number_of_tips},
+          {"number_of_junctions", c.number_of_junctions},
+          {"number_of_isolated_nodes", c.number_of_isolated_nodes},
+          {"length", c.length},
+          {"mean_turning", c.mean_turning},
+          {"largest_turning", c.max_turning}};
+}
+
+Json to_json(const CSCD::Position_measures& p)
+{
+  return {{"number_of_surface_components", p.number_of_surface_components},
+          {"genus", p.genus},
+          {"number_of_borders", p.number_of_borders},
+          {"fraction_of_nodes_inside", p.fraction_of_nodes_inside},
+          {"fraction_of_length_inside", p.fraction_of_length_inside},
+          {"largest_distance_outside", p.max_distance_outside},
+          {"deviation_at_nodes", p.deviation_at_nodes},
+          {"deviation_by_length", p.deviation_by_length},
+          {"offset_at_nodes", p.offset_at_nodes},
+          {"offset_by_length", p.offset_by_length}};
+}
+
+Json to_json(const CSCD::Limb_measures& l)
+{
+  Json limbs = Json::array();
+  for (const CSCD::Surface_limb& limb : l.limbs) {
+    limbs.push_back(
+        {{"tip", {limb.tip.x(), limb.tip.y(), limb.tip.z()}}, {"height", limb.height}, {"has_tip", limb.has_tip}});
+  }
+  return {{"number_of_limbs", l.limbs.size()},
+          {"number_of_limbs_without_tip", l.number_of_limbs_without_tip},
+          {"number_of_tips_without_limb", l.number_of_tips_without_limb},
+          {"limbs", limbs}};
+}
+
+Json to_json(const CSCD::Reconstruction_error& e)
+{
+  return {{"mean", e.mean},
+          {"mean_square", e.mean_square},
+          {"maximum", e.maximum},
+          {"reverse_mean", e.reverse_mean},
+          {"reverse_maximum", e.reverse_maximum},
+          {"unresolved_fraction", e.unresolved_fraction},
+          {"cell_size", e.cell_size},
+          {"number_of_faces", e.number_of_faces}};
+}
+
+Json to_json(const CSCD::Skeleton_distance& d)
+{
+  return {{"mean", d.mean}, {"maximum", d.maximum}, {"fraction_matched", d.fraction_matched}};
+}
+
+Json to_json(const CSCD::Match_count& m)
+{
+  return {{"number_in_first", m.number_in_first},
+          {"number_in_second", m.number_in_second},
+          {"number_matched", m.number_matched},
+          {"fraction", m.fraction()}};
+}
+
+/// `value` with a fixed number of digits; a dash if it is not defined.
+std::string fixed(double value, int digits = 2)
+{
+  if (std::isnan(value)) {
+    return "-";
+  }
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(digits) << value;
+  return out.str();
+}
+
+/// A part of the whole, in percent.
+std::string percent(double fraction, int digits = 2)
+{
+  constexpr double hundred = 100;
+  return fixed(hundred * fraction, digits);
+}
+
+/// A line of the table of distances, in thousandths.
+void write_error(std::ostream& out, const char* name, const CSCD::Reconstruction_error& error)
+{
+  constexpr double thousand = 1000;
+  constexpr int width = 9;
+  out << name;
+  for (const double value :
+       {error.mean, std::sqrt(error.mean_square), error.maximum, error.reverse_mean, error.reverse_maximum}) {
+    out << std::setw(width) << fixed(thousand * value);
+  }
+  out << '\n';
+}
+
+void write_position(std::ostream& out, const CSCD::Position_measures& p)
+{
+  out << "inside: " << percent(p.fraction_of_nodes_inside) << " % of the nodes, "
+      << percent(p.fraction_of_length_inside) << " % of the length"
+      << "\noff center: by " << percent(p.offset_by_length) << " % of the distance to the surface (at nodes "
+      << percent(p.offset_at_nodes) << " %); that distance deviates by " << percent(p.deviation_by_length)
+      << " % around the skeleton (at nodes " << percent(p.deviation_at_nodes) << " %)\n";
+}
+
+void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)
+{
+  out << "limbs: " << l.limbs.size() << ", of which " << l.number_of_limbs_without_tip << " without a tip; "
+      << counted(l.number_of_tips_without_limb, "tip") << " without a limb (recall " << fixed(l.tip_recall)
+      << ", precision " << fixed(l.tip_precision) << ")\n";
+}
+
+/// A line of the table of matches.
+void write_match(std::ostream& out, const char* name, const CSCD::Match_count& match)
+{
+  out << name << match.number_matched << " of " << match.number_in_first << " and " << match.number_in_second
+      << " match\n";
+}
+
+void write_distance(std::ostream& out, const char* name, const CSCD::Skeleton_distance& distance)
+{
+  constexpr double thousand = 1000;
+  constexpr int width = 9;
+  out << name << std::setw(width) << fixed(thousand * distance.mean) << std::setw(width)
+      << fixed(thousand * distance.maximum) << std::setw(width) << percent(distance.fraction_matched, 1) << " %\n";
+}
+
+} // namespace
+
+void write_measures_as_json(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
+{
+  const bool is_point_set = measures.position.number_of_surface_components == 0;
+  const Json document{{"version", CSCD_VERSION},
+                      {"input", options.input},
+                      {"skeleton", options.skeleton},
+                      {"radii", options.radii},
+                      {"number_of_points", measures.number_of_points},
+                      {"diagonal", measures.diagonal},
+                      {"has_topology_of_surface", measures.has_topology_of_surface()},
+                      {"counts", to_json(measures.counts)},
+                      {"position", to_json(measures.position)},
+                      {"tip_recall", measures.limbs.tip_recall},
+                      {"tip_precision", measures.limbs.tip_precision},
+                      {"limbs", is_point_set ? Json() : to_json(measures.limbs)},
+                      {"convolution", to_json(measures.convolution)},
+                      {"round_cones", to_json(measures.round_cones)},
+                      {"mean_distance_from_round_cones", measures.mean_distance_from_round_cones}};
+  out << dump_json(document) << '\n';
+}
+
+void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
+{
+  const CSCD::Skeleton_counts& c = measures.counts;
+  const CSCD::Position_measures& p = measures.position;
+  const bool is_point_set = p.number_of_surface_components == 0;
+  out << printable(options.input) << ": "
+      << (is_point_set ? counted(measures.number_of_points, "point")
+                       : counted(measures.number_of_points, "vertex", "vertices"));
+  if (!is_point_set) {
+    out << ", " << counted(p.number_of_surface_components, "component") << ", genus " << p.genus;
+  }
+  out << '\n'
+      << printable(options.skeleton) << ": " << counted(c.number_of_nodes, "node") << ", "
+      << counted(c.number_of_edges, "edge") << ", " << counted(c.number_of_components, "component") << ", "
+      << counted(c.betti_number, "cycle") << ", " << counted(c.number_of_tips, "tip") << ", "
+      << counted(c.number_of_junctions, "junction") << '\n';
+  if (!is_point_set) {
+    out << "topology: " << (measures.has_topology_of_surface() ? "that of the surface\n" : "not that of the surface\n");
+    write_position(out, p);
+    write_limbs(out, measures.limbs);
+  }
+  out << "turning: " << fixed(c.mean_turning) << " rad per radius, at most " << fixed(c.max_turning)
+      << " rad at a node\n"
+      << "distances in thousandths of the diagonal, with " << options.radii << " radii:\n"
+      << "                         mean      rms      max  reverse      max\n";
+  write_error(out, "convolution surface ", measures.convolution);
+  write_error(out, "round cones         ", measures.round_cones);
+}
+
+void write_comparison_as_json(std::ostream& out, const Compare_options& options,
+                              const CSCD::Skeleton_comparison& comparison)
+{
+  const Json document{{"version", CSCD_VERSION},
+                      {"first", options.first},
+                      {"second", options.second},
+                      {"diagonal", comparison.diagonal},
+                      {"match_distance", comparison.match_distance},
+                      {"mean_distance", comparison.mean_distance()},
+                      {"hausdorff_distance", comparison.hausdorff_distance()},
+                      {"from_first_to_second", to_json(comparison.from_first_to_second)},
+                      {"from_second_to_first", to_json(comparison.from_second_to_first)},
+                      {"tips", to_json(comparison.tips)},
+                      {"junctions", to_json(comparison.junctions)},
+                      {"branches", to_json(comparison.branches)},
+                      {"has_same_structure", comparison.has_same_structure}};
+  out << dump_json(document) << '\n';
+}
+
+void write_comparison(std::ostream& out, const Compare_options& options, const CSCD::Skeleton_comparison& comparison)
+{
+  out << printable(options.first) << " and " << printable(options.second) << ": branches are joined "
+      << (comparison.has_same_structure ? "in the same way\n" : "in different ways\n");
+  write_match(out, "tips:      ", comparison.tips);
+  write_match(out, "junctions: ", comparison.junctions);
+  write_match(out, "branches:  ", comparison.branches);
+  out << "distances in thousandths of the diagonal, and the length within " << percent(comparison.match_distance)
+      << " % of it:\n"
+      << "                       mean      max   within\n";
+  write_distance(out, "first to second   ", comparison.from_first_to_second);
+  write_distance(out, "second to first   ", comparison.from_second_to_first);
+}
+
 void check_skeleton_argument(const std::string& filename)
 {
-  if (filename == standard_stream) {
-    return;
-  }
-  try {
-    CSCD::check_readable_skeleton_filename(filename);
-  } catch (const CSCD::File_error& error) {
-    throw Usage_error(error.what());
+  if (filename != standard_stream) {
+    check_name([&] { CSCD::check_readable_skeleton_filename(filename); });
   }
 }
 
@@ -48,15 +271,6 @@ Skeleton skeleton_argument(const std::string& filename)
   return skeleton;
 }
 
-void check_mesh_output(const std::string& filename)
-{
-  try {
-    CSCD::written_mesh_format(filename);
-  } catch (const CSCD::File_error& error) {
-    throw Usage_error(error.what());
-  }
-}
-
 void check_options(const Evaluate_options& options)
 {
   check_skeleton_argument(options.skeleton);
@@ -65,7 +279,7 @@ void check_options(const Evaluate_options& options)
   }
   for (const std::string& filename : {options.convolution_surface, options.round_cones}) {
     if (!filename.empty()) {
-      check_mesh_output(filename);
+      check_name([&] { CSCD::written_mesh_format(filename); });
       check_is_not_input(filename, options.input, "reconstructed surface");
       check_is_not_input(filename, options.skeleton, "reconstructed surface");
     }

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include <CSCD/IO/Mesh_format.h>
+#include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <locale>
 #include <optional>
@@ -346,6 +348,22 @@ std::vector<Option> options_of(Loops_options& o)
                  "least depth of constrictions: relative extra length of neighboring loops"}
               .at_least(0)});
   return table;
+}
+
+void check_name(const std::function<void()>& check, const std::string& more)
+{
+  try {
+    check();
+  } catch (const CSCD::File_error& error) {
+    throw Usage_error(error.what() + more);
+  }
+}
+
+void check_standard_output(std::ptrdiff_t number_of_results)
+{
+  if (number_of_results > 1) {
+    throw Usage_error("only one of the results can go to standard output; name files for the others");
+  }
 }
 
 bool is_of_method(const Option& option)

@@ -250,6 +250,13 @@ std::vector<Option> options_of(Loops_options& options);
 /// The fault of the value `root` of `--root`; empty if there is none.
 std::string check_root(const std::string& root);
 
+/// Calls `check`, which looks at the name of a file. \param more behind its message
+/// \throw Usage_error if it finds a fault
+void check_name(const std::function<void()>& check, const std::string& more = "");
+
+/// \throw Usage_error if there are several results on standard output
+void check_standard_output(std::ptrdiff_t number_of_results);
+
 /// Whether the option says how a skeleton is made. Such options are arguments in Python.
 bool is_of_method(const Option& option);
 

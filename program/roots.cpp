@@ -1,18 +1,24 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of `--root`.
+// The values of `--root`, and files whose content depends on them.
 
 #include "roots.h"
 
-#include "options.h"
+#include <CSCD/IO/write_skeleton.h>
+#include <CSCD/Measure/Rooted_forest.h>
+
+#include <boost/algorithm/string/predicate.hpp>
 
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <locale>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace cscd {
 
@@ -35,6 +41,37 @@ std::string check_root(const std::string& root)
 {
   const bool is_rule = root == thickest_root || root == lowest_root || root == longest_root;
   return is_rule || root_point(root) ? "" : "must be X,Y,Z, thickest, lowest or longest, not " + root;
+}
+
+std::vector<CSCD::Index> find_roots(const CSCD::Skeleton& skeleton, const std::string& root)
+{
+  if (root.empty()) {
+    return {};
+  }
+  if (const std::optional<Point> point = root_point(root)) {
+    return CSCD::internal::find_roots(skeleton, CSCD::Vector_3(point->x(), point->y(), point->z()));
+  }
+  return CSCD::internal::find_roots(skeleton, root == thickest_root ? CSCD::Root_rule::thickest
+                                              : root == lowest_root ? CSCD::Root_rule::lowest
+                                                                    : CSCD::Root_rule::longest);
+}
+
+void write_skeleton_output(CSCD::File_group& files, const std::string& output,
+                           const CSCD::internal::Skeleton_content& skeleton, const std::vector<CSCD::Index>& roots,
+                           const Swc_arguments& swc)
+{
+  if (output == standard_stream) {
+    CSCD::write_gel_graph(std::cout, skeleton);
+  } else if (boost::algorithm::iends_with(output, ".swc")) {
+    CSCD::Swc_options options;
+    options.type = swc.type;
+    options.min_soma_radius = swc.min_soma_radius.value_or(options.min_soma_radius);
+    options.scale = swc.scale;
+    options.roots = roots;
+    files.write(output, [&](std::ostream& out) { CSCD::write_swc(out, skeleton, options); });
+  } else {
+    files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
+  }
 }
 
 } // namespace cscd

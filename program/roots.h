@@ -8,16 +8,12 @@
 
 #include "options.h"
 #include "types.h"
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_file.h>
-#include <CSCD/IO/write_skeleton.h>
-#include <CSCD/Measure/Rooted_forest.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
 
-#include <boost/algorithm/string/predicate.hpp>
-
-#include <iostream>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -29,38 +25,12 @@ std::optional<Point> root_point(const std::string& root);
 
 /// The roots that the value of `--root` chooses; none if it is empty.
 /// \throw CSCD::Input_error if they cannot be chosen
-template <class AnySkeleton>
-std::vector<CSCD::Index> find_roots(const AnySkeleton& skeleton, const std::string& root)
-{
-  if (root.empty()) {
-    return {};
-  }
-  if (const std::optional<Point> point = root_point(root)) {
-    return CSCD::find_roots(skeleton, *point);
-  }
-  return CSCD::find_roots(skeleton, root == thickest_root ? CSCD::Root_rule::thickest
-                                    : root == lowest_root ? CSCD::Root_rule::lowest
-                                                          : CSCD::Root_rule::longest);
-}
+std::vector<CSCD::Index> find_roots(const CSCD::Skeleton& skeleton, const std::string& root);
 
 /// Writes a skeleton to a file of `files` in the format of its ending, or to standard output as a graph of GEL.
-template <class AnySkeleton>
-void write_skeleton_output(CSCD::File_group& files, const std::string& output, const AnySkeleton& skeleton,
-                           const std::vector<CSCD::Index>& roots, const Swc_arguments& swc)
-{
-  if (output == standard_stream) {
-    CSCD::write_gel_graph(std::cout, skeleton);
-  } else if (boost::algorithm::iends_with(output, ".swc")) {
-    CSCD::Swc_options options;
-    options.type = swc.type;
-    options.min_soma_radius = swc.min_soma_radius.value_or(options.min_soma_radius);
-    options.scale = swc.scale;
-    options.roots = roots;
-    files.write(output, [&](std::ostream& out) { CSCD::write_swc(out, skeleton, options); });
-  } else {
-    files.write(output, [&](std::ostream& out) { CSCD::write_skeleton(out, output, skeleton); });
-  }
-}
+void write_skeleton_output(CSCD::File_group& files, const std::string& output,
+                           const CSCD::internal::Skeleton_content& skeleton, const std::vector<CSCD::Index>& roots,
+                           const Swc_arguments& swc);
 
 } // namespace cscd
 

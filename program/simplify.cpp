@@ -6,7 +6,7 @@
 #include "commands.h"
 #include "roots.h"
 #include "types.h"
-#include <CSCD/IO/read_skeleton.h>
+#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
@@ -16,7 +16,6 @@
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
-#include <boost/graph/adjacency_list.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
@@ -31,15 +30,6 @@ namespace {
 
 using CSCD::internal::counted;
 
-/// A node of a skeleton whose radii are not known, so that none are written.
-struct Node_without_radius
-{
-  Point point;
-  std::vector<Mesh::Vertex_index> vertices;
-};
-using Skeleton_without_radii =
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Node_without_radius, CSCD::Skeleton_edge>;
-
 void check_options(const Simplify_options& options)
 {
   check_skeleton_argument(options.skeleton);
@@ -47,9 +37,7 @@ void check_options(const Simplify_options& options)
   for (const std::string& output : options.outputs) {
     check_is_not_input(output, options.mesh, "--output");
   }
-  if (std::count(options.outputs.begin(), options.outputs.end(), standard_stream) > 1) {
-    throw Usage_error("only one of the results can go to standard output; name files for the others");
-  }
+  check_standard_output(std::count(options.outputs.begin(), options.outputs.end(), standard_stream));
   if (options.mesh == standard_stream && options.skeleton == standard_stream) {
     throw Usage_error("only one of SKELETON and --mesh can be standard input");
   }
@@ -69,8 +57,21 @@ void estimate_radii(const Mesh& mesh, Skeleton& skeleton)
   }
 }
 
-template <class AnySkeleton>
-CSCD::Simplification_report simplify_by(const Simplify_options& options, const Mesh* mesh, AnySkeleton& skeleton)
+void write_summary(const Simplify_options& options, const CSCD::Simplification_report& report)
+{
+  std::cout << printable(options.skeleton) << ": " << counted(report.number_of_removed_nodes, "node") << " pruned, "
+            << counted(report.number_of_merged_branches, "branch", "branches") << " merged, "
+            << counted(report.number_of_removed_components, "component") << " removed, "
+            << counted(report.number_of_joined_edges, "edge")
+            << " added\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
+            << counted(report.number_of_edges, "edge") << ", " << counted(report.number_of_components, "component")
+            << ", " << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
+            << counted(report.number_of_junctions, "junction") << '\n';
+}
+
+} // namespace
+
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton)
 {
   const auto np = CSCD::parameters::minimum_significance(options.min_significance)
                       .minimum_branch_length(options.min_length)
@@ -88,42 +89,6 @@ CSCD::Simplification_report simplify_by(const Simplify_options& options, const M
   }
 }
 
-void write_summary(const Simplify_options& options, const CSCD::Simplification_report& report)
-{
-  std::cout << printable(options.skeleton) << ": " << counted(report.number_of_removed_nodes, "node") << " pruned, "
-            << counted(report.number_of_merged_branches, "branch", "branches") << " merged, "
-            << counted(report.number_of_removed_components, "component") << " removed, "
-            << counted(report.number_of_joined_edges, "edge")
-            << " added\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
-            << counted(report.number_of_edges, "edge") << ", " << counted(report.number_of_components, "component")
-            << ", " << counted(report.betti_number, "cycle") << ", " << counted(report.number_of_tips, "tip") << ", "
-            << counted(report.number_of_junctions, "junction") << '\n';
-}
-
-template <class AnySkeleton>
-void simplify_and_write(const Simplify_options& options, const std::optional<Input>& input, AnySkeleton& skeleton)
-{
-  const CSCD::Simplification_report report = simplify_by(options, input ? &input->mesh : nullptr, skeleton);
-  const std::vector<CSCD::Index> roots = find_roots(skeleton, options.root);
-  CSCD::File_group files;
-  bool is_standard_output_taken = false;
-  for (const std::string& output : options.outputs) {
-    write_skeleton_output(files, output, skeleton, roots, options.swc);
-    is_standard_output_taken = is_standard_output_taken || output == standard_stream;
-  }
-  files.publish();
-  if (!options.is_quiet && !is_standard_output_taken) {
-    write_summary(options, report);
-  }
-}
-
-} // namespace
-
-CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton)
-{
-  return simplify_by(options, mesh, skeleton);
-}
-
 void simplify(const Simplify_options& options)
 {
   check_options(options);
@@ -135,23 +100,24 @@ void simplify(const Simplify_options& options)
     }
   }
   Skeleton skeleton;
-  bool has_radii = read_skeleton_argument(options.skeleton, skeleton);
+  const bool has_radii = read_skeleton_argument(options.skeleton, skeleton);
   if (!has_radii && input) {
     estimate_radii(input->mesh, skeleton);
-    has_radii = true;
   }
-  if (has_radii) {
-    simplify_and_write(options, input, skeleton);
-    return;
+  const CSCD::Simplification_report report = simplify_skeleton(options, input ? &input->mesh : nullptr, skeleton);
+  CSCD::internal::Skeleton_content content(skeleton);
+  if (!has_radii && !input) {
+    content.remove_radii();
   }
-  Skeleton_without_radii plain;
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    plain[add_vertex(plain)].point = skeleton[node].point;
+  const std::vector<CSCD::Index> roots = find_roots(content, options.root);
+  CSCD::File_group files;
+  for (const std::string& output : options.outputs) {
+    write_skeleton_output(files, output, content, roots, options.swc);
   }
-  for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-    add_edge(source(edge, skeleton), target(edge, skeleton), skeleton[edge], plain);
+  files.publish();
+  if (!options.is_quiet && std::count(options.outputs.begin(), options.outputs.end(), standard_stream) == 0) {
+    write_summary(options, report);
   }
-  simplify_and_write(options, input, plain);
 }
 
 void treat_fragments(const Fragment_options& options, Skeletonization_result& result)

@@ -102,9 +102,7 @@ void check_options(const Skeletonize_options& options)
   check_applicability(options, possible_kinds(options));
   check_volume_options(options);
   check_outputs(options);
-  if (number_of_results_on_standard_output(options) > 1) {
-    throw Usage_error("only one of the results can go to standard output; name files for the others");
-  }
+  check_standard_output(number_of_results_on_standard_output(options));
 }
 
 std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
@@ -187,7 +185,7 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 
 void measure_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
 {
-  result.roots = find_roots(result.skeleton, options.root);
+  result.roots = find_roots(CSCD::internal::index_skeleton(result.skeleton), options.root);
   if (result.tree) {
     if (result.roots.empty() || root_point(options.root)) {
       result.roots = {0}; // the first node of each object is its root
@@ -265,22 +263,22 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 CSCD::Shape_file read_soup(const std::string& name, const std::string& format)
 {
+  const std::string ending = format.empty() ? name : "." + format;
   if (name == standard_stream) {
-    if (format.empty()) {
-      throw Usage_error("standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, "
-                        "vtp, xyz or pcd");
-    }
-    return CSCD::internal::read_polygons_or_points(std::cin, "." + format, name_of(name));
+    check_format_of_standard_input(format);
+    return CSCD::internal::read_polygons_or_points(std::cin, ending, name_of(name));
   }
-  std::error_code error;
-  if (std::filesystem::is_directory(name, error)) {
-    throw CSCD::File_error(name + ": is a folder; name a file in it");
+  std::ifstream in = CSCD::internal::open_file(name);
+  return CSCD::internal::read_polygons_or_points(in, ending, name);
+}
+
+void check_format_of_standard_input(const std::string& format)
+{
+  if (format.empty()) {
+    throw Usage_error(
+        "standard input has no ending: name its format by --format, such as off, obj, ply, stl, glb, vtp, "
+        "graph, xyz or pcd");
   }
-  std::ifstream in(name, std::ios::binary);
-  if (!in) {
-    throw CSCD::File_error(name + ": cannot be opened; check the name and the permissions");
-  }
-  return CSCD::internal::read_polygons_or_points(in, format.empty() ? name : "." + format, name);
 }
 
 Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
@@ -336,12 +334,8 @@ void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::
                             const std::string& other_endings)
 {
   for (const std::string& output : outputs) {
-    try {
-      if (output != standard_stream) {
-        CSCD::check_skeleton_filename(output);
-      }
-    } catch (const CSCD::File_error& error) {
-      throw Usage_error(error.what() + other_endings);
+    if (output != standard_stream) {
+      check_name([&] { CSCD::check_skeleton_filename(output); }, other_endings);
     }
     check_is_not_input(output, input, "--output");
   }

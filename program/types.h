@@ -9,6 +9,7 @@
 #include "options.h"
 #include "write_report.h"
 #include <CSCD/IO/Shape_file.h>
+#include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_measures.h>
@@ -73,6 +74,9 @@ using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, dou
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
                  bool makes_mesh = true, unsigned number_of_threads = 1);
 
+/// \throw Usage_error if `format`, that of standard input, is not given
+void check_format_of_standard_input(const std::string& format);
+
 /// Reads the polygons or points of a file or of standard input, as `read_input()` does.
 CSCD::Shape_file read_soup(const std::string& name, const std::string& format);
 
@@ -84,11 +88,7 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
 /// \throw Usage_error, `CSCD::File_error`
 Input read_graph(const Skeletonize_options& options);
 
-/// Reads the points, polygons and lines of a mesh, of points, of a skeleton or of a graph.
-/// \param content of a file that is not compressed
-/// \param filename names the format by its ending \param name for messages
-/// \throw `CSCD::File_error` if the file is malformed or the ending names no format
-CSCD::Shape_file read_shape(const std::string& content, const std::string& filename, const std::string& name);
+using CSCD::internal::read_shape;
 
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default

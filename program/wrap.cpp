@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One closed surface around a mesh of any kind.
 
-#include "wrap.h"
-
+#include "compute_skeleton.h"
+#include "types.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/exceptions.h>
 

@@ -5,7 +5,6 @@
 
 #include "write_report.h"
 
-#include "dump_json.h"
 #include "options.h"
 #include <CSCD/IO/internal/json_branches.h>
 #include <CSCD/Skeletonization_report.h>
@@ -48,16 +47,25 @@ Json input_part(const CSCD::Skeletonization_report& r)
           {"genus", r.genus ? Json(*r.genus) : Json()}};
 }
 
+/// Numbers by the outcomes that they count.
+template <std::size_t size, class Numbers>
+Json by_outcome(const std::array<const char*, size>& names, const Numbers& numbers)
+{
+  Json result = Json::object();
+  for (std::size_t i = 0; i < size; ++i) {
+    result[names[i]] = numbers[i];
+  }
+  return result;
+}
+
 /// Why sources have no cut point that is accepted.
 Json rejections(const CSCD::Skeletonization_report& r)
 {
   constexpr std::array<const char*, CSCD::number_of_cut_loop_outcomes> names{
       "found",     "no_cut_point", "distance_below_chord", "one_direction", "not_connected", "meets_at_once",
       "long_stem", "narrow"};
-  Json result = Json::object();
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    result[names[i]] = r.number_of_rejections[i];
-  }
+  Json result = by_outcome(names, r.number_of_rejections);
+  result.erase(names.front()); // not a rejection
   return result;
 }
 
@@ -142,11 +150,7 @@ Json sections(const CSCD::Tree_report& r)
 {
   constexpr std::array<const char*, CSCD::number_of_circle_outcomes> names{"fitted", "few_points", "short_arc",
                                                                            "scattered", "too_wide"};
-  Json result = Json::object();
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    result[names[i]] = r.number_of_sections[i];
-  }
-  return result;
+  return by_outcome(names, r.number_of_sections);
 }
 
 Json trees(const std::vector<CSCD::Tree_measures>& trees)
@@ -309,6 +313,12 @@ Json report_document(const Skeletonize_options& options, const std::vector<std::
   document["seconds"] = by_stage(report.seconds);
   document["warnings"] = report.warnings;
   return document;
+}
+
+std::string dump_json(const Json& json)
+{
+  constexpr int indentation = 2;
+  return json.dump(indentation, ' ', false, Json::error_handler_t::replace);
 }
 
 void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,

@@ -63,6 +63,9 @@ struct Run_report
 /// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
 std::string printable(const std::string& text);
 
+/// `json` as text. What is no UTF-8, as in file names, is replaced.
+std::string dump_json(const nlohmann::ordered_json& json);
+
 /// The report of a run as a JSON object. \param repairs of the input, a sentence each
 nlohmann::ordered_json report_document(const Skeletonize_options& options, const std::vector<std::string>& repairs,
                                        const Run_report& result);

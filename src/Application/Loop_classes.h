@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -81,8 +82,11 @@ public:
     for (Index h = 0; h < surface.number_of_halfedges(); ++h) {
       if (surface.edge(h) == h && !is_in_tree(h) && !is_in_dual_tree(h)) {
         m_left_over.push_back(h);
-        const std::vector<Index> path = path_to_root(surface.origin(h));
-        m_component.push_back(path.empty() ? surface.origin(h) : surface.target(path.back()));
+        Index root = surface.origin(h);
+        while (m_parent[root] != no_index) {
+          root = surface.target(m_parent[root]);
+        }
+        m_component.push_back(root);
       }
     }
     for (Index i = 0; i < m_left_over.size(); ++i) {
@@ -181,48 +185,38 @@ private:
     return m_dual_parent[Triangulated_surface::face(h)] == h || m_dual_parent[Triangulated_surface::face(t)] == t;
   }
 
-  /// Two paths to a root, given from their other ends on, without what they share.
-  static void cut_common_end(std::vector<Index>& first, std::vector<Index>& second)
+  /// The closed path over the side `edge` from node to node of a tree and back along the tree, as the sides that it
+  /// passes; `edge` comes first. \param next `next(side)` is the node that a way back leads to
+  template <class Next>
+  std::vector<Index> closed_path(Index edge, Index from, Index to, const std::vector<Index>& parent,
+                                 const Next& next) const
   {
-    while (!first.empty() && !second.empty() && first.back() == second.back()) {
+    const auto path_to_root = [&](Index node) {
+      std::vector<Index> path;
+      for (Index h = parent[node]; h != no_index; h = parent[next(h)]) {
+        path.push_back(h);
+      }
+      return path;
+    };
+    std::vector<Index> first = path_to_root(from);
+    std::vector<Index> second = path_to_root(to);
+    while (!first.empty() && !second.empty() && first.back() == second.back()) { // what they share
       first.pop_back();
       second.pop_back();
     }
-  }
-
-  std::vector<Index> path_to_root(Index vertex) const
-  {
-    std::vector<Index> path;
-    for (Index h = m_parent[vertex]; h != no_index; h = m_parent[m_surface.target(h)]) {
-      path.push_back(h);
-    }
-    return path;
-  }
-
-  std::vector<Index> dual_path_to_root(Index face) const
-  {
-    std::vector<Index> path;
-    for (Index h = m_dual_parent[face]; h != no_index;
-         h = m_dual_parent[Triangulated_surface::face(m_surface.twin(h))]) {
-      path.push_back(h);
-    }
-    return path;
+    std::vector<Index> result{edge};
+    result.insert(result.end(), second.begin(), second.end());
+    std::transform(first.rbegin(), first.rend(), std::back_inserter(result),
+                   [this](Index h) { return m_surface.twin(h); });
+    return result;
   }
 
   /// The points of the loop that `edge` closes.
   Polygon loop_points(Index edge) const
   {
-    std::vector<Index> first = path_to_root(m_surface.origin(edge));
-    std::vector<Index> second = path_to_root(m_surface.target(edge));
-    cut_common_end(first, second);
     Polygon result;
-    result.reserve(first.size() + second.size() + 1);
-    for (const Index h : second) { // from the target to where the paths meet
-      result.push_back(m_surface.point(m_surface.origin(h)));
-    }
-    result.push_back(m_surface.point(second.empty() ? m_surface.target(edge) : m_surface.target(second.back())));
-    std::reverse(first.begin(), first.end());
-    for (const Index h : first) {
+    for (const Index h : closed_path(edge, m_surface.origin(edge), m_surface.target(edge), m_parent,
+                                     [this](Index side) { return m_surface.target(side); })) {
       result.push_back(m_surface.point(m_surface.origin(h)));
     }
     return result;
@@ -231,17 +225,8 @@ private:
   /// The halfedges across which the dual loop of `edge` leaves faces, in order; the first is the edge's.
   std::vector<Index> dual_loop(Index edge) const
   {
-    std::vector<Index> first = dual_path_to_root(Triangulated_surface::face(edge));
-    std::vector<Index> second = dual_path_to_root(Triangulated_surface::face(m_surface.twin(edge)));
-    cut_common_end(first, second);
-    std::vector<Index> result{edge};
-    result.reserve(first.size() + second.size() + 1);
-    result.insert(result.end(), second.begin(), second.end());
-    std::reverse(first.begin(), first.end());
-    for (const Index h : first) {
-      result.push_back(m_surface.twin(h));
-    }
-    return result;
+    const auto face_behind = [this](Index side) { return Triangulated_surface::face(m_surface.twin(side)); };
+    return closed_path(edge, Triangulated_surface::face(edge), face_behind(edge), m_dual_parent, face_behind);
   }
 
   /// The points of the dual loop of `edge`: centers of faces and of edges, that of `edge` pushed outwards.

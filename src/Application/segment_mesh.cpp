@@ -164,11 +164,7 @@ private:
     for (Index f = 0; f < number_of_faces; ++f) {
       nodes.push_back(node_of_face(f));
     }
-    std::vector<std::size_t> degrees(m_surface.skeleton.number_of_nodes(), 0);
-    for (const auto& [u, v] : m_surface.skeleton.edges) {
-      ++degrees[u];
-      ++degrees[v];
-    }
+    const std::vector<std::vector<Index>> neighbors = node_neighbors(m_surface.skeleton);
     std::vector<Index>& slice = m_graph.slice;
     slice.assign(number_of_faces, no_index);
     std::vector<Index> stack;
@@ -178,7 +174,7 @@ private:
       }
       const auto number = Index(m_graph.slices.size());
       const Index node = nodes[seed];
-      m_graph.slices.push_back({m_surface.skeleton.points[node], 0, 0, degrees[node] > 2});
+      m_graph.slices.push_back({m_surface.skeleton.points[node], 0, 0, neighbors[node].size() > 2});
       slice[seed] = number;
       stack.push_back(seed);
       while (!stack.empty()) {

@@ -23,8 +23,9 @@ namespace CSCD::internal {
 /// The part of a file that is read. The rest is passed over: faults there do not matter, and it takes no memory.
 enum class Wanted
 {
-  surface, ///< points, normals and polygons
-  skeleton ///< points, radii, openings and lines
+  surface,  ///< points, normals and polygons
+  skeleton, ///< points, radii, openings and lines
+  all
 };
 
 /// \param filename for messages

@@ -45,10 +45,10 @@ public:
       const std::string_view statement = m_scanner.word();
       if (statement == "v") {
         m_shape.points.push_back(m_scanner.point_in_line(too_few_coordinates));
-      } else if (statement == "f" && m_wanted == Wanted::surface) {
+      } else if (statement == "f" && m_wanted != Wanted::skeleton) {
         for_each_vertex([this](std::int64_t vertex) { m_shape.corners.push_back(Index(vertex)); });
         m_shape.end_polygon();
-      } else if (statement == "l" && m_wanted == Wanted::skeleton) {
+      } else if (statement == "l" && m_wanted != Wanted::surface) {
         m_has_lines = true;
         std::int64_t previous = -1;
         for_each_vertex([&](std::int64_t vertex) {
@@ -152,9 +152,7 @@ private:
 
   std::size_t next_count(const char* meaning)
   {
-    if (!m_scanner.skip_blanks(comment)) {
-      m_scanner.fail_at_end(meaning);
-    }
+    m_scanner.expect(meaning, comment);
     return m_scanner.count(meaning);
   }
 
@@ -167,9 +165,7 @@ private:
       }
       m_shape.points.push_back(m_scanner.point_in_line(too_few_coordinates));
       if (m_is_homogeneous) {
-        if (!m_scanner.skip_blanks_in_line()) {
-          m_scanner.fail(too_few_coordinates);
-        }
+        m_scanner.expect_in_line(too_few_coordinates);
         const double weight = m_scanner.coordinate();
         if (weight != 0) {
           m_shape.points.back() /= weight;
@@ -209,9 +205,7 @@ private:
       }
       const std::size_t size = m_scanner.count("the number of vertices of a face");
       for (std::size_t k = 0; k < size; ++k) {
-        if (!m_scanner.skip_blanks(comment)) { // some write each index on a line of its own
-          m_scanner.fail_at_end("all vertices of a face");
-        }
+        m_scanner.expect("all vertices of a face", comment);
         const std::size_t corner = m_scanner.count("the index of a vertex");
         if (corner >= m_number_of_points) {
           m_scanner.fail("a face " + missing_vertex(corner, m_number_of_points));
@@ -382,9 +376,7 @@ private:
       if (word == "vertex") {
         Vector_3 point = Vector_3::Zero();
         for (double& coordinate : point) {
-          if (!scanner.skip_blanks()) {
-            scanner.fail_at_end("all coordinates of a vertex");
-          }
+          scanner.expect("all coordinates of a vertex");
           coordinate = scanner.coordinate();
         }
         m_points.add(point);

@@ -85,9 +85,9 @@ public:
       has_edges = has_edges || is_edge;
       if (element.is_called("vertex", "vertices")) {
         read_points(element);
-      } else if (is_face && m_wanted == Wanted::surface) {
+      } else if (is_face && m_wanted != Wanted::skeleton) {
         read_polygons(element);
-      } else if (is_edge && m_wanted == Wanted::skeleton) {
+      } else if (is_edge && m_wanted != Wanted::surface) {
         read_edges(element);
       } else {
         read_items(
@@ -139,9 +139,7 @@ private:
 
   std::string_view next_word()
   {
-    if (!m_scanner.skip_blanks_in_line()) {
-      m_scanner.fail("the header has an incomplete line", remedy);
-    }
+    m_scanner.expect_in_line("the header has an incomplete line", remedy);
     return m_scanner.word();
   }
 
@@ -183,9 +181,7 @@ private:
     if (m_bytes) {
       return m_bytes->number(type);
     }
-    if (!m_scanner.skip_blanks()) {
-      m_scanner.fail_at_end("all that its header promises");
-    }
+    m_scanner.expect("all that its header promises");
     return m_scanner.number();
   }
 
@@ -241,10 +237,9 @@ private:
     constexpr std::size_t size = 7;
     const Names names{"x", "y", "z", "nx", "ny", "nz", "radius"};
     check_properties(element, {"x", "y", "z"});
-    const bool is_surface = m_wanted == Wanted::surface;
-    const bool has_normals =
-        is_surface && element.has_number("nx") && element.has_number("ny") && element.has_number("nz");
-    const bool has_radii = !is_surface && element.has_number("radius");
+    const bool has_normals = m_wanted != Wanted::skeleton && element.has_number("nx") && element.has_number("ny") &&
+                             element.has_number("nz");
+    const bool has_radii = m_wanted != Wanted::surface && element.has_number("radius");
     const std::size_t first = m_shape.points.size();
     const std::vector<std::size_t> places = find_places(element, names);
     if (!has_normals && !has_radii && read_point_records(element, places)) {

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +19,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -51,72 +49,27 @@ void keep_normals_only(Shape_file& shape)
   shape.has_other_columns = has_columns && normals.empty();
 }
 
-/// Reads `text`, a point in each line: three coordinates, and perhaps three numbers of a normal; further columns are
-/// passed over, as are empty lines, comments after `#` or `//`, and a first line with a single number or with words. If
-/// in some line three further numbers are missing, no line has a normal.
-/// \throw File_error if it is malformed or has no points
-Shape_file parse_xyz(std::string_view text, const std::string& filename)
-{
-  constexpr std::size_t with_normal = 6;
-  Shape_file shape;
-  bool has_normals = true;
-  bool is_first_line = true;
-  Text_scanner scanner(text, filename);
-  const auto is_comment = [&scanner] { return scanner.is_at("#") || scanner.is_at("//"); };
-  while (scanner.skip_blanks()) {
-    const bool is_header = std::exchange(is_first_line, is_first_line && is_comment()) && !scanner.is_at_number();
-    if (is_comment() || is_header) {
-      scanner.skip_line();
-      continue;
-    }
-    std::array<double, with_normal> numbers{};
-    std::size_t size = 0;
-    for (; size < 3 && scanner.skip_blanks_in_line() && !is_comment(); ++size) {
-      numbers[size] = scanner.coordinate();
-    }
-    if (size == 1 && shape.points.empty()) {
-      continue; // the number of points
-    }
-    if (size < 3) {
-      scanner.fail("a point has fewer than three coordinates");
-    }
-    for (; has_normals && size < with_normal && scanner.skip_blanks_in_line() && !is_comment(); ++size) {
-      numbers[size] = scanner.number();
-    }
-    scanner.skip_line();
-    shape.points.emplace_back(numbers[0], numbers[1], numbers[2]);
-    has_normals = has_normals && size == with_normal;
-    if (has_normals) {
-      shape.normals.emplace_back(numbers[3], numbers[4], numbers[5]);
-    }
-  }
-  if (!has_normals) {
-    shape.normals.clear();
-  }
-  check_number_of_points(shape.points.size(), filename);
-  return shape;
-}
-
 /// Which columns of a table hold coordinates and normals, and what stands between columns.
 struct Point_columns
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  std::array<std::size_t, 6> places{0, 1, 2, none, none, none}; ///< of x, y, z and of the normal
-  char separator = 0;                                           ///< 0 for blanks
+  std::array<std::size_t, 6> places{0, 1, 2, 3, 4, 5}; ///< of x, y, z and of the normal
+  char separator = 0;                                  ///< 0 for blanks
 
   bool has_normals() const { return places[3] != none && places[4] != none && places[5] != none; }
 };
 
-/// The fields of a line, without the blanks and quotes around them.
-std::vector<std::string_view> split_fields(std::string_view line, char separator)
+/// Finds the fields of a line, without the blanks and quotes around them.
+/// \param result is replaced; its memory is used again
+void split_fields(std::string_view line, char separator, std::vector<std::string_view>& result)
 {
-  constexpr std::string_view around = " \t\r\n\"";
-  std::vector<std::string_view> result;
+  constexpr std::string_view around = " \t\r\n\v\f\"";
+  result.clear();
   while (true) {
     const std::size_t begin = separator == 0 ? line.find_first_not_of(around) : 0;
     if (begin == std::string_view::npos || (separator == 0 && line.empty())) {
-      return result;
+      return;
     }
     const std::size_t end = separator == 0 ? line.find_first_of(around, begin) : line.find(separator);
     std::string_view field = line.substr(begin, end == std::string_view::npos ? end : end - begin);
@@ -124,7 +77,7 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
     const std::size_t last = field.find_last_not_of(around);
     result.push_back(field.substr(0, last == std::string_view::npos ? 0 : last + 1));
     if (end == std::string_view::npos) {
-      return result;
+      return;
     }
     line.remove_prefix(end + (separator == 0 ? 0 : 1));
   }
@@ -135,6 +88,7 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
 char find_separator(std::string_view text)
 {
   constexpr std::string_view begin_of_number = "0123456789+-.\"";
+  std::vector<std::string_view> fields;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find('\n'));
     const std::size_t begin = line.find_first_not_of(" \t");
@@ -144,7 +98,8 @@ char find_separator(std::string_view text)
           return separator;
         }
       }
-      if (split_fields(line, 0).size() > 1) {
+      split_fields(line, 0, fields);
+      if (fields.size() > 1) {
         return 0;
       }
     }
@@ -153,16 +108,17 @@ char find_separator(std::string_view text)
   return 0;
 }
 
-/// The columns, if other than blanks separate them, or if the first line, perhaps behind `//` or `#`, names those of
-/// all three coordinates.
-std::optional<Point_columns> find_columns(std::string_view text)
+/// The columns that the first line, perhaps behind `//` or `#`, names, if it names those of all three coordinates; or
+/// else the first ones.
+Point_columns find_columns(std::string_view text)
 {
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
   Point_columns columns;
   columns.separator = find_separator(text);
   line.remove_prefix(std::min(line.find_first_not_of("#/ \t"), line.size()));
-  const std::vector<std::string_view> fields = split_fields(line, columns.separator);
+  std::vector<std::string_view> fields;
+  split_fields(line, columns.separator, fields);
   constexpr std::array<std::array<std::string_view, 3>, 6> names{{{"x", "x_m", "coord_x"},
                                                                   {"y", "y_m", "coord_y"},
                                                                   {"z", "z_m", "coord_z"},
@@ -180,16 +136,12 @@ std::optional<Point_columns> find_columns(std::string_view text)
     }
   }
   const bool is_named = std::count(places.begin(), places.begin() + 3, Point_columns::none) == 0;
-  if (is_named) {
-    columns.places = places;
-  } else if (columns.separator != 0) {
-    columns.places = {0, 1, 2, 3, 4, 5};
-  }
-  return is_named || columns.separator != 0 ? std::optional<Point_columns>(columns) : std::nullopt;
+  columns.places = is_named ? places : columns.places;
+  return columns;
 }
 
-/// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, and the
-/// number of points before the first one are passed over. Normals are kept if every line has one.
+/// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
+/// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
 /// \throw File_error if a line has no coordinates, or there are no points
 class Point_table_parser
 {
@@ -203,10 +155,12 @@ public:
   {
     bool is_first_line = true;
     while (m_scanner.skip_blanks()) {
-      const bool is_header = std::exchange(is_first_line, false) && !is_number_next();
-      if (!is_header && !m_scanner.is_at("#") && !m_scanner.is_at("//")) {
+      const bool is_comment = m_scanner.is_at("#") || m_scanner.is_at("//");
+      const bool is_header = std::exchange(is_first_line, is_first_line && is_comment) && !is_number_next();
+      if (!is_header && !is_comment) {
         const std::string_view rest = m_scanner.rest();
-        read_line(split_fields(rest.substr(0, rest.find('\n')), m_columns.separator));
+        split_fields(rest.substr(0, rest.find('\n')), m_columns.separator, m_fields);
+        read_line(m_fields);
       }
       m_scanner.skip_line();
     }
@@ -237,7 +191,7 @@ private:
       }
       const std::optional<double> number = to_number(fields[m_columns.places[i]]);
       if (!number) {
-        m_scanner.fail("a number with a decimal point is expected");
+        m_scanner.fail(Text_scanner::number_expected);
       }
       if (!std::isfinite(*number)) {
         m_scanner.fail("a coordinate is not finite", "correct or remove this line");
@@ -256,23 +210,19 @@ private:
     }
   }
 
-  std::optional<double> to_number(std::string_view field) const
+  static std::optional<double> to_number(std::string_view field)
   {
-    Text_scanner scanner(field, m_filename);
-    if (!scanner.is_at_number()) {
-      return std::nullopt;
-    }
-    scanner.skip_character('+');
+    field.remove_prefix(field.substr(0, 1) == "+" ? 1 : 0);
+    const char* const end = field.data() + field.size();
     double value = 0;
-    const std::from_chars_result result = number_from_chars(scanner.rest().data(), field.data() + field.size(), value);
-    const bool is_all = result.ptr == field.data() + field.size() && result.ec == std::errc();
-    return is_all ? std::optional<double>(value) : std::nullopt;
+    return Text_scanner::read_number(field.data(), end, value) == end ? std::optional<double>(value) : std::nullopt;
   }
 
   Text_scanner m_scanner;
   Point_columns m_columns;
   std::string m_filename;
   bool m_has_normals;
+  std::vector<std::string_view> m_fields; ///< of a line
   Vector_3 m_normal;
   Shape_file m_shape;
 };
@@ -311,9 +261,7 @@ private:
   void read_header()
   {
     while (m_encoding.empty()) {
-      if (!m_scanner.skip_blanks('#')) {
-        m_scanner.fail_at_end("the keyword DATA");
-      }
+      m_scanner.expect("the keyword DATA", '#');
       const std::string keyword(m_scanner.word());
       if (keyword == "FIELDS") {
         while (m_scanner.skip_blanks_in_line()) {
@@ -426,11 +374,9 @@ private:
 
 } // namespace
 
-/// Reads a table with commas or names of columns, or else a file as `parse_xyz()` does.
 Shape_file parse_point_table(std::string_view content, const std::string& filename, Wanted /* wanted */)
 {
-  const std::optional<Point_columns> columns = find_columns(content);
-  Shape_file shape = columns ? Point_table_parser(content, *columns, filename).parse() : parse_xyz(content, filename);
+  Shape_file shape = Point_table_parser(content, find_columns(content), filename).parse();
   keep_normals_only(shape);
   return shape;
 }

@@ -85,9 +85,7 @@ private:
     const std::int64_t id = next_integer(m_scanner, "the identifier of a node");
     next_integer(m_scanner, "the type of a node");
     const Vector_3 point = next_point(m_scanner);
-    if (!m_scanner.skip_blanks_in_line()) {
-      m_scanner.fail("a node has too few coordinates");
-    }
+    m_scanner.expect_in_line("a node has too few coordinates");
     m_shape.radii.push_back(m_scanner.coordinate());
     const std::int64_t parent = next_integer(m_scanner, "the parent of a node");
     if (!m_nodes.emplace(id, std::int64_t(m_shape.points.size())).second) {
@@ -221,9 +219,7 @@ Shape_file parse_polylines(std::string_view content, const std::string& filename
   Shape_file shape;
   boost::unordered_map<std::array<double, 3>, std::int64_t> nodes;
   const auto next_node = [&] {
-    if (!scanner.skip_blanks()) { // some programs break the line
-      scanner.fail_at_end("the last point of a poly-line");
-    }
+    scanner.expect("the last point of a poly-line");
     const Vector_3 point = next_point(scanner) + Vector_3::Zero(); // makes -0 equal to 0
     const auto [place, is_new] =
         nodes.try_emplace({point.x(), point.y(), point.z()}, std::int64_t(shape.points.size()));

@@ -129,16 +129,16 @@ private:
 
   void add_cell(const std::string& kind, const std::vector<Index>& cell)
   {
-    const bool is_surface = m_wanted == Wanted::surface;
+    const bool has_faces = m_wanted != Wanted::skeleton;
     m_has_lines = m_has_lines || kind == "lines";
-    if (kind == "polys" && is_surface) {
+    if (kind == "polys" && has_faces) {
       m_shape.corners.insert(m_shape.corners.end(), cell.begin(), cell.end());
       m_shape.end_polygon();
-    } else if (kind == "strips" && is_surface) {
+    } else if (kind == "strips" && has_faces) {
       for (std::size_t i = 0; i + 2 < cell.size(); ++i) { // every other triangle is turned
         m_strip_corners.insert(m_strip_corners.end(), {cell[i], cell[i + 1 + i % 2], cell[i + 2 - i % 2]});
       }
-    } else if (kind == "lines" && !is_surface) {
+    } else if (kind == "lines" && m_wanted != Wanted::surface) {
       for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
         m_shape.lines.push_back({cell[i], cell[i + 1]});
       }
@@ -412,17 +412,13 @@ private:
 
   std::string word(const char* meaning)
   {
-    if (!m_scanner.skip_blanks()) {
-      m_scanner.fail_at_end(meaning);
-    }
+    m_scanner.expect(meaning);
     return std::string(m_scanner.word());
   }
 
   std::size_t count()
   {
-    if (!m_scanner.skip_blanks()) {
-      m_scanner.fail_at_end("a number");
-    }
+    m_scanner.expect("a number");
     return m_scanner.count("a number of elements");
   }
 
@@ -578,9 +574,7 @@ private:
     Numbers result;
     result.reserve(number);
     while (result.size() < number) {
-      if (!m_scanner.skip_blanks()) {
-        m_scanner.fail_at_end("all numbers of an array");
-      }
+      m_scanner.expect("all numbers of an array");
       result.push_back(m_scanner.number());
     }
     return result;

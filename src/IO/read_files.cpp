@@ -106,10 +106,12 @@ std::vector<std::string> endings(const Predicate& is_counted)
 constexpr auto is_mesh = [](const File_format& format) { return format.mesh.has_value(); };
 constexpr auto is_written_mesh = [](const File_format& format) { return format.mesh && *format.mesh <= Mesh::stl; };
 constexpr auto is_points = [](const File_format& format) { return format.points.has_value(); };
+constexpr auto is_readable = [](const File_format& format) { return format.parse != nullptr; };
 constexpr auto is_written_skeleton = [](const File_format& format) { return format.write != nullptr; };
-constexpr auto is_read_skeleton = [](const File_format& format) {
-  return format.is_skeleton || format.parse == parse_edge_list;
+constexpr auto is_graph = [](const File_format& format) {
+  return is_readable(format) && !format.mesh && !format.points;
 };
+constexpr auto is_read_skeleton = [](const File_format& format) { return format.is_skeleton || is_graph(format); };
 
 /// \param kind for messages
 template <class Predicate>
@@ -151,14 +153,26 @@ Shape_file parse(std::string_view content, const File_format& format, const std:
   return format.parse(content, filename, wanted);
 }
 
+void check_polygons(const Shape_file& shape, const std::string& filename)
+{
+  if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
+    fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
+  }
+}
+
+void check_points(const Shape_file& shape, const std::string& filename)
+{
+  if (shape.points.empty()) {
+    fail_in_file(filename, "the file has no points", "fetch or write it again");
+  }
+}
+
 Shape_file parse_polygons(std::string_view content, Mesh_format format, const std::string& filename)
 {
   const auto* const found =
       std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.mesh == format; });
   Shape_file shape = parse(content, *found, filename, Wanted::surface);
-  if (shape.number_of_polygons([](std::size_t size) { return size > 2; }) == 0) {
-    fail_in_file(filename, "the file has no faces", "a triangle mesh is needed");
-  }
+  check_polygons(shape, filename);
   return shape;
 }
 
@@ -167,10 +181,15 @@ Shape_file parse_points(std::string_view content, Point_format format, const std
   const auto* const found =
       std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.points == format; });
   Shape_file shape = parse(content, *found, filename, Wanted::surface);
-  if (shape.points.empty()) {
-    fail_in_file(filename, "the file has no points", "fetch or write it again");
-  }
+  check_points(shape, filename);
   return shape;
+}
+
+[[noreturn]] void fail_at_ending(const std::string& filename)
+{
+  fail_in_file(filename, "the ending names no known format",
+               "use one of " + boost::algorithm::join(mesh_endings(), " ") + " for meshes, " +
+                   boost::algorithm::join(point_endings(), " ") + " for points");
 }
 
 /// The format of a skeleton, or a graph, to be read from `filename`. \throw File_error if its ending names none
@@ -184,11 +203,12 @@ const File_format& read_skeleton_format(const std::string& filename)
   return get_format(filename, "known skeleton format", is_read_skeleton);
 }
 
+using Line = std::pair<std::int64_t, std::int64_t>;
+
 /// Checks nodes and lines. Lines from a node to itself and repeated ones are left out: they add nothing to a drawing
 /// but would count as cycles.
-Skeleton parse_skeleton(std::string_view content, const File_format& format, const std::string& filename)
+void check_skeleton(Shape_file& shape, const std::string& filename)
 {
-  Shape_file shape = parse(content, format, filename, Wanted::skeleton);
   const auto fail = [&filename](const std::string& fault) {
     fail_in_file(filename, fault, "correct or write the file again");
   };
@@ -204,24 +224,34 @@ Skeleton parse_skeleton(std::string_view content, const File_format& format, con
       fail("node " + std::to_string(v) + " (counted from 0) has a radius that is negative or not finite");
     }
   }
-  using Line = std::pair<std::int64_t, std::int64_t>;
-  boost::unordered_set<Line> joined;
-  for (const auto& [source, target] : shape.joined_lines) {
-    joined.insert(std::minmax(source, target));
-  }
-  Skeleton result;
   boost::unordered_set<Line> seen;
-  for (const auto& [source, target] : shape.lines) {
-    for (const std::int64_t node : {source, target}) {
+  std::size_t kept = 0;
+  for (const auto& line : shape.lines) {
+    for (const std::int64_t node : line) {
       if (node < 0 || std::uint64_t(node) >= shape.points.size()) {
         fail("an edge names node " + std::to_string(node) + ", but there are only " +
              std::to_string(shape.points.size()) + " (counted from 0)");
       }
     }
-    if (source != target && seen.insert(std::minmax(source, target)).second) {
-      result.edges.push_back({Index(source), Index(target)});
-      result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
+    if (line[0] != line[1] && seen.insert(std::minmax(line[0], line[1])).second) {
+      shape.lines[kept++] = line;
     }
+  }
+  shape.lines.resize(kept);
+}
+
+Skeleton parse_skeleton(std::string_view content, const File_format& format, const std::string& filename)
+{
+  Shape_file shape = parse(content, format, filename, Wanted::skeleton);
+  check_skeleton(shape, filename);
+  boost::unordered_set<Line> joined;
+  for (const auto& [source, target] : shape.joined_lines) {
+    joined.insert(std::minmax(source, target));
+  }
+  Skeleton result;
+  for (const auto& [source, target] : shape.lines) {
+    result.edges.push_back({Index(source), Index(target)});
+    result.is_joined.push_back(joined.count(std::minmax(source, target)) > 0 ? 1 : 0);
   }
   result.points = std::move(shape.points);
   result.radii = std::move(shape.radii);
@@ -265,7 +295,7 @@ std::string read_content(std::istream& in, const std::string& name, const std::s
   return content;
 }
 
-std::string read_content(const std::string& filename)
+std::ifstream open_file(const std::string& filename)
 {
   std::error_code error;
   if (std::filesystem::is_directory(filename, error)) {
@@ -278,6 +308,13 @@ std::string read_content(const std::string& filename)
                  std::string("cannot be opened (") + (errno != 0 ? std::strerror(errno) : "unknown reason") + ")",
                  "check the name and the permissions");
   }
+  return in;
+}
+
+std::string read_content(const std::string& filename)
+{
+  std::ifstream in = open_file(filename);
+  std::error_code error;
   const auto size = std::filesystem::file_size(filename, error);
   if (error || find_compression(filename)) {
     return read_content(in, filename, filename); // a pipe, or of another size
@@ -304,21 +341,41 @@ Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string
 
 Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
 {
-  return read_polygons_or_points(read_content(in, name, ending), ending, name);
-}
-
-Shape_file read_polygons_or_points(std::string_view content, const std::string& ending, const std::string& name)
-{
+  const std::string content = read_content(in, name, ending);
   if (const std::optional<Point_format> points_only = find_point_format(ending)) {
     return parse_points(content, *points_only, name);
   }
   const std::optional<Mesh_format> format = find_mesh_format(ending);
   if (!format) {
-    fail_in_file(ending, "the ending names no known format",
-                 "use one of " + boost::algorithm::join(mesh_endings(), " ") + " for meshes, " +
-                     boost::algorithm::join(point_endings(), " ") + " for points");
+    fail_at_ending(ending);
   }
   return parse_polygons(content, *format, name);
+}
+
+bool is_graph_filename(const std::string& filename)
+{
+  const File_format* const format = find_format(without_compression_ending(filename), is_readable);
+  return format != nullptr && is_graph(*format);
+}
+
+Shape_file read_shape(std::string_view content, const std::string& ending, const std::string& name)
+{
+  const File_format* const format = find_format(without_compression_ending(ending), is_readable);
+  if (format == nullptr) {
+    fail_at_ending(ending);
+  }
+  Shape_file shape = parse(content, *format, name, Wanted::all);
+  if (is_graph(*format) || !shape.lines.empty()) {
+    check_skeleton(shape, name);
+    return shape;
+  }
+  shape.radii.clear();
+  if (format->points || (format->is_skeleton && shape.number_of_polygons() == 0)) {
+    check_points(shape, name);
+  } else {
+    check_polygons(shape, name);
+  }
+  return shape;
 }
 
 Shape_file read_point_file(const std::string& filename)
@@ -340,12 +397,8 @@ Skeleton read_indexed_skeleton(const std::string& filename)
 
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
 {
-  return read_indexed_skeleton(read_content(in, name), ending, name);
-}
-
-Skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name)
-{
-  return parse_skeleton(content, read_skeleton_format(ending), name);
+  const File_format& format = read_skeleton_format(ending);
+  return parse_skeleton(read_content(in, name), format, name);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #include "IO/decompress.h"
 #include "IO/formats.h"
 #include "IO/scanners.h"
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/Volume/Voxel_surface.h>
@@ -146,16 +147,6 @@ private:
   std::vector<char> m_bytes;
 };
 
-/// \throw File_error if there is no such file
-std::ifstream open_header(const std::string& filename)
-{
-  std::ifstream in(filename, std::ios::binary);
-  if (!in) {
-    fail_in_file(filename, "cannot be opened", "check the name and the permissions");
-  }
-  return in;
-}
-
 /// A header of lines, each a name and a value.
 class Line_header
 {
@@ -165,7 +156,7 @@ public:
 
   Line_header(const std::string& filename, char separator) : m_filename(filename), m_separator(separator)
   {
-    std::ifstream in = open_header(filename);
+    std::ifstream in = open_file(filename);
     m_text.resize(max_size);
     in.read(m_text.data(), std::streamsize(max_size));
     m_text.resize(std::size_t(in.gcount()));
@@ -563,7 +554,7 @@ private:
 
 Volume_header read_nifti_header(const std::string& filename)
 {
-  std::ifstream in = open_header(filename);
+  std::ifstream in = open_file(filename);
   const bool is_compressed = in.peek() == 0x1f; // the first byte of gzip
   std::string bytes(Nifti_header::size, '\0');
   if (is_compressed) {
@@ -735,15 +726,12 @@ Open_volume* find_volume_format(const std::string& filename)
 
 std::unique_ptr<Volume_file> open_volume(const std::string& filename)
 {
-  std::error_code error;
-  if (std::filesystem::is_directory(filename, error)) {
-    fail_in_file(filename, "is a folder", "name a file in it");
-  }
   Open_volume* const open = find_volume_format(filename);
   if (open == nullptr) {
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
+  open_file(filename); // libtiff would not say what is wrong with a folder or a name
   return open(filename);
 }
 

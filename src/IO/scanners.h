@@ -235,6 +235,10 @@ inline std::string lower_case(std::string_view text)
 class Text_scanner
 {
 public:
+  /// A fault, and the remedy of most faults.
+  static constexpr const char* number_expected = "a number with a decimal point is expected";
+  static constexpr const char* correct_line = "correct this line or write the file again";
+
   /// \param text must outlive the scanner
   /// \param filename for messages
   Text_scanner(std::string_view text, std::string filename)
@@ -275,6 +279,22 @@ public:
       ++m_at;
     }
     return m_at != m_end && *m_at != '\n';
+  }
+
+  /// Goes on to the next token. \throw File_error if the file ends before `what`
+  void expect(const char* what, char comment = 0)
+  {
+    if (!skip_blanks(comment)) {
+      fail_at_end(what);
+    }
+  }
+
+  /// Goes on to the next token of this line. \throw File_error naming `fault` and `remedy` if there is none
+  void expect_in_line(const char* fault, const char* remedy = correct_line)
+  {
+    if (!skip_blanks_in_line()) {
+      fail(fault, remedy);
+    }
   }
 
   /// Goes on to the beginning of the next line.
@@ -320,14 +340,24 @@ public:
   {
     skip_plus();
     double value = 0;
-    const std::from_chars_result result = number_from_chars(m_at, m_end, value);
-    if (result.ec == std::errc::result_out_of_range && is_underflow(m_at, result.ptr)) {
-      value = 0;
-    } else if (result.ec != std::errc() || (result.ptr != m_end && !is_blank(*result.ptr))) {
-      fail("a number with a decimal point is expected");
+    const char* const end = read_number(m_at, m_end, value);
+    if (end == nullptr || (end != m_end && !is_blank(*end))) {
+      fail(number_expected);
     }
-    m_at = result.ptr;
+    m_at = end;
     return value;
+  }
+
+  /// Reads a number without a plus; what is too small becomes 0. \return its end; null if there is none, or too large a
+  /// one
+  static const char* read_number(const char* first, const char* last, double& value)
+  {
+    const std::from_chars_result result = number_from_chars(first, last, value);
+    if (result.ec == std::errc::result_out_of_range && is_underflow(first, result.ptr)) {
+      value = 0;
+      return result.ptr;
+    }
+    return result.ec == std::errc() ? result.ptr : nullptr;
   }
 
   /// Reads a number which is finite.
@@ -344,13 +374,11 @@ public:
   /// Reads three finite numbers of this line.
   /// \param too_few what is wrong if there are fewer
   /// \throw File_error if there are fewer, or one that is not finite
-  Vector_3 point_in_line(const char* too_few, const char* remedy = "correct this line or write the file again")
+  Vector_3 point_in_line(const char* too_few, const char* remedy = correct_line)
   {
     Vector_3 point = Vector_3::Zero();
     for (double& number : point) {
-      if (!skip_blanks_in_line()) {
-        fail(too_few, remedy);
-      }
+      expect_in_line(too_few, remedy);
       number = coordinate();
     }
     return point;
@@ -382,8 +410,7 @@ public:
   }
 
   /// \throw File_error naming the file, the line, the fault and the remedy
-  [[noreturn]] void fail(const std::string& fault,
-                         const std::string& remedy = "correct this line or write the file again") const
+  [[noreturn]] void fail(const std::string& fault, const std::string& remedy = correct_line) const
   {
     const auto line = 1 + std::count(m_begin, m_at, '\n');
     throw File_error(m_filename + ", line " + std::to_string(line) + ": " + fault + "; " + remedy);

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -95,8 +96,8 @@ private:
     const std::size_t matrices = add_inverse_bind_matrices();
     const Json attributes = {{"POSITION", add_positions()},
                              {"NORMAL", add_normals()},
-                             {"JOINTS_0", add_joints()},
-                             {"WEIGHTS_0", add_weights()}};
+                             {"JOINTS_0", add_influences<std::uint16_t>(unsigned_short_type, &Rig_influence::joint)},
+                             {"WEIGHTS_0", add_influences<float>(float_type, &Rig_influence::weight)}};
     Json joints = Json::array();
     for (std::size_t j = 0; j < m_rig.joints.size(); ++j) {
       joints.push_back(node_of_joint(j));
@@ -134,9 +135,13 @@ private:
     m_document["scenes"].push_back({{"nodes", Json::array({0, roots[0]})}});
   }
 
-  /// Ends the part of the binary chunk that began at `begin`. \return the number of its accessor
-  std::size_t end_view(std::size_t begin, int target, int component_type, const char* type, std::size_t count)
+  /// Appends numbers of the type `Number` to the binary chunk. \return the number of their accessor
+  /// \param fill calls its argument with all numbers of `count` elements
+  template <class Number, class Fill>
+  std::size_t add_view(int target, int component_type, const char* type, std::size_t count, const Fill& fill)
   {
+    const std::size_t begin = std::size_t(m_binary.tellp());
+    fill([this](auto number) { write_little_endian(m_binary, Number(number)); });
     const std::size_t end = std::size_t(m_binary.tellp());
     Json view = {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", end - begin}};
     if (target != no_target) {
@@ -153,13 +158,11 @@ private:
 
   std::size_t add_vectors(const std::vector<Vector_3>& vectors)
   {
-    const std::size_t begin = std::size_t(m_binary.tellp());
-    for (const Vector_3& vector : vectors) {
-      for (const double coordinate : vector) {
-        write_little_endian(m_binary, float(coordinate));
+    return add_view<float>(vertex_target, float_type, "VEC3", vectors.size(), [&](const auto& add) {
+      for (const Vector_3& vector : vectors) {
+        std::for_each(vector.begin(), vector.end(), add);
       }
-    }
-    return end_view(begin, vertex_target, float_type, "VEC3", vectors.size());
+    });
   }
 
   std::size_t add_positions()
@@ -194,50 +197,40 @@ private:
     return add_vectors(normals);
   }
 
-  std::size_t add_joints()
+  /// \param member of the influences of all vertices
+  template <class Number, class Value>
+  std::size_t add_influences(int component_type, Value Rig_influence::*member)
   {
-    const std::size_t begin = std::size_t(m_binary.tellp());
-    for (const Rig::Influences& influences : m_rig.influences) {
-      for (const Rig_influence& influence : influences) {
-        write_little_endian(m_binary, std::uint16_t(influence.joint));
+    return add_view<Number>(vertex_target, component_type, "VEC4", m_rig.influences.size(), [&](const auto& add) {
+      for (const Rig::Influences& influences : m_rig.influences) {
+        for (const Rig_influence& influence : influences) {
+          add(influence.*member);
+        }
       }
-    }
-    return end_view(begin, vertex_target, unsigned_short_type, "VEC4", m_rig.influences.size());
-  }
-
-  std::size_t add_weights()
-  {
-    const std::size_t begin = std::size_t(m_binary.tellp());
-    for (const Rig::Influences& influences : m_rig.influences) {
-      for (const Rig_influence& influence : influences) {
-        write_little_endian(m_binary, float(influence.weight));
-      }
-    }
-    return end_view(begin, vertex_target, float_type, "VEC4", m_rig.influences.size());
+    });
   }
 
   std::size_t add_triangles()
   {
-    const std::size_t begin = std::size_t(m_binary.tellp());
-    for (const std::array<Index, 3>& triangle : m_surface.triangles) {
-      for (const Index corner : triangle) {
-        write_little_endian(m_binary, corner);
-      }
-    }
-    return end_view(begin, index_target, unsigned_int_type, "SCALAR", 3 * m_surface.triangles.size());
+    return add_view<Index>(index_target, unsigned_int_type, "SCALAR", 3 * m_surface.triangles.size(),
+                           [&](const auto& add) {
+                             for (const std::array<Index, 3>& triangle : m_surface.triangles) {
+                               std::for_each(triangle.begin(), triangle.end(), add);
+                             }
+                           });
   }
 
   /// Joints are not turned: the matrices, column by column, move them to the origin.
   std::size_t add_inverse_bind_matrices()
   {
-    const std::size_t begin = std::size_t(m_binary.tellp());
-    for (const Rig_joint& joint : m_rig.joints) {
-      const Vector_3& p = joint.point;
-      for (const double element : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -p.x(), -p.y(), -p.z(), 1.}) {
-        write_little_endian(m_binary, float(element));
+    return add_view<float>(no_target, float_type, "MAT4", m_rig.joints.size(), [&](const auto& add) {
+      for (const Rig_joint& joint : m_rig.joints) {
+        const Vector_3& p = joint.point;
+        for (const double element : {1., 0., 0., 0., 0., 1., 0., 0., 0., 0., 1., 0., -p.x(), -p.y(), -p.z(), 1.}) {
+          add(element);
+        }
       }
-    }
-    return end_view(begin, no_target, float_type, "MAT4", m_rig.joints.size());
+    });
   }
 
   const Assigned_surface& m_surface;

@@ -13,6 +13,7 @@
 #include <CSCD/Measure/split_into_branches.h>
 #include <CSCD/Vector_3.h>
 
+#include <boost/range/iterator_range_core.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -78,24 +79,33 @@ Index find_soma(const Skeleton_content& skeleton, double min_radius)
                                                                      : no_index;
 }
 
+/// Writes an array of a PolyData, a line for each of `values` as `write(value)` has it.
+template <class Values, class Write>
+void write_vtp_array(std::ostream& out, const std::string& attributes, const Values& values, const Write& write)
+{
+  out << "<DataArray " << attributes << " format=\"ascii\">\n";
+  for (const auto& value : values) {
+    write(value);
+    out << '\n';
+  }
+  out << "</DataArray>\n";
+}
+
 /// Writes the branches with the numbers from `first` to `last` as cells of a PolyData, each a sequence of nodes.
 void write_vtp_cells(std::ostream& out, const char* tag, const std::vector<Skeleton_branch>& branches,
                      std::vector<std::size_t>::const_iterator first, std::vector<std::size_t>::const_iterator last)
 {
-  out << '<' << tag << ">\n<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
-  for (auto number = first; number != last; ++number) {
-    for (const Index v : branches[*number].nodes) {
+  const auto numbers = boost::make_iterator_range(first, last);
+  out << '<' << tag << ">\n";
+  write_vtp_array(out, "type=\"Int64\" Name=\"connectivity\"", numbers, [&](std::size_t number) {
+    for (const Index v : branches[number].nodes) {
       out << v << ' ';
     }
-    out << '\n';
-  }
-  out << "</DataArray>\n<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">\n";
+  });
   std::size_t offset = 0;
-  for (auto number = first; number != last; ++number) {
-    offset += branches[*number].nodes.size();
-    out << offset << '\n';
-  }
-  out << "</DataArray>\n</" << tag << ">\n";
+  write_vtp_array(out, "type=\"Int64\" Name=\"offsets\"", numbers,
+                  [&](std::size_t number) { out << (offset += branches[number].nodes.size()); });
+  out << "</" << tag << ">\n";
 }
 
 } // namespace
@@ -192,11 +202,7 @@ void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton
 
 void write_json(std::ostream& out, const internal::Skeleton_content& skeleton)
 {
-  std::vector<std::size_t> degree(skeleton.number_of_nodes(), 0);
-  for (const auto& [source, target] : skeleton.edges) {
-    ++degree[source];
-    ++degree[target];
-  }
+  const std::vector<std::vector<Index>> neighbors = internal::node_neighbors(skeleton);
   nlohmann::ordered_json document{{"nodes", nlohmann::ordered_json::array()},
                                   {"edges", nlohmann::ordered_json::array()}};
   for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
@@ -205,7 +211,7 @@ void write_json(std::ostream& out, const internal::Skeleton_content& skeleton)
     if (skeleton.has_radius) {
       node["radius"] = skeleton.radii[v];
     }
-    node["degree"] = degree[v];
+    node["degree"] = neighbors[v].size();
     if (!skeleton.is_opening.empty() && skeleton.is_opening[v] != 0) {
       node["is_opening"] = true;
     }
@@ -336,38 +342,27 @@ void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton)
   if (skeleton.has_radius) {
     out << "<PointData Scalars=\"Radius\">\n";
     for (const char* const name : {"Radius", "MaximumInscribedSphereRadius"}) { // the second one is that of VMTK
-      out << "<DataArray type=\"Float64\" Name=\"" << name << "\" format=\"ascii\">\n";
-      for (const double radius : skeleton.radii) {
-        out << radius << '\n';
-      }
-      out << "</DataArray>\n";
+      internal::write_vtp_array(out, std::string("type=\"Float64\" Name=\"") + name + '"', skeleton.radii,
+                                [&out](double radius) { out << radius; });
     }
     if (std::find(skeleton.is_opening.begin(), skeleton.is_opening.end(), 1) != skeleton.is_opening.end()) {
-      out << "<DataArray type=\"UInt8\" Name=\"IsOpening\" format=\"ascii\">\n";
-      for (const char is_opening : skeleton.is_opening) {
-        out << int(is_opening) << '\n';
-      }
-      out << "</DataArray>\n";
+      internal::write_vtp_array(out, "type=\"UInt8\" Name=\"IsOpening\"", skeleton.is_opening,
+                                [&out](char is_opening) { out << int(is_opening); });
     }
     out << "</PointData>\n";
   }
-  out << "<CellData Scalars=\"BranchId\">\n<DataArray type=\"Int64\" Name=\"BranchId\" format=\"ascii\">\n";
-  for (const std::size_t number : numbers) {
-    out << number << '\n';
-  }
+  out << "<CellData Scalars=\"BranchId\">\n";
+  internal::write_vtp_array(out, "type=\"Int64\" Name=\"BranchId\"", numbers,
+                            [&out](std::size_t number) { out << number; });
   if (skeleton.has_radius) {
-    out << "</DataArray>\n<DataArray type=\"Float64\" Name=\"Significance\" format=\"ascii\">\n";
-    for (const std::size_t number : numbers) {
-      out << internal::finite_significance(branches[number].significance) << '\n';
-    }
+    internal::write_vtp_array(out, "type=\"Float64\" Name=\"Significance\"", numbers, [&](std::size_t number) {
+      out << internal::finite_significance(branches[number].significance);
+    });
   }
-  out << "</DataArray>\n</CellData>\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
-         "format=\"ascii\">\n";
-  for (const Vector_3& point : skeleton.points) {
-    internal::write_coordinates(out, point);
-    out << '\n';
-  }
-  out << "</DataArray>\n</Points>\n";
+  out << "</CellData>\n<Points>\n";
+  internal::write_vtp_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", skeleton.points,
+                            [&out](const Vector_3& point) { internal::write_coordinates(out, point); });
+  out << "</Points>\n";
   internal::write_vtp_cells(out, "Verts", branches, numbers.begin(), lines);
   internal::write_vtp_cells(out, "Lines", branches, lines, numbers.end());
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";

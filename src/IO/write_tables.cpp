@@ -3,6 +3,7 @@
 //
 // The definitions of write_tables.h and write_correspondence.h.
 
+#include "IO/Point_merger.h"
 #include "IO/scanners.h"
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
@@ -16,10 +17,12 @@
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <ostream>
 #include <vector>
@@ -80,12 +83,41 @@ std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, co
   return result;
 }
 
+std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
+                                    const std::vector<Vector_3>& points_of_mesh, const std::vector<char>& is_known)
+{
+  std::vector<Index> result(points_of_file.size());
+  if (points_of_file == points_of_mesh) { // not repaired: points at the same place may be different vertices
+    std::iota(result.begin(), result.end(), Index(0));
+    return result;
+  }
+  std::vector<Vector_3> places = points_of_file;
+  places.insert(places.end(), points_of_mesh.begin(), points_of_mesh.end());
+  std::vector<Index> place; // for the points of the file, then for those of the mesh
+  merge_equal_points(places, place);
+  std::vector<Index> vertex_at(places.size(), no_index);
+  for (Index v = 0; v < points_of_mesh.size(); ++v) {
+    Index& vertex = vertex_at[place[points_of_file.size() + v]];
+    vertex = vertex != no_index && is_known[vertex] != 0 ? vertex : v;
+  }
+  std::transform(place.begin(), place.begin() + std::ptrdiff_t(result.size()), result.begin(),
+                 [&vertex_at](Index p) { return vertex_at[p]; });
+  return result;
+}
+
 std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
                                          const std::vector<Vector_3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels)
 {
-  return values_of_file(points_of_file, points_of_mesh, labels,
-                        [](const Vertex_label& label) { return label.node != no_index; });
+  std::vector<char> is_known;
+  for (const Vertex_label& label : labels) {
+    is_known.push_back(label.node != no_index ? 1 : 0);
+  }
+  std::vector<Vertex_label> result;
+  for (const Index vertex : vertices_of_file(points_of_file, points_of_mesh, is_known)) {
+    result.push_back(vertex != no_index ? labels[vertex] : Vertex_label());
+  }
+  return result;
 }
 
 void write_labelled_ply(std::ostream& out, const Shape_file& file, const std::vector<Vertex_label>& labels)

@@ -36,12 +36,10 @@ namespace {
 class Branch_measurement
 {
 public:
-  explicit Branch_measurement(const Skeleton& skeleton) : m_skeleton(skeleton), m_degree(skeleton.number_of_nodes(), 0)
+  /// \param neighbors of the nodes; both are referred to
+  Branch_measurement(const Skeleton& skeleton, const std::vector<std::vector<Index>>& neighbors)
+      : m_skeleton(skeleton), m_neighbors(neighbors)
   {
-    for (const auto& [u, v] : skeleton.edges) {
-      ++m_degree[u];
-      ++m_degree[v];
-    }
     const std::vector<double> significances = edge_significances(skeleton);
     for (std::size_t e = 0; e < significances.size(); ++e) {
       m_significance.emplace(std::minmax(skeleton.edges[e][0], skeleton.edges[e][1]), significances[e]);
@@ -72,11 +70,12 @@ private:
   Branch_end kind(Index node) const
   {
     const bool is_opening = !m_skeleton.is_opening.empty() && m_skeleton.is_opening[node] != 0;
-    return m_degree[node] > 2    ? Branch_end::junction
-           : m_degree[node] == 2 ? Branch_end::closed
-           : m_degree[node] == 0 ? Branch_end::isolated
-           : is_opening          ? Branch_end::opening
-                                 : Branch_end::tip;
+    const std::size_t degree = m_neighbors[node].size();
+    return degree > 2    ? Branch_end::junction
+           : degree == 2 ? Branch_end::closed
+           : degree == 0 ? Branch_end::isolated
+           : is_opening  ? Branch_end::opening
+                         : Branch_end::tip;
   }
 
   void measure_radii(Skeleton_branch& branch) const
@@ -99,7 +98,7 @@ private:
   }
 
   const Skeleton& m_skeleton;
-  std::vector<std::size_t> m_degree;
+  const std::vector<std::vector<Index>>& m_neighbors;
   boost::unordered_map<std::pair<Index, Index>, double> m_significance;
 };
 
@@ -481,8 +480,9 @@ std::vector<double> edge_significances(const Skeleton& skeleton)
 Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<Index>& roots)
 {
   Skeleton_branches result;
-  const Branch_measurement measure(skeleton);
-  for (std::vector<Index>& nodes : split_into_branches(node_neighbors(skeleton))) {
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
+  const Branch_measurement measure(skeleton, neighbors);
+  for (std::vector<Index>& nodes : split_into_branches(neighbors)) {
     result.branches.push_back(measure(std::move(nodes)));
   }
   result.branch_of_node.assign(skeleton.number_of_nodes(), no_index);

@@ -26,6 +26,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CSCD::internal {
@@ -440,16 +441,11 @@ inline Limb_measures measure_limbs(const Triangulated_surface& surface, const So
       }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<bool> is_used(neighbors.size(), false);
-  std::size_t number_of_pairs = 0;
-  for (const auto& [distance, limb, tip] : pairs) {
-    if (!result.limbs[limb].has_tip && !is_used[tip]) {
-      result.limbs[limb].has_tip = true;
-      is_used[tip] = true;
-      ++number_of_pairs;
-    }
+  const std::vector<std::array<Index, 2>> taken = take_nearest_pairs(std::move(pairs));
+  for (const auto& [limb, tip] : taken) {
+    result.limbs[limb].has_tip = true;
   }
+  const std::size_t number_of_pairs = taken.size();
   result.number_of_limbs_without_tip = result.limbs.size() - number_of_pairs;
   result.number_of_tips_without_limb = number_of_tips - number_of_pairs;
   if (!result.limbs.empty()) {

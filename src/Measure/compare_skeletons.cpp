@@ -262,17 +262,7 @@ Match_count match(const std::vector<Object>& first, const std::vector<Object>& s
       }
     });
   }
-  std::sort(pairs.begin(), pairs.end());
-  std::vector<char> is_first_taken(first.size(), 0);
-  std::vector<char> is_second_taken(second.size(), 0);
-  Match_count result{first.size(), second.size(), 0};
-  for (const auto& [distance, i, j] : pairs) {
-    if (is_first_taken[i] == 0 && is_second_taken[j] == 0) {
-      is_first_taken[i] = is_second_taken[j] = 1;
-      ++result.number_matched;
-    }
-  }
-  return result;
+  return {first.size(), second.size(), take_nearest_pairs(std::move(pairs)).size()};
 }
 
 /// A skeleton prepared for comparison, in coordinates in which lengths are relative to the common diagonal.

@@ -60,6 +60,42 @@ struct New_skeleton
   }
 };
 
+/// The edges at the ends of a branch that do not belong to it, each an end and its neighbor.
+std::vector<std::array<Index, 2>> edges_around(const Branch& branch, const Neighbors& neighbors)
+{
+  std::vector<std::array<Index, 2>> result;
+  for (const auto& [end, next] :
+       {std::pair(branch.front(), branch[1]), std::pair(branch.back(), branch[branch.size() - 2])}) {
+    const auto own = std::find(neighbors[end].begin(), neighbors[end].end(), next);
+    for (auto neighbor = neighbors[end].begin(); neighbor != neighbors[end].end(); ++neighbor) {
+      if (neighbor != own) {
+        result.push_back({end, *neighbor});
+      }
+    }
+  }
+  return result;
+}
+
+/// Whether the ends of the branch can become one node without edges that are loops or parallel.
+bool can_merge(const Branch& branch, const Neighbors& neighbors)
+{
+  std::vector<Index> around{branch.front(), branch.back()};
+  for (const auto& edge : edges_around(branch, neighbors)) {
+    around.push_back(edge[1]);
+  }
+  std::sort(around.begin(), around.end());
+  return std::adjacent_find(around.begin(), around.end()) == around.end();
+}
+
+/// Between which two of the ascending `places` the given one is, and where between them.
+std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
+{
+  const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
+  const double from = *(next - 1);
+  const double t = *next > from ? std::clamp((place - from) / (*next - from), 0., 1.) : 0;
+  return {std::size_t(next - places.begin()) - 1, t};
+}
+
 /// Applies one operation after the other to a skeleton.
 class Skeleton_simplification
 {
@@ -136,9 +172,130 @@ public:
     }
   }
 
-  void join_components();
-  void resample(double spacing, bool is_relative);
-  void smooth(std::size_t number_of_steps);
+  /// Joins components by straight edges, those of the minimum spanning tree of the components, by Prim's algorithm from
+  /// the largest on: O(e n) for n nodes and e ends.
+  /// \throw Input_error if there are too many nodes
+  void join_components()
+  {
+    const std::vector<Index> component = components();
+    const std::vector<char> is_end = ends_of_components(component);
+    std::vector<std::vector<Index>> members(component.size()); // of each component, at the node that stands for it
+    for (Index v = 0; v < component.size(); ++v) {
+      members[component[v]].push_back(v);
+    }
+    std::vector<Index> open = numbers(); // components that are not joined yet
+    open.erase(std::remove_if(open.begin(), open.end(), [&](Index c) { return members[c].empty(); }), open.end());
+    if (open.size() < 2) {
+      return;
+    }
+    auto next = std::max_element(open.begin(), open.end(),
+                                 [&](Index a, Index b) { return members[a].size() < members[b].size(); });
+    std::vector<Joint> best(component.size()); // from what is joined to each open component
+    for (double number_of_pairs = 0; !open.empty();) {
+      const Index joined = *next;
+      open.erase(next);
+      if (best[joined].from != no_index) {
+        m_result.skeleton.edges.push_back({best[joined].from, best[joined].to});
+        m_result.skeleton.is_joined.push_back(1);
+        ++m_result.report.number_of_joined_edges;
+      }
+      for (const Index c : open) {
+        number_of_pairs += double(members[joined].size()) * double(members[c].size());
+        constexpr double max_number_of_pairs = 1ULL << 34; // a minute
+        if (number_of_pairs > max_number_of_pairs) {
+          throw Input_error(
+              "the components have too many nodes to be joined: remove small ones or resample branches first");
+        }
+        for (const Index v : members[joined]) {
+          for (const Index w : members[c]) {
+            if (is_end[v] != 0 || is_end[w] != 0) {
+              const Joint joint{(point(v) - point(w)).squaredNorm(), v, w};
+              best[c] = is_before(joint, best[c]) ? joint : best[c];
+            }
+          }
+        }
+      }
+      next = std::min_element(open.begin(), open.end(), [&](Index a, Index b) { return is_before(best[a], best[b]); });
+    }
+  }
+
+  /// Moves the nodes of degree 2 halfway to the middle of their neighbors.
+  void smooth(std::size_t number_of_steps)
+  {
+    const Neighbors neighbors = node_neighbors(skeleton());
+    std::vector<Vector_3>& points = m_result.skeleton.points;
+    std::vector<std::array<Index, 2>> guarded;
+    if (m_solid != nullptr) {
+      std::copy_if(skeleton().edges.begin(), skeleton().edges.end(), std::back_inserter(guarded),
+                   [&](const std::array<Index, 2>& edge) { return is_inside(points[edge[0]], points[edge[1]]); });
+    }
+    for (std::size_t step = 0; step < number_of_steps; ++step) {
+      const std::vector<Vector_3> before = points;
+      for (Index v = 0; v < neighbors.size(); ++v) {
+        if (neighbors[v].size() == 2) {
+          points[v] = before[v] / 2 + (before[neighbors[v][0]] + before[neighbors[v][1]]) / 4;
+        }
+      }
+      // Nodes of edges that leave the body go back, until no further edge does.
+      for (bool is_settled = false; !is_settled;) {
+        is_settled = true;
+        for (const auto& [a, b] : guarded) {
+          const bool is_moved = points[a] != before[a] || points[b] != before[b];
+          if (is_moved && !is_inside(points[a], points[b])) {
+            points[a] = before[a];
+            points[b] = before[b];
+            is_settled = false;
+          }
+        }
+      }
+    }
+  }
+
+  /// Replaces the nodes of branches by evenly spaced ones.
+  /// \param is_relative whether the spacing is in radii
+  /// \throw Input_error if there would be too many nodes
+  void resample(double spacing, bool is_relative)
+  {
+    std::vector<char> is_fixed(skeleton().number_of_nodes(), 0);
+    const std::vector<Branch> branches = branches_between_fixed(is_fixed);
+    New_skeleton next;
+    std::vector<Index> heir = numbers();
+    for (Index& v : heir) {
+      v = is_fixed[v] != 0 ? copy_node(next, v) : no_index;
+    }
+    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
+      if (skeleton().is_joined[e] != 0) {
+        next.add_edge(heir[skeleton().edges[e][0]], heir[skeleton().edges[e][1]], 1);
+      }
+    }
+    const auto ends_of = [](const Branch& branch) {
+      return std::pair<Index, Index>(std::minmax(branch.front(), branch.back()));
+    };
+    std::vector<std::pair<Index, Index>> ends;
+    std::transform(branches.begin(), branches.end(), std::back_inserter(ends), ends_of);
+    std::sort(ends.begin(), ends.end());
+    for (const Branch& branch : branches) {
+      const std::vector<double> place = places(branch, spacing, is_relative);
+      if (!(double(next.old_nodes.size()) + place.back() < max_nodes)) {
+        throw Input_error("the spacing asks for more than ten million nodes: choose a greater one");
+      }
+      // A cycle has at least three nodes, and of parallel branches only one could do without a node.
+      const auto [first, last] = std::equal_range(ends.begin(), ends.end(), ends_of(branch));
+      const std::size_t min_parts = branch.front() == branch.back() ? 3 : last - first > 1 ? 2 : 1;
+      const std::size_t parts = std::max(std::size_t(std::lround(place.back())), min_parts);
+      if (place.back() > 0 && !(parts == 1 && branch.size() == 2)) {
+        resample(branch, place, parts, next, heir);
+        continue;
+      }
+      for (std::size_t i = 1; i < branch.size(); ++i) {
+        if (i + 1 < branch.size()) {
+          heir[branch[i]] = copy_node(next, branch[i]);
+        }
+        next.add_edge(heir[branch[i - 1]], heir[branch[i]], 0);
+      }
+    }
+    replace(std::move(next), heir);
+  }
 
   Simplified_skeleton release()
   {
@@ -249,404 +406,229 @@ private:
     replace(std::move(next), heir);
   }
 
-  bool is_before(const Joint& a, const Joint& b) const;
-  std::vector<char> ends_of_components(const std::vector<Index>& component) const;
-  bool merge_some_junctions(double threshold);
-  std::vector<Branch> short_branches(double threshold, const Neighbors& neighbors) const;
-  Branch_point middle(const Branch& branch) const;
-  std::vector<Branch> branches_between_fixed(std::vector<char>& is_fixed) const;
-  std::vector<double> places(const Branch& branch, double spacing, bool is_relative) const;
-  Branch_point point_at(const Branch& branch, const std::vector<double>& places, double place) const;
-  void refine(const Branch& branch, const std::vector<double>& place, std::vector<double>& samples) const;
+  /// Whether `a` is the better one: by length; of equal ones by position, so that the numbering does not matter.
+  bool is_before(const Joint& a, const Joint& b) const
+  {
+    if (a.from == no_index || b.from == no_index) {
+      return a.from != no_index; // also where squares overflow
+    }
+    if (a.squared_distance != b.squared_distance) {
+      return a.squared_distance < b.squared_distance;
+    }
+    const auto key = [this](const Joint& joint) {
+      const auto position = [this](Index v) { return std::make_tuple(point(v).x(), point(v).y(), point(v).z(), v); };
+      return std::minmax({position(joint.from), position(joint.to)});
+    };
+    return key(a) < key(b);
+  }
+
+  /// For each node whether edges that join components begin there: tips and isolated nodes, and all nodes of components
+  /// that have none.
+  std::vector<char> ends_of_components(const std::vector<Index>& component) const
+  {
+    const Neighbors neighbors = node_neighbors(skeleton());
+    std::vector<char> has_tip(component.size(), 0);
+    for (Index v = 0; v < component.size(); ++v) {
+      has_tip[component[v]] = has_tip[component[v]] != 0 || neighbors[v].size() < 2 ? 1 : 0;
+    }
+    std::vector<char> is_end(component.size());
+    for (Index v = 0; v < component.size(); ++v) {
+      is_end[v] = neighbors[v].size() < 2 || has_tip[component[v]] == 0 ? 1 : 0;
+    }
+    return is_end;
+  }
+
+  /// The point halfway along a branch.
+  Branch_point middle(const Branch& branch) const
+  {
+    double place = length(branch) / 2;
+    for (std::size_t i = 1; i < branch.size(); ++i) {
+      const double edge = skeleton().length({branch[i - 1], branch[i]});
+      if (place <= edge && edge > 0) {
+        const double t = place / edge;
+        return {(1 - t) * point(branch[i - 1]) + t * point(branch[i]),
+                (1 - t) * radius(branch[i - 1]) + t * radius(branch[i])};
+      }
+      place -= edge;
+    }
+    return {point(branch.back()), radius(branch.back())};
+  }
+
+  /// The branches between junctions that are shorter than `threshold` radii and can be merged, shortest first.
+  std::vector<Branch> short_branches(double threshold, const Neighbors& neighbors) const
+  {
+    std::vector<char> is_at_joint(skeleton().number_of_nodes(), 0);
+    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
+      if (skeleton().is_joined[e] != 0) {
+        is_at_joint[skeleton().edges[e][0]] = is_at_joint[skeleton().edges[e][1]] = 1;
+      }
+    }
+    // By length in radii; of equal ones by position, so that the numbering does not matter.
+    std::vector<std::tuple<double, double, double, double, Branch>> found;
+    for (const Branch& branch : split_into_branches(neighbors)) {
+      const Index a = branch.front();
+      const Index b = branch.back();
+      const double total = length(branch);
+      const double mean_radius = (radius(a) + radius(b)) / 2;
+      if (a != b && neighbors[a].size() > 2 && neighbors[b].size() > 2 && total < threshold * mean_radius &&
+          std::none_of(branch.begin(), branch.end(), [&](Index v) { return is_at_joint[v] != 0; }) &&
+          can_merge(branch, neighbors)) {
+        const Vector_3 place = middle(branch).point;
+        found.emplace_back(total / mean_radius, place.x(), place.y(), place.z(), branch);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<Branch> result;
+    result.reserve(found.size());
+    for (auto& one : found) {
+      result.push_back(std::move(std::get<Branch>(one)));
+    }
+    return result;
+  }
+
+  /// Merges short branches, shortest first, that do not touch each other; the edges at their ends that are inside stay
+  /// so. \return whether there were any
+  bool merge_some_junctions(double threshold)
+  {
+    const Neighbors neighbors = node_neighbors(skeleton());
+    std::vector<char> is_touched(skeleton().number_of_nodes(), 0);
+    std::vector<Index> heir = numbers();
+    bool is_merged = false;
+    for (const Branch& branch : short_branches(threshold, neighbors)) {
+      const std::vector<std::array<Index, 2>> edges = edges_around(branch, neighbors);
+      Branch around = branch;
+      for (const auto& edge : edges) {
+        around.push_back(edge[1]);
+      }
+      const Branch_point place = middle(branch);
+      if (std::any_of(around.begin(), around.end(), [&](Index v) { return is_touched[v] != 0; }) ||
+          std::any_of(edges.begin(), edges.end(), [&](const std::array<Index, 2>& edge) {
+            return is_inside(point(edge[0]), point(edge[1])) && !is_inside(place.point, point(edge[1]));
+          })) {
+        continue;
+      }
+      for (const Index v : around) {
+        is_touched[v] = 1;
+      }
+      const Index into = radius(branch.front()) >= radius(branch.back()) ? branch.front() : branch.back();
+      for (const Index v : branch) {
+        heir[v] = into;
+      }
+      m_result.skeleton.points[into] = place.point;
+      if (skeleton().has_radii()) {
+        m_result.skeleton.radii[into] = place.radius;
+      }
+      ++m_result.report.number_of_merged_branches;
+      is_merged = true;
+    }
+    std::vector<char> is_kept; // of edges: whether their ends have not become one
+    for (auto& [a, b] : m_result.skeleton.edges) {
+      is_kept.push_back(heir[a] != heir[b] || a == b ? 1 : 0);
+      a = heir[a];
+      b = heir[b];
+    }
+    keep(heir, is_kept);
+    return is_merged;
+  }
+
+  /// The branches of the skeleton without its joined edges, cut at the ends of these.
+  /// \param is_fixed is set for the ends of all branches
+  std::vector<Branch> branches_between_fixed(std::vector<char>& is_fixed) const
+  {
+    Skeleton without_joints{skeleton().points};
+    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
+      const auto& [a, b] = skeleton().edges[e];
+      if (skeleton().is_joined[e] != 0) {
+        is_fixed[a] = is_fixed[b] = 1;
+      } else {
+        without_joints.edges.push_back({a, b});
+      }
+    }
+    std::vector<Branch> result;
+    for (const Branch& branch : split_into_branches(node_neighbors(without_joints))) {
+      is_fixed[branch.front()] = is_fixed[branch.back()] = 1;
+      auto begin = branch.begin();
+      for (auto node = branch.begin() + 1; node < branch.end(); ++node) {
+        if (is_fixed[*node] != 0) {
+          result.emplace_back(begin, node + 1);
+          begin = node;
+        }
+      }
+    }
+    return result;
+  }
+
+  /// How many spacings each node is from the begin of the branch.
+  std::vector<double> places(const Branch& branch, double spacing, bool is_relative) const
+  {
+    double mean_radius = 0;
+    for (const Index v : branch) {
+      mean_radius += radius(v) / double(branch.size());
+    }
+    std::vector<double> result{0};
+    for (std::size_t i = 1; i < branch.size(); ++i) {
+      const double local = std::max((radius(branch[i - 1]) + radius(branch[i])) / 2, min_relative_radius * mean_radius);
+      const double unit = is_relative ? spacing * local : spacing;
+      result.push_back(result.back() + (unit > 0 ? skeleton().length({branch[i - 1], branch[i]}) / unit : 0));
+    }
+    return result;
+  }
+
+  Branch_point point_at(const Branch& branch, const std::vector<double>& places, double place) const
+  {
+    const auto [edge, t] = locate(places, place);
+    return {(1 - t) * point(branch[edge]) + t * point(branch[edge + 1]),
+            (1 - t) * radius(branch[edge]) + t * radius(branch[edge + 1])};
+  }
+
+  /// Halves stretches that leave the body, unless they are parts of one edge that does.
+  void refine(const Branch& branch, const std::vector<double>& place, std::vector<double>& samples) const
+  {
+    for (std::size_t size = 0; size != samples.size();) {
+      size = samples.size();
+      std::vector<double> finer{samples.front()};
+      for (std::size_t i = 1; i < samples.size(); ++i) {
+        const bool is_bent = std::upper_bound(place.begin(), place.end(), samples[i - 1]) !=
+                             std::lower_bound(place.begin(), place.end(), samples[i]);
+        const double halfway = (samples[i - 1] + samples[i]) / 2;
+        if (is_bent && samples[i - 1] < halfway && halfway < samples[i] &&
+            !is_inside(point_at(branch, place, samples[i - 1]).point, point_at(branch, place, samples[i]).point)) {
+          finer.push_back(halfway);
+        }
+        finer.push_back(samples[i]);
+      }
+      samples = std::move(finer);
+    }
+  }
+
+  /// Replaces a branch by one of evenly spaced nodes; its ends are in `next` already.
   void resample(const Branch& branch, const std::vector<double>& place, std::size_t parts, New_skeleton& next,
-                std::vector<Index>& heir) const;
+                std::vector<Index>& heir) const
+  {
+    std::vector<double> samples;
+    for (std::size_t i = 0; i <= parts; ++i) {
+      samples.push_back(double(i) / double(parts) * place.back());
+    }
+    if (m_solid != nullptr) {
+      refine(branch, place, samples);
+    }
+    std::vector<Index> nodes{heir[branch.front()]};
+    for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+      nodes.push_back(add_node(next, point_at(branch, place, samples[i]), no_index));
+    }
+    nodes.push_back(heir[branch.back()]);
+    for (std::size_t i = 1; i < nodes.size(); ++i) {
+      next.add_edge(nodes[i - 1], nodes[i], 0);
+    }
+    for (std::size_t i = 1; i + 1 < branch.size(); ++i) {
+      const auto [edge, t] = locate(samples, place[i]);
+      heir[branch[i]] = nodes[t > 1. / 2 ? edge + 1 : edge];
+    }
+  }
 
   Simplified_skeleton m_result;
   const Triangulated_solid* m_solid;
 };
-
-/// Whether `a` is the better one: by length; of equal ones by position, so that the numbering does not matter.
-bool Skeleton_simplification::is_before(const Joint& a, const Joint& b) const
-{
-  if (a.from == no_index || b.from == no_index) {
-    return a.from != no_index; // also where squares overflow
-  }
-  if (a.squared_distance != b.squared_distance) {
-    return a.squared_distance < b.squared_distance;
-  }
-  const auto key = [this](const Joint& joint) {
-    const auto position = [this](Index v) { return std::make_tuple(point(v).x(), point(v).y(), point(v).z(), v); };
-    return std::minmax({position(joint.from), position(joint.to)});
-  };
-  return key(a) < key(b);
-}
-
-/// For each node whether edges that join components begin there: tips and isolated nodes, and all nodes of components
-/// that have none.
-std::vector<char> Skeleton_simplification::ends_of_components(const std::vector<Index>& component) const
-{
-  const Neighbors neighbors = node_neighbors(skeleton());
-  std::vector<char> has_tip(component.size(), 0);
-  for (Index v = 0; v < component.size(); ++v) {
-    has_tip[component[v]] = has_tip[component[v]] != 0 || neighbors[v].size() < 2 ? 1 : 0;
-  }
-  std::vector<char> is_end(component.size());
-  for (Index v = 0; v < component.size(); ++v) {
-    is_end[v] = neighbors[v].size() < 2 || has_tip[component[v]] == 0 ? 1 : 0;
-  }
-  return is_end;
-}
-
-/// Joins components by straight edges, those of the minimum spanning tree of the components, by Prim's algorithm from
-/// the largest on: O(e n) for n nodes and e ends.
-/// \throw Input_error if there are too many nodes
-void Skeleton_simplification::join_components()
-{
-  const std::vector<Index> component = components();
-  const std::vector<char> is_end = ends_of_components(component);
-  std::vector<std::vector<Index>> members(component.size()); // of each component, at the node that stands for it
-  for (Index v = 0; v < component.size(); ++v) {
-    members[component[v]].push_back(v);
-  }
-  std::vector<Index> open = numbers(); // components that are not joined yet
-  open.erase(std::remove_if(open.begin(), open.end(), [&](Index c) { return members[c].empty(); }), open.end());
-  if (open.size() < 2) {
-    return;
-  }
-  auto next = std::max_element(open.begin(), open.end(),
-                               [&](Index a, Index b) { return members[a].size() < members[b].size(); });
-  std::vector<Joint> best(component.size()); // from what is joined to each open component
-  for (double number_of_pairs = 0; !open.empty();) {
-    const Index joined = *next;
-    open.erase(next);
-    if (best[joined].from != no_index) {
-      m_result.skeleton.edges.push_back({best[joined].from, best[joined].to});
-      m_result.skeleton.is_joined.push_back(1);
-      ++m_result.report.number_of_joined_edges;
-    }
-    for (const Index c : open) {
-      number_of_pairs += double(members[joined].size()) * double(members[c].size());
-      constexpr double max_number_of_pairs = 1ULL << 34; // a minute
-      if (number_of_pairs > max_number_of_pairs) {
-        throw Input_error(
-            "the components have too many nodes to be joined: remove small ones or resample branches first");
-      }
-      for (const Index v : members[joined]) {
-        for (const Index w : members[c]) {
-          if (is_end[v] != 0 || is_end[w] != 0) {
-            const Joint joint{(point(v) - point(w)).squaredNorm(), v, w};
-            best[c] = is_before(joint, best[c]) ? joint : best[c];
-          }
-        }
-      }
-    }
-    next = std::min_element(open.begin(), open.end(), [&](Index a, Index b) { return is_before(best[a], best[b]); });
-  }
-}
-
-/// The edges at the ends of a branch that do not belong to it, each an end and its neighbor.
-std::vector<std::array<Index, 2>> edges_around(const Branch& branch, const Neighbors& neighbors)
-{
-  std::vector<std::array<Index, 2>> result;
-  for (const auto& [end, next] :
-       {std::pair(branch.front(), branch[1]), std::pair(branch.back(), branch[branch.size() - 2])}) {
-    const auto own = std::find(neighbors[end].begin(), neighbors[end].end(), next);
-    for (auto neighbor = neighbors[end].begin(); neighbor != neighbors[end].end(); ++neighbor) {
-      if (neighbor != own) {
-        result.push_back({end, *neighbor});
-      }
-    }
-  }
-  return result;
-}
-
-/// Whether the ends of the branch can become one node without edges that are loops or parallel.
-bool can_merge(const Branch& branch, const Neighbors& neighbors)
-{
-  std::vector<Index> around{branch.front(), branch.back()};
-  for (const auto& edge : edges_around(branch, neighbors)) {
-    around.push_back(edge[1]);
-  }
-  std::sort(around.begin(), around.end());
-  return std::adjacent_find(around.begin(), around.end()) == around.end();
-}
-
-/// The point halfway along a branch.
-Branch_point Skeleton_simplification::middle(const Branch& branch) const
-{
-  double place = length(branch) / 2;
-  for (std::size_t i = 1; i < branch.size(); ++i) {
-    const double edge = skeleton().length({branch[i - 1], branch[i]});
-    if (place <= edge && edge > 0) {
-      const double t = place / edge;
-      return {(1 - t) * point(branch[i - 1]) + t * point(branch[i]),
-              (1 - t) * radius(branch[i - 1]) + t * radius(branch[i])};
-    }
-    place -= edge;
-  }
-  return {point(branch.back()), radius(branch.back())};
-}
-
-/// The branches between junctions that are shorter than `threshold` radii and can be merged, shortest first.
-std::vector<Branch> Skeleton_simplification::short_branches(double threshold, const Neighbors& neighbors) const
-{
-  std::vector<char> is_at_joint(skeleton().number_of_nodes(), 0);
-  for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-    if (skeleton().is_joined[e] != 0) {
-      is_at_joint[skeleton().edges[e][0]] = is_at_joint[skeleton().edges[e][1]] = 1;
-    }
-  }
-  // By length in radii; of equal ones by position, so that the numbering does not matter.
-  std::vector<std::tuple<double, double, double, double, Branch>> found;
-  for (const Branch& branch : split_into_branches(neighbors)) {
-    const Index a = branch.front();
-    const Index b = branch.back();
-    const double total = length(branch);
-    const double mean_radius = (radius(a) + radius(b)) / 2;
-    if (a != b && neighbors[a].size() > 2 && neighbors[b].size() > 2 && total < threshold * mean_radius &&
-        std::none_of(branch.begin(), branch.end(), [&](Index v) { return is_at_joint[v] != 0; }) &&
-        can_merge(branch, neighbors)) {
-      const Vector_3 place = middle(branch).point;
-      found.emplace_back(total / mean_radius, place.x(), place.y(), place.z(), branch);
-    }
-  }
-  std::sort(found.begin(), found.end());
-  std::vector<Branch> result;
-  result.reserve(found.size());
-  for (auto& one : found) {
-    result.push_back(std::move(std::get<Branch>(one)));
-  }
-  return result;
-}
-
-/// Merges short branches, shortest first, that do not touch each other; the edges at their ends that are inside stay
-/// so. \return whether there were any
-bool Skeleton_simplification::merge_some_junctions(double threshold)
-{
-  const Neighbors neighbors = node_neighbors(skeleton());
-  std::vector<char> is_touched(skeleton().number_of_nodes(), 0);
-  std::vector<Index> heir = numbers();
-  bool is_merged = false;
-  for (const Branch& branch : short_branches(threshold, neighbors)) {
-    const std::vector<std::array<Index, 2>> edges = edges_around(branch, neighbors);
-    Branch around = branch;
-    for (const auto& edge : edges) {
-      around.push_back(edge[1]);
-    }
-    const Branch_point place = middle(branch);
-    if (std::any_of(around.begin(), around.end(), [&](Index v) { return is_touched[v] != 0; }) ||
-        std::any_of(edges.begin(), edges.end(), [&](const std::array<Index, 2>& edge) {
-          return is_inside(point(edge[0]), point(edge[1])) && !is_inside(place.point, point(edge[1]));
-        })) {
-      continue;
-    }
-    for (const Index v : around) {
-      is_touched[v] = 1;
-    }
-    const Index into = radius(branch.front()) >= radius(branch.back()) ? branch.front() : branch.back();
-    for (const Index v : branch) {
-      heir[v] = into;
-    }
-    m_result.skeleton.points[into] = place.point;
-    if (skeleton().has_radii()) {
-      m_result.skeleton.radii[into] = place.radius;
-    }
-    ++m_result.report.number_of_merged_branches;
-    is_merged = true;
-  }
-  std::vector<char> is_kept; // of edges: whether their ends have not become one
-  for (auto& [a, b] : m_result.skeleton.edges) {
-    is_kept.push_back(heir[a] != heir[b] || a == b ? 1 : 0);
-    a = heir[a];
-    b = heir[b];
-  }
-  keep(heir, is_kept);
-  return is_merged;
-}
-
-/// The branches of the skeleton without its joined edges, cut at the ends of these.
-/// \param is_fixed is set for the ends of all branches
-std::vector<Branch> Skeleton_simplification::branches_between_fixed(std::vector<char>& is_fixed) const
-{
-  Skeleton without_joints{skeleton().points};
-  for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-    const auto& [a, b] = skeleton().edges[e];
-    if (skeleton().is_joined[e] != 0) {
-      is_fixed[a] = is_fixed[b] = 1;
-    } else {
-      without_joints.edges.push_back({a, b});
-    }
-  }
-  std::vector<Branch> result;
-  for (const Branch& branch : split_into_branches(node_neighbors(without_joints))) {
-    is_fixed[branch.front()] = is_fixed[branch.back()] = 1;
-    auto begin = branch.begin();
-    for (auto node = branch.begin() + 1; node < branch.end(); ++node) {
-      if (is_fixed[*node] != 0) {
-        result.emplace_back(begin, node + 1);
-        begin = node;
-      }
-    }
-  }
-  return result;
-}
-
-/// How many spacings each node is from the begin of the branch.
-std::vector<double> Skeleton_simplification::places(const Branch& branch, double spacing, bool is_relative) const
-{
-  double mean_radius = 0;
-  for (const Index v : branch) {
-    mean_radius += radius(v) / double(branch.size());
-  }
-  std::vector<double> result{0};
-  for (std::size_t i = 1; i < branch.size(); ++i) {
-    const double local = std::max((radius(branch[i - 1]) + radius(branch[i])) / 2, min_relative_radius * mean_radius);
-    const double unit = is_relative ? spacing * local : spacing;
-    result.push_back(result.back() + (unit > 0 ? skeleton().length({branch[i - 1], branch[i]}) / unit : 0));
-  }
-  return result;
-}
-
-/// Between which two of the ascending `places` the given one is, and where between them.
-std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
-{
-  const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
-  const double from = *(next - 1);
-  const double t = *next > from ? std::clamp((place - from) / (*next - from), 0., 1.) : 0;
-  return {std::size_t(next - places.begin()) - 1, t};
-}
-
-Branch_point Skeleton_simplification::point_at(const Branch& branch, const std::vector<double>& places,
-                                               double place) const
-{
-  const auto [edge, t] = locate(places, place);
-  return {(1 - t) * point(branch[edge]) + t * point(branch[edge + 1]),
-          (1 - t) * radius(branch[edge]) + t * radius(branch[edge + 1])};
-}
-
-/// Halves stretches that leave the body, unless they are parts of one edge that does.
-void Skeleton_simplification::refine(const Branch& branch, const std::vector<double>& place,
-                                     std::vector<double>& samples) const
-{
-  for (std::size_t size = 0; size != samples.size();) {
-    size = samples.size();
-    std::vector<double> finer{samples.front()};
-    for (std::size_t i = 1; i < samples.size(); ++i) {
-      const bool is_bent = std::upper_bound(place.begin(), place.end(), samples[i - 1]) !=
-                           std::lower_bound(place.begin(), place.end(), samples[i]);
-      const double halfway = (samples[i - 1] + samples[i]) / 2;
-      if (is_bent && samples[i - 1] < halfway && halfway < samples[i] &&
-          !is_inside(point_at(branch, place, samples[i - 1]).point, point_at(branch, place, samples[i]).point)) {
-        finer.push_back(halfway);
-      }
-      finer.push_back(samples[i]);
-    }
-    samples = std::move(finer);
-  }
-}
-
-/// Replaces a branch by one of evenly spaced nodes; its ends are in `next` already.
-void Skeleton_simplification::resample(const Branch& branch, const std::vector<double>& place, std::size_t parts,
-                                       New_skeleton& next, std::vector<Index>& heir) const
-{
-  std::vector<double> samples;
-  for (std::size_t i = 0; i <= parts; ++i) {
-    samples.push_back(double(i) / double(parts) * place.back());
-  }
-  if (m_solid != nullptr) {
-    refine(branch, place, samples);
-  }
-  std::vector<Index> nodes{heir[branch.front()]};
-  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
-    nodes.push_back(add_node(next, point_at(branch, place, samples[i]), no_index));
-  }
-  nodes.push_back(heir[branch.back()]);
-  for (std::size_t i = 1; i < nodes.size(); ++i) {
-    next.add_edge(nodes[i - 1], nodes[i], 0);
-  }
-  for (std::size_t i = 1; i + 1 < branch.size(); ++i) {
-    const auto [edge, t] = locate(samples, place[i]);
-    heir[branch[i]] = nodes[t > 1. / 2 ? edge + 1 : edge];
-  }
-}
-
-/// Replaces the nodes of branches by evenly spaced ones.
-/// \param is_relative whether the spacing is in radii
-/// \throw Input_error if there would be too many nodes
-void Skeleton_simplification::resample(double spacing, bool is_relative)
-{
-  std::vector<char> is_fixed(skeleton().number_of_nodes(), 0);
-  const std::vector<Branch> branches = branches_between_fixed(is_fixed);
-  New_skeleton next;
-  std::vector<Index> heir = numbers();
-  for (Index& v : heir) {
-    v = is_fixed[v] != 0 ? copy_node(next, v) : no_index;
-  }
-  for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-    if (skeleton().is_joined[e] != 0) {
-      next.add_edge(heir[skeleton().edges[e][0]], heir[skeleton().edges[e][1]], 1);
-    }
-  }
-  const auto ends_of = [](const Branch& branch) {
-    return std::pair<Index, Index>(std::minmax(branch.front(), branch.back()));
-  };
-  std::vector<std::pair<Index, Index>> ends;
-  std::transform(branches.begin(), branches.end(), std::back_inserter(ends), ends_of);
-  std::sort(ends.begin(), ends.end());
-  for (const Branch& branch : branches) {
-    const std::vector<double> place = places(branch, spacing, is_relative);
-    if (!(double(next.old_nodes.size()) + place.back() < max_nodes)) {
-      throw Input_error("the spacing asks for more than ten million nodes: choose a greater one");
-    }
-    // A cycle has at least three nodes, and of parallel branches only one could do without a node.
-    const auto [first, last] = std::equal_range(ends.begin(), ends.end(), ends_of(branch));
-    const std::size_t min_parts = branch.front() == branch.back() ? 3 : last - first > 1 ? 2 : 1;
-    const std::size_t parts = std::max(std::size_t(std::lround(place.back())), min_parts);
-    if (place.back() > 0 && !(parts == 1 && branch.size() == 2)) {
-      resample(branch, place, parts, next, heir);
-      continue;
-    }
-    for (std::size_t i = 1; i < branch.size(); ++i) {
-      if (i + 1 < branch.size()) {
-        heir[branch[i]] = copy_node(next, branch[i]);
-      }
-      next.add_edge(heir[branch[i - 1]], heir[branch[i]], 0);
-    }
-  }
-  replace(std::move(next), heir);
-}
-
-/// Moves the nodes of degree 2 halfway to the middle of their neighbors.
-void Skeleton_simplification::smooth(std::size_t number_of_steps)
-{
-  const Neighbors neighbors = node_neighbors(skeleton());
-  std::vector<Vector_3>& points = m_result.skeleton.points;
-  std::vector<std::array<Index, 2>> guarded;
-  if (m_solid != nullptr) {
-    std::copy_if(skeleton().edges.begin(), skeleton().edges.end(), std::back_inserter(guarded),
-                 [&](const std::array<Index, 2>& edge) { return is_inside(points[edge[0]], points[edge[1]]); });
-  }
-  for (std::size_t step = 0; step < number_of_steps; ++step) {
-    const std::vector<Vector_3> before = points;
-    for (Index v = 0; v < neighbors.size(); ++v) {
-      if (neighbors[v].size() == 2) {
-        points[v] = before[v] / 2 + (before[neighbors[v][0]] + before[neighbors[v][1]]) / 4;
-      }
-    }
-    // Nodes of edges that leave the body go back, until no further edge does.
-    for (bool is_settled = false; !is_settled;) {
-      is_settled = true;
-      for (const auto& [a, b] : guarded) {
-        const bool is_moved = points[a] != before[a] || points[b] != before[b];
-        if (is_moved && !is_inside(points[a], points[b])) {
-          points[a] = before[a];
-          points[b] = before[b];
-          is_settled = false;
-        }
-      }
-    }
-  }
-}
 
 /// \throw Input_error if a number is not finite or negative
 void check_simplification(const Skeleton& skeleton, const Simplification_parameters& parameters)

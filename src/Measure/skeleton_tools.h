@@ -7,6 +7,7 @@
 #define CSCD_SRC_MEASURE_SKELETON_TOOLS_H
 
 #include <CSCD/Measure/Skeleton_measures.h>
+#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
@@ -19,7 +20,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -137,6 +140,24 @@ inline std::vector<std::array<Index, 2>> segment_ends(const Skeleton& skeleton)
   return ends;
 }
 
+/// Takes pairs of things of two kinds, the nearest first, each thing at most once. \return the pairs that were taken
+/// \param pairs distance and numbers; of equal distances the least numbers come first
+inline std::vector<std::array<Index, 2>> take_nearest_pairs(std::vector<std::tuple<double, Index, Index>>&& pairs)
+{
+  std::sort(pairs.begin(), pairs.end());
+  std::set<Index> first;
+  std::set<Index> second;
+  std::vector<std::array<Index, 2>> result;
+  for (const auto& [distance, i, j] : pairs) {
+    if (first.count(i) == 0 && second.count(j) == 0) {
+      first.insert(i);
+      second.insert(j);
+      result.push_back({i, j});
+    }
+  }
+  return result;
+}
+
 /// A point of a segment.
 struct Segment_point
 {
@@ -194,10 +215,7 @@ public:
 private:
   double parameter(Index i, const Vector_3& point) const
   {
-    const Vector_3& source = m_points[m_segments[i][0]];
-    const Vector_3 along = m_points[m_segments[i][1]] - source;
-    const double squared_length = along.squaredNorm();
-    return squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+    return nearest_parameter(point, m_points[m_segments[i][0]], m_points[m_segments[i][1]]);
   }
 
   std::vector<Vector_3> m_points;

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <istream>
 #include <string>
 #include <vector>
@@ -100,6 +101,9 @@ namespace internal {
 /// \param name for messages
 /// \throw File_error if reading fails, or if it cannot be decompressed
 std::string read_content(std::istream& in, const std::string& name, const std::string& format = "");
+
+/// Opens a file. \throw File_error if that fails, or it is a folder
+std::ifstream open_file(const std::string& filename);
 
 /// The content of the file `filename`, decompressed if it ends as the name of a compressed file.
 /// \throw File_error if it cannot be read

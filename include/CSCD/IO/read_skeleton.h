@@ -6,6 +6,7 @@
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
 
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton/Branch_hierarchy.h>
 #include <CSCD/Skeleton_graph.h>
@@ -28,7 +29,14 @@ namespace internal {
 /// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
 Skeleton read_indexed_skeleton(const std::string& filename);
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
-Skeleton read_indexed_skeleton(std::string_view content, const std::string& ending, const std::string& name);
+
+/// Whether `filename` ends as that of a format for graphs alone.
+bool is_graph_filename(const std::string& filename);
+
+/// Reads points, polygons and lines, and the radii of points with lines, of a mesh, of points, of a skeleton or graph.
+/// \param content of a file that is not compressed
+/// \throw File_error if it is malformed, has nothing of what its format is for, or if no format has this ending
+Shape_file read_shape(std::string_view content, const std::string& ending, const std::string& name);
 
 /// Makes a graph of `indexed`, nodes and edges in their order.
 template <class Skeleton>

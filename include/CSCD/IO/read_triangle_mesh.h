@@ -22,7 +22,6 @@
 #include <istream>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -66,8 +65,6 @@ Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string
 /// Reads the polygons or the points of a stream in the format that `ending` names.
 /// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
 Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name);
-/// The same for the content of a file that is not compressed.
-Shape_file read_polygons_or_points(std::string_view content, const std::string& ending, const std::string& name);
 
 /// Cuts polygons into triangles and repairs these.
 /// \param filename for messages

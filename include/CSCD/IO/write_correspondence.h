@@ -18,7 +18,6 @@
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
-#include <boost/unordered_map.hpp>
 
 #include <array>
 #include <cstddef>
@@ -45,34 +44,11 @@ namespace internal {
 std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
                                          const Skeleton& skeleton, const Skeleton_branches& branches);
 
-/// The values of the points of a file of which a mesh was made, from those of the vertices of the mesh. Repairs merge,
-/// double and drop points, but never move one: a point has the value of the vertex at its place; of several, that of
-/// the first one that `is_known`. Expectedly linear.
-template <class Value, class Predicate>
-std::vector<Value> values_of_file(const std::vector<Vector_3>& points_of_file,
-                                  const std::vector<Vector_3>& points_of_mesh, const std::vector<Value>& values,
-                                  Predicate is_known)
-{
-  if (points_of_file == points_of_mesh) {
-    return values; // not repaired: points at the same place may have different values
-  }
-  const auto key = [](const Vector_3& point) { // without negative zeros, whose hash differs
-    return std::array<double, 3>{point.x() + 0., point.y() + 0., point.z() + 0.};
-  };
-  boost::unordered_map<std::array<double, 3>, Value> value_at;
-  value_at.reserve(points_of_mesh.size());
-  for (std::size_t v = 0; v < points_of_mesh.size(); ++v) {
-    Value& value = value_at[key(points_of_mesh[v])];
-    value = is_known(value) ? value : values[v];
-  }
-  std::vector<Value> result;
-  result.reserve(points_of_file.size());
-  for (const Vector_3& point : points_of_file) {
-    const auto found = value_at.find(key(point));
-    result.push_back(found != value_at.end() ? found->second : Value());
-  }
-  return result;
-}
+/// For each point of a file of which a mesh was made, the vertex of the mesh at its place; `no_index` if there is none.
+/// Repairs merge, double and drop points, but never move one. Linear.
+/// \param is_known of several vertices at a place, the first one that is known counts
+std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
+                                    const std::vector<Vector_3>& points_of_mesh, const std::vector<char>& is_known);
 
 std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
                                          const std::vector<Vector_3>& points_of_mesh,

@@ -15,13 +15,18 @@
 
 namespace CSCD::internal {
 
-/// The distance of `point` from the segment between two points.
-inline double distance_to_segment(const Vector_3& point, const Vector_3& source, const Vector_3& target)
+/// Where on the segment between two points the point nearest to `point` is: 0 at the source, 1 at the target.
+inline double nearest_parameter(const Vector_3& point, const Vector_3& source, const Vector_3& target)
 {
   const Vector_3 along = target - source;
   const double squared_length = along.squaredNorm();
-  const double t = squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
-  return (source + t * along - point).norm();
+  return squared_length > 0 ? std::clamp((point - source).dot(along) / squared_length, 0., 1.) : 0;
+}
+
+/// The distance of `point` from the segment between two points.
+inline double distance_to_segment(const Vector_3& point, const Vector_3& source, const Vector_3& target)
+{
+  return (source + nearest_parameter(point, source, target) * (target - source) - point).norm();
 }
 
 /// The distance of `point` from `node` and the edges there. \param neighbors as `node_neighbors()` gives them

@@ -79,6 +79,13 @@ struct Skeleton_content : Skeleton
       : Skeleton(index_skeleton(graph)), has_radius(has_radius_v<Graph>), number_of_vertices(numbers_of_vertices(graph))
   {
   }
+
+  /// Writers then write what they write of nodes without a radius.
+  void remove_radii()
+  {
+    has_radius = false;
+    radii.clear();
+  }
 };
 
 } // namespace CSCD::internal
