@@ -33,7 +33,8 @@ def write_list(head, mutants):
 
 def complaints(mutants):
     for number, mutant in enumerate(mutants, 1):
-        count = (ROOT / mutant["file"]).read_text(encoding="utf-8").count(mutant["line"])
+        file = ROOT / mutant["file"]
+        count = file.read_text(encoding="utf-8").count(mutant["line"]) if file.exists() else 0
         if count != 1:
             yield f"{number}: the line is {count} times in {mutant['file']}: {mutant['line']}"
 
