@@ -59,7 +59,7 @@ def read_graph(path):
 
 
 def turns(points, edges):
-    """The angles in degrees by which a skeleton turns at its nodes of two edges."""
+    """The turning angles of a skeleton in degrees, at its nodes of degree two."""
     neighbors = [[] for _ in points]
     for a, b in edges:
         neighbors[a].append(b)
@@ -81,7 +81,7 @@ def thousandths(value):
 
 
 def evaluate(options, mesh, skeleton):
-    """The measures of a skeleton that do not depend on who has made it."""
+    """The measures of a skeleton that do not depend on the program that made it."""
     command = [options.evaluator, "evaluate", mesh, skeleton, "--json", "--quiet", "--resolution",
                str(1 if options.fast else options.resolution)]
     measures = json.loads(run(command, options.timeout)[0])
@@ -97,7 +97,7 @@ def evaluate(options, mesh, skeleton):
 
 
 def measure_own(options, mesh, folder):
-    """The row of a shape, but for those columns that name it and those of MCF."""
+    """The row of a shape, except the columns that name it and the columns of MCF."""
     skeleton, report = folder / "skeleton.graph", folder / "report.json"
     command = [options.program, "skeletonize", mesh, "--output", skeleton, "--report", report, "--quiet", "--threads",
                "1", *shlex.split(options.args)]

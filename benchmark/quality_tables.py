@@ -20,8 +20,8 @@ COLUMNS = TEXT_COLUMNS[:2] + ("number",) + TEXT_COLUMNS[2:] + (
     "limbs", "limbs_without_tip", "tips_without_limb", "seconds", "mcf_cone", "mcf_convolution", "mcf_offset",
     "mcf_deviation", "mcf_inside", "mcf_betti_number", "mcf_seconds", "mcf_failure")
 CLASS_SIZE = 20  # consecutive numbers in the Princeton segmentation benchmark
-LEAST_GROUP = 4  # shapes of which a spread of tips means something
-SPREAD = 3  # of tips, within which most poses of a body should be
+LEAST_GROUP = 4  # shapes; the spread of tips of fewer shapes has no meaning
+SPREAD = 3  # of tips; most poses of a body should stay within it
 HALVES = ("all", "odd", "even")
 
 
@@ -32,8 +32,8 @@ def number_of(name):
 
 
 def group_of(name):
-    """Shapes of the same group should have as many tips: poses have the same name but for the number at its end; if
-    there is nothing but a number, as in the Princeton set, classes are consecutive."""
+    """Shapes of a group should have equally many tips. The names of poses differ only in the number at their end. If
+    a name is only a number, as in the Princeton set, classes are consecutive."""
     if name.isdigit():
         first = (int(name) - 1) // CLASS_SIZE * CLASS_SIZE + 1
         return f"{first} to {first + CLASS_SIZE - 1}"
@@ -117,7 +117,7 @@ def greatest(rows, column):
 
 
 def part(rows, column, of):
-    """The sum of one column and that of another one of which it is a part."""
+    """The sum of one column and the sum of another one that includes it."""
     known = [row for row in rows if row.get(column) is not None and row.get(of) is not None]
     return f"{sum(row[column] for row in known):.0f} of {sum(row[of] for row in known):.0f}" if known else "-"
 
@@ -173,7 +173,7 @@ def aligned(lines):
 
 
 def table_of_set(name, rows):
-    """What is printed of a set: lines of text."""
+    """The table of a set: lines of text."""
     by_half = halves(rows)
     lines = [[name, *HALVES], ["shapes", *(str(len(by_half[half])) for half in HALVES)]]
     for label, text_of in MEASURES:
@@ -196,7 +196,7 @@ def most_within(numbers, width):
 
 
 def table_of_groups(rows):
-    """Tips of each group: lines of text; none if there are no groups."""
+    """Tips of each group: lines of text; none without groups."""
     groups = {}
     for row in rows:
         if not row.get("failure") and row.get("tips") is not None:
@@ -219,7 +219,7 @@ COMPARED_BY_SUM = ("nodes_outside", "edges_outside", "turns_above_90", "tips", "
 
 
 def table_of_comparison(before, after):
-    """What has changed on the shapes of a set that are in both measurements: lines of text."""
+    """The changes on the shapes of a set that are in both measurements: lines of text."""
     old = {row["shape"]: row for row in before if not row.get("failure")}
     pairs = [{"half": row["half"], "shape": row["shape"], "before": old[row["shape"]], "after": row} for row in after
              if not row.get("failure") and row["shape"] in old]
@@ -260,7 +260,7 @@ def worst_changes(pairs, column, number=10):
 
 
 def report(rows, before=None):
-    """All that is printed of the rows of any number of sets, beside those of another measurement if there is one."""
+    """All tables of the rows of any number of sets, compared with the rows of another measurement if given."""
     blocks = []
     for name in dict.fromkeys(row["set"] for row in rows):
         of_set = [row for row in rows if row["set"] == name]

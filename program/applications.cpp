@@ -74,7 +74,7 @@ struct Skeletonized_input
   Mesh& mesh() { return input.mesh; }
   const Skeleton& skeleton() const { return result.skeleton; }
 
-  /// The report of the skeleton, with what was made of it.
+  /// The report of the skeleton and of its application.
   nlohmann::ordered_json document(const std::string& name, nlohmann::ordered_json part) const
   {
     nlohmann::ordered_json all = report_document(options, input.repairs.sentences(), result);
@@ -88,7 +88,7 @@ Skeletonized_input skeletonized_input(const Application_options& options)
   check_files(options);
   Skeletonized_input result;
   result.options.input = options.input;
-  constexpr bool keeps_file = true; // what is written follows the order of the file
+  constexpr bool keeps_file = true; // the output follows the order of the file
   result.input = read_mesh(options.input, options.format, options.is_quiet, keeps_file);
   result.result = skeletonize_input(result.input, result.options, nullptr);
   return result;
@@ -112,8 +112,8 @@ std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
 
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 
-/// Which faces of the mesh come from which faces of the file; as long as nothing was cut or removed, those of the same
-/// number.
+/// The faces of the mesh and the faces of the file that they come from. They have the same numbers unless faces were
+/// cut or removed.
 CSCD::internal::Faces_of_file faces_of_file(const Input& input)
 {
   CSCD::internal::Faces_of_file result;
@@ -159,7 +159,7 @@ nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh
   return result;
 }
 
-/// What is known of the shape diameters at vertices with a face.
+/// Statistics of the shape diameters at vertices with a face.
 nlohmann::ordered_json diameters_document(std::vector<double> values)
 {
   values.erase(std::remove(values.begin(), values.end(), 0.), values.end());

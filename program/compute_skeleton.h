@@ -20,7 +20,7 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
                                         const Stage_progress& progress);
 
 /// The label of each vertex or point of the file, in its order.
-/// \pre `input` has kept what was read
+/// \pre `input` has kept the contents of the file
 std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
 
 /// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that

@@ -294,7 +294,7 @@ int main(int argc, char** argv)
     complain(not_enough_memory);
     return internal_failure;
   } catch (const std::exception& error) {
-    // oneTBB throws its own exception where there is no memory for the stack of a thread.
+    // oneTBB throws its own exception if memory for the stack of a thread is missing.
     complain(std::strstr(error.what(), "pthread_create") != nullptr
                  ? not_enough_memory
                  : std::string("internal failure: ") + error.what() +

@@ -142,7 +142,7 @@ def parse_arguments(arguments):
 
 
 def check_command(command):
-    """Options of cscd skeletonize, by which each input must get files of its own."""
+    """Checks the options of cscd skeletonize, which must give each input its own files."""
     names = [option.split("=")[0] for option in command]
     if "--report" in names:
         raise Refusal("--report: the manifest has the counts; leave it out")

@@ -437,7 +437,7 @@ bool needs_mesh(const Skeletonize_options& options)
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }
 
-/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
+/// As `read_input()`; if a mesh cannot be repaired, the message names the remaining options.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
@@ -448,7 +448,7 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 }
 
-/// Skeletonizes `input` and writes what is to be written to `files`.
+/// Skeletonizes `input` and writes the outputs to `files`.
 Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;

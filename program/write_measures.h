@@ -13,7 +13,7 @@
 
 namespace cscd {
 
-/// Writes the measures as a JSON object; what is not defined is null.
+/// Writes the measures as a JSON object; undefined measures are null.
 void write_measures_as_json(std::ostream& out, const Evaluate_options& options,
                             const CSCD::Skeleton_measures& measures);
 

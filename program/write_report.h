@@ -42,14 +42,14 @@ struct Volume_body
   std::size_t number_of_cavities = 0;
 };
 
-/// What is known of a run besides the skeleton.
+/// The report of a run, without the skeleton.
 struct Run_report
 {
   CSCD::Skeletonization_report report;
-  std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
+  std::optional<CSCD::Tree_report> tree; ///< if the input was treated as a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
   bool has_normals = false;              ///< whether the points came with normals
-  std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty if there are none
+  std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty without any
   CSCD::Skeleton_branches branches;
   std::vector<Opening> openings;
   std::optional<Volume_body> volume;                    ///< if the surface is that of voxels
@@ -63,7 +63,7 @@ struct Run_report
 /// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
 std::string printable(const std::string& text);
 
-/// `json` as text. What is no UTF-8, as in file names, is replaced.
+/// `json` as text. Bytes that are not UTF-8, as in file names, are replaced.
 std::string dump_json(const nlohmann::ordered_json& json);
 
 /// The report of a run as a JSON object. \param repairs of the input, a sentence each

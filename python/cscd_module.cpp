@@ -65,7 +65,7 @@ static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_ind
 static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
               "NumPy sees points and edges as rows");
 
-/// What was skeletonized.
+/// The input of a skeletonization.
 struct Source
 {
   cscd::Input input; ///< of a mesh, it has kept the points of the arrays
@@ -257,7 +257,7 @@ private:
   {
     cscd::Skeletonize_options options = m_options;
     options.root = root.empty() ? options.root : root;
-    // The limbs of a tree name nodes that may be gone, and there is no surface.
+    // The limbs of a tree name nodes that may be gone, and a tree has no surface.
     std::optional<CSCD::Tree_report> tree = std::exchange(result.tree, std::nullopt);
     if (tree) {
       options.report.clear();
@@ -448,7 +448,7 @@ void define_arrays(py::class_<Python_skeleton>& type)
   });
 }
 
-/// The corners of the polygons, a row each, with -1 behind the corners of those that have fewer than others.
+/// The corners of the polygons, a row each, padded with -1 to the length of the longest.
 py::object polygons_of(const CSCD::Shape_file& shape)
 {
   std::size_t width = 0;

@@ -123,7 +123,7 @@ TEST(Published_policies, follow_the_middle_of_sheets)
       sum += sheet.distance_from_middle(point) / sheet.half_width;
     }
     EXPECT_LT(sum / double(plain.points.size()), 0.05);
-    if (report.number_of_junctions == 0) { // edges beside a junction cut the corner between middle lines
+    if (report.number_of_junctions == 0) { // edges next to a junction cut the corner between middle lines
       EXPECT_LT(CSCD::test::max_distance_from_middle(sheet, plain.points, plain.edges), 0.05);
     }
     EXPECT_EQ(report.number_of_tips, sheet.ends.size());

@@ -110,7 +110,7 @@ TEST_P(Open_shape, satisfies_the_invariants)
 
 INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
 
-/// Removes the triangles of which all corners are in the part of space `is_removed`.
+/// Removes the triangles with all corners in the part of space `is_removed`.
 template <class Predicate>
 Shape cut_off(Shape shape, const Predicate& is_removed)
 {
@@ -283,7 +283,7 @@ TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)
   EXPECT_GT(report.number_of_tunnels, 0u);
   EXPECT_LE(report.number_of_tips, 1u);
   EXPECT_EQ(report.number_of_edges_outside, 0u);
-  // What is left without branches to tips is the cycle.
+  // Removing branches to tips leaves the cycle.
   ASSERT_EQ(report.betti_number, 1u);
   for (bool is_changed = true; is_changed;) {
     is_changed = false;

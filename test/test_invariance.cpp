@@ -92,7 +92,7 @@ TEST_P(Invariance, under_the_type_of_the_mesh)
   EXPECT_EQ(difference(expected, skeletonize<Linear_cell_complex>(m_shape), tolerance), "");
 }
 
-/// Symmetry is no excuse where the pose stays.
+/// Symmetry does not excuse differences if the pose stays.
 class Renumbering : public testing::TestWithParam<Shape_maker>
 {
 };

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances by the heat method beside CGAL's: time to prepare a mesh, time for each source, alone and eight at
-// a time, and the errors against exact shortest paths. CPU time of one thread. Then tubes of growing length, at the far
-// end of which heat is less than any number.
+// Geodesic distances by the heat method compared with CGAL's: time to prepare a mesh, time for each source, alone and
+// eight at a time, and the errors against exact shortest paths. CPU time of one thread. Then tubes of growing length,
+// where the heat at the far end is less than any number.
 
 #include "convert_shape.h"
 #include "swept_shapes.h"
@@ -39,10 +39,10 @@ using Cgal_estimator =
     CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay>;
 
 constexpr std::size_t number_of_sources = 8;
-/// From how many of them exact distances are computed, which takes seconds each.
+/// The number of these sources with exact distances, which take seconds each.
 constexpr std::size_t number_of_exact_sources = 2;
 
-/// A mesh with what is known about it.
+/// A mesh and its known properties.
 struct Prepared
 {
   explicit Prepared(const std::string& name)

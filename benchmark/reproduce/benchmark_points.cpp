@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of point sets, held against the meshes from which the points are drawn and against their skeletons: clouds
-// of two densities, with noise, and with missing data, by default and as published; and the cost of up to a million
-// points. One thread.
+// Skeletons of point sets, compared with the meshes that the points are drawn from and with the skeletons of these
+// meshes: clouds of two densities, with noise, and with missing data, by default and as published; and the cost of up
+// to a million points. One thread.
 // Meshes are some of CGAL's data, and the closed ones among the OFF files in the folder that the environment variable
 // CSCD_MODELS names, if there is one.
 
@@ -47,7 +47,7 @@ struct Sampling
   const char* name;
   std::size_t number_of_points;
   double noise = 0;       ///< standard deviation of each coordinate, relative to the mean distance to the nearest point
-  unsigned holes = 0;     ///< balls around points, the points in which are missing
+  unsigned holes = 0;     ///< balls around points; the points inside them are missing
   double hole_radius = 0; ///< relative to the diagonal of the bounding box
 };
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The published method beside the local one and CGAL's mean curvature flow (MCF): quality and time; the published one
-// also with other targets, shortenings and numbers of sources; both with noise, fewer vertices, holes, and threads. One
-// thread but for the last.
+// The published method compared with the local one and CGAL's mean curvature flow (MCF): quality and time; the
+// published one also with other targets, shortenings and numbers of sources; both with noise, fewer vertices, holes,
+// and threads. One thread, except in the last.
 // Meshes are generated ones, some of CGAL's data, and the OFF files in the folder that the environment variable
 // CSCD_MODELS names, if there is one; all must be closed.
 
@@ -80,12 +80,12 @@ struct Variant
   bool is_reconstructed = false; ///< whether the error of the convolution surface is measured
 };
 
-/// Where a mesh comes from, and what is done to it before.
+/// The origin of a mesh, and its change before the skeletonization.
 struct Input
 {
   std::string name;
-  std::function<Mesh()> make;             ///< the original, by which skeletons are measured
-  std::function<Mesh(const Mesh&)> alter; ///< where given, what is skeletonized in its place
+  std::function<Mesh()> make;             ///< the original, which skeletons are measured against
+  std::function<Mesh(const Mesh&)> alter; ///< if given, its result is skeletonized instead
 };
 
 Input input_of(const std::string& path)
@@ -128,8 +128,8 @@ Mesh with_holes(const Mesh& mesh, std::size_t number)
   return CSCD::test::to_mesh<Mesh>(CSCD::test::with_small_holes(CSCD::test::to_shape(mesh), number, 1));
 }
 
-/// The torus of which the paper shows the skeleton (supplement, H.3): with two holes back to back and, on the other
-/// side of the ring, perhaps a break all around the tube.
+/// The torus whose skeleton the paper shows (supplement, H.3): with two holes back to back and, if `is_broken`, a break
+/// all around the tube on the other side of the ring.
 Mesh torus_with_holes(const Mesh& mesh, bool is_broken)
 {
   constexpr double major_radius = 3;

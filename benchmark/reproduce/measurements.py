@@ -53,7 +53,7 @@ def processor():
 
 
 def commit():
-    """The commit that is checked out, and whether what is measured was changed since."""
+    """The commit that is checked out, and whether the measured code was changed since."""
     name = output("git", "rev-parse", "--short", "HEAD")
     changes = output("git", "status", "--porcelain", "--", "include", "src", "benchmark", "test/support",
                      ":!benchmark/*.py", ":!benchmark/*.sh", ":!benchmark/*.md")

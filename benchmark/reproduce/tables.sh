@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables and plots to the
-# pages of doc and to README.md. Takes three quarters of an hour.
+# Installs missing packages (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables and plots to
+# the pages of doc and to README.md. Takes three quarters of an hour.
 # Usage: benchmark/reproduce/tables.sh [--quick] [REPETITIONS [PROGRAM...]], by default 3 and all programs. With --quick only small
 # benchmarks are run, which takes some minutes, and the pages are written to build/quick.
 # If the environment variable CSCD_MODELS names a folder of OFF files, they are measured besides CGAL's.

@@ -140,7 +140,7 @@ def run(program, arguments):
         pid, status, usage = os.wait4(process.pid, os.WNOHANG)
         if pid != 0:
             break
-        # What wait4() tells of memory is at least that of this script.
+        # wait4() reports at least the memory of this script.
         with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
             peaks = [int(line.split()[1]) for line in file if line.startswith("VmHWM")]
         memory = max([memory, *peaks])

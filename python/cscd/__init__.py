@@ -150,7 +150,7 @@ class Skeleton:
 
     @property
     def repairs(self) -> list[str]:
-        """What was repaired in `V` and `F`, a sentence each."""
+        """The repairs of `V` and `F`, a sentence each."""
         return self._core.repairs
 
     @property
@@ -226,7 +226,7 @@ class Skeleton:
         return Skeleton(self._core.simplify(options, stays_inside))
 
     def evaluate(self, *, radii: str = "estimated", resolution: int = 200) -> dict[str, typing.Any]:
-        """How good the skeleton is for its input: what `cscd evaluate --json` writes; `None` for what is not defined.
+        """The quality of the skeleton for its input: the output of `cscd evaluate --json`; `None` if not defined.
 
         OPTIONS
 

@@ -40,7 +40,7 @@ inline std::vector<std::pair<std::size_t, std::size_t>> sample_edges()
 /// The first Betti number of the sample.
 inline constexpr std::size_t sample_betti_number = 3;
 
-/// Coordinates of which most decimal notations are not exact.
+/// A skeleton whose coordinates are mostly not exact in decimal notation.
 template <class SampleSkeleton>
 SampleSkeleton sample_skeleton()
 {

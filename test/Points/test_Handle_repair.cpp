@@ -68,7 +68,7 @@ TEST(Handle_repair, cuts_handles_of_a_few_edges)
   }
 }
 
-/// A ring around the z-axis that is thin in one place: a neck or, if the rings beside it are moved there, the two ends
+/// A ring around the z-axis that is thin in one place: a neck or, if the rings next to it are moved there, the two ends
 /// of a limb that touch each other.
 Indexed_triangles ring_with_thin_place(std::size_t around, double thickness, bool is_fold)
 {

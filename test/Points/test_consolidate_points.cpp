@@ -113,7 +113,7 @@ TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
     points.emplace_back(wide(random), wide(random), high(random));
   }
   const Consolidated_cloud result = consolidated(points);
-  // What is near the torus cannot be told from it.
+  // Points near the torus cannot be distinguished from it.
   const Point_cloud& cloud = result.cloud;
   for (const Vector_3& point : cloud.points) {
     EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));

@@ -112,7 +112,7 @@ Tree_outcome tree_of(const std::vector<Triple>& triples)
   return outcome;
 }
 
-/// Held against a tree of ten meters, of which limbs from 0.3 m beyond their parent count.
+/// Compares with a tree of ten meters. Its limbs count from 0.3 m beyond their parent.
 Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
 {
   return CSCD::test::Tree_matching(tree.limbs(), CSCD::test::found_branches(outcome.skeleton, outcome.report), 0.3,
@@ -120,7 +120,7 @@ Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
       .result();
 }
 
-/// The least that holds of a scan; the rest is what is typical of a good one.
+/// Expects the minimum for any scan; the other bounds are typical of a good one.
 void expect_match(const Tree_match& match, double min_found)
 {
   const auto limbs = double(match.number_of_limbs);

@@ -15,7 +15,7 @@
 
 namespace CSCD::test {
 
-/// What can only be copied, and read by the test: neither a number nor comparable, and there is none by default.
+/// A type that can only be copied, and read by the test: not a number, not comparable, not default constructible.
 class Input_descriptor_archetype
 {
 public:

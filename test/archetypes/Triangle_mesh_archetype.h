@@ -21,7 +21,7 @@
 
 namespace CSCD::test {
 
-/// What can be compared for equality, hashed and copied. `Kind` keeps vertices, halfedges and faces apart.
+/// A type that can be compared for equality, hashed and copied. `Kind` keeps vertices, halfedges and faces apart.
 template <class Kind>
 class Descriptor_archetype
 {

@@ -54,7 +54,7 @@ def run(target, folder, build_folder, seconds):
 
 
 def earlier_rows():
-    """Executions, edges and CPU minutes of each target in the page, and what was found."""
+    """Executions, edges, CPU minutes and findings of each target in the page."""
     rows = {}
     for name, executions, edges, minutes, found in re.findall(
             r"^\| `fuzz_(\w+)` \| ([\d,]+) \| ([\d,]+) \| ([\d.,]+) \| (.*) \|$", PAGE.read_text(), re.MULTILINE):

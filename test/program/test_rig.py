@@ -24,7 +24,7 @@ require('gltf-validator').validateBytes(new Uint8Array(fs.readFileSync(process.a
   .then(report => console.log(JSON.stringify(report.issues)));
 """
 
-# Turns the joint that moves most of what is less than a quarter of the mesh, and tells what moves.
+# Turns the joint that moves the largest part below a quarter of the mesh, and reports the moved vertices.
 PAGE = """<!DOCTYPE html><meta charset="utf-8"><pre id="result"></pre>
 <script>THREE_JS</script><script>LOADER</script><script>
 const bytes = Uint8Array.from(atob("RIG"), c => c.charCodeAt(0)).buffer;

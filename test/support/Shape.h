@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An indexed triangle mesh with what is known about it: the common currency of the tests.
+// An indexed triangle mesh with its known properties: the common currency of the tests.
 
 #ifndef CSCD_TEST_SUPPORT_SHAPE_H
 #define CSCD_TEST_SUPPORT_SHAPE_H

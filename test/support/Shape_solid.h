@@ -17,7 +17,7 @@
 
 namespace CSCD::test {
 
-/// The solid of the triangles of `shape`, each vertex of which has a face.
+/// The solid of the triangles of `shape`, whose vertices each have a face.
 class Shape_solid
 {
 public:

@@ -221,8 +221,8 @@ private:
   std::vector<Tree_limb> m_limbs;
 };
 
-/// Those of `points` that a scanner at `scanner` sees: in every cell of its field of view, as wide as the angle `cell`,
-/// what is at most `depth` behind the nearest point.
+/// The `points` that a scanner at `scanner` sees: in every cell of its field of view, as wide as the angle `cell`, the
+/// points at most `depth` behind the nearest point.
 inline std::vector<Triple> seen_from(const std::vector<Triple>& points, const Triple& scanner, double cell,
                                      double depth)
 {

@@ -30,7 +30,7 @@ namespace CSCD::test {
 /// Sentences, one for each violation.
 using Violations = std::vector<std::string>;
 
-/// What can be counted on a skeleton.
+/// Counts of a skeleton.
 struct Skeleton_facts
 {
   std::size_t number_of_nodes = 0;

@@ -22,7 +22,7 @@ inline bool is_continuous_integration()
 } // namespace CSCD::test
 
 /// Ends the test, which is skipped or, in continuous integration, fails.
-/// \param message names what is missing and the package that it comes with
+/// \param message names the missing file or library and its package
 #define CSCD_TEST_SKIP_OR_FAIL(message)                                                                                \
   do {                                                                                                                 \
     if (CSCD::test::is_continuous_integration()) {                                                                     \

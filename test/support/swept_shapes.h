@@ -44,7 +44,7 @@ inline Triple any_normal(const Triple& tangent)
   return unit(cross(tangent, axis));
 }
 
-/// The angle by which `to` is turned against `from` around `axis`; all three are unit vectors.
+/// The angle of the rotation around `axis` from `from` to `to`; all three are unit vectors.
 inline double angle_around(const Triple& axis, const Triple& from, const Triple& to)
 {
   return std::atan2(dot(cross(from, to), axis), dot(from, to));
@@ -298,7 +298,7 @@ inline Shape chain_of_rings(std::size_t number_of_rings, std::size_t around)
   return shape;
 }
 
-/// A closed tube out of which a strip of faces is cut along its middle part: one long border.
+/// A closed tube without a strip of faces along its middle part: one long border.
 inline Shape slit_tube(double length, double radius, std::size_t around)
 {
   Shape shape = tube(length, radius, around, Tube_end::flat);

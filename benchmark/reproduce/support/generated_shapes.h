@@ -16,7 +16,7 @@
 
 namespace CSCD::benchmark {
 
-/// Edges around a tube of which every `area` squared radii of surface have so many vertices.
+/// The number of edges around a tube that has so many vertices on every `area` squared radii of its surface.
 inline std::size_t edges_around(std::int64_t number_of_vertices, double area)
 {
   const double edge_length = std::sqrt(area / double(number_of_vertices));
