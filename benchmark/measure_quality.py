@@ -163,7 +163,7 @@ def meshes_of(folder):
 
 
 def names_of_sets(folders):
-    """The names of folders, with as many of those above them as tell them apart: the last alone is often 'meshes'."""
+    """The names of folders, with enough parent folders to be different: the last name alone is often 'meshes'."""
     parts = [pathlib.Path(folder).resolve().parts for folder in folders]
     for length in range(2, max(map(len, parts))):
         names = ["/".join(part[-length:]) for part in parts]
@@ -178,7 +178,7 @@ def chosen(options, mesh, position):
 
 
 def with_columns_of_mcf(rows, path):
-    """Each row with what an earlier measurement has of MCF."""
+    """Each row with the results of MCF from an earlier measurement."""
     old = {(row["set"], row["shape"]): row for row in quality_tables.read_rows(path)}
     for row in rows:
         of_mcf = {key: value for key, value in old.get((row["set"], row["shape"]), {}).items()

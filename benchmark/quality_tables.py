@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Sums up over sets of shapes what measure_quality.py has measured of each, and compares two measurements.
+"""Sums up the results of measure_quality.py over sets of shapes, and compares two measurements.
 
-A row is a dictionary: one shape, its values by column; None is what is not known or not defined.
+A row is a dictionary: one shape, its values by column; None stands for an unknown or undefined value.
 """
 
 import csv
@@ -41,7 +41,7 @@ def group_of(name):
 
 
 def identity(name, position):
-    """What a row begins with, of the shape `name` that is at `position`, from 1, among the sorted names of its set."""
+    """The first columns of the row of shape `name`, at `position`, from 1, among the sorted names of its set."""
     number = number_of(name)
     number = position if number is None else number
     return {"shape": name, "number": number, "half": "odd" if number % 2 else "even", "group": group_of(name)}
@@ -96,7 +96,7 @@ def text_of_ratios(by_shape):
 
 
 def right(rows, columns):
-    """How many of `rows` have the same value in two columns."""
+    """The number of `rows` with the same value in two columns."""
     known = [row for row in rows if all(row.get(column) is not None for column in columns)]
     return f"{sum(row[columns[0]] == row[columns[1]] for row in known)} of {len(known)}" if known else "-"
 
@@ -129,7 +129,7 @@ def recall(rows, missing, of):
     return f"{1 - sum(row[missing] for row in known) / number:.3f}" if number else "-"
 
 
-# Each line of a table: what it is called, and what makes its text of rows.
+# Each line of a table: its label, and the function that makes its text from rows.
 MEASURES = (
     ("components right", lambda rows: right(rows, ("components", "surface_components"))),
     ("Betti number = genus, closed", lambda rows: right(list(filter(is_closed, rows)), ("betti_number", "genus"))),
@@ -246,7 +246,7 @@ def table_of_comparison(before, after):
 
 
 def worst_changes(pairs, column, number=10):
-    """The shapes on which `column` has grown most, and has shrunk most."""
+    """The shapes with the greatest increase and the greatest decrease of `column`."""
     joined = [{"shape": pair["shape"], "before": pair["before"].get(column), "after": pair["after"].get(column)}
               for pair in pairs]
     ordered = sorted(ratios(joined, "before", "after").items(), key=lambda item: item[1])

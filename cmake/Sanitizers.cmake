@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Option CSCD_SANITIZER: compiles everything with a sanitizer, and adds only the tests that ask for it.
+# Option CSCD_SANITIZER: compiles everything with a sanitizer, and adds only the tests that name it.
 
 set(CSCD_SANITIZER
     ""

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Unpacks the real meshes and points of Debian's package libcgal-demo into the build folder.
-# Sets CSCD_CGAL_DATA_DIR to the folder of meshes and CSCD_CGAL_POINTS_DIR to that of points; they are missing where the
-# package is.
+# Sets CSCD_CGAL_DATA_DIR to the folder of meshes and CSCD_CGAL_POINTS_DIR to that of points. The folders do not exist
+# without the package.
 
 set(CSCD_CGAL_DATA_ARCHIVE
     "/usr/share/doc/libcgal-dev/data.tar.gz"

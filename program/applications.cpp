@@ -51,7 +51,7 @@ void check_files(const Application_options& options)
   check_standard_output((options.output == standard_stream ? 1 : 0) + (options.report == standard_stream ? 1 : 0));
 }
 
-/// Writes the result by `write(out)`, and the report if there is to be one.
+/// Writes the result by `write(out)`, and the report if requested.
 /// \param document makes the report
 template <class Write, class MakeDocument>
 void write_with_report(const Application_options& options, const Write& write, const MakeDocument& document)
@@ -64,7 +64,7 @@ void write_with_report(const Application_options& options, const Write& write, c
   files.publish();
 }
 
-/// A mesh, its skeleton, and how it was computed.
+/// A mesh, its skeleton, and the report of the computation.
 struct Skeletonized_input
 {
   Skeletonize_options options;
@@ -94,9 +94,8 @@ Skeletonized_input skeletonized_input(const Application_options& options)
   return result;
 }
 
-/// CGAL's segmentation of shape diameters: the number of thicknesses that it tells apart is its default. Its default of
-/// the weight of short boundaries, 0.26, is for noisier diameters, found by rays: with ours, most bodies stay in one
-/// part.
+/// CGAL's segmentation of shape diameters, with CGAL's default number of clusters. Its default of the weight of short
+/// boundaries, 0.26, is for noisier diameters, found by rays: with ours, most bodies stay in one part.
 constexpr std::size_t number_of_clusters = 5;
 constexpr double smoothness = 0.1;
 
@@ -139,7 +138,7 @@ void check(const Segment_options& options)
   }
 }
 
-/// The parts of a mesh: how many faces and which area they have.
+/// The parts of a mesh: their numbers of faces and their areas.
 nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh& mesh, Labels labels)
 {
   std::map<std::size_t, std::pair<std::size_t, double>> parts;

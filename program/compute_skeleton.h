@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation of the skeleton, which node the vertices of the input belong to, and wraps around meshes.
+// The computation of the skeleton, the nodes of the vertices of the input, and wraps around meshes.
 
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H

@@ -66,7 +66,7 @@ class Manifest:
         try:
             if old[:len(header)] != header[:len(old)]:
                 raise ValueError
-            # Half a row is left by a process that was killed.
+            # A process that was killed may leave half a row.
             rows = self.read(old[len(header):old.rfind(b"\n") + 1].decode(errors="surrogateescape"))
             finished = {row["input"]: row for row in reversed(rows) if row["status"] in FINISHED}
             new = header + b"".join(map(self.line, reversed(finished.values())))
@@ -155,7 +155,7 @@ def check_command(command):
 
 
 def make_tasks(options):
-    """The inputs, each once, and the names of their results, which lie to each other as the inputs do."""
+    """The inputs, each once, and the names of their results, in the same arrangement of folders."""
     inputs = list(options.inputs)
     if options.list:
         with open(0 if options.list == "-" else options.list, encoding="utf-8", errors="surrogateescape") as lines:
@@ -286,7 +286,7 @@ def run(options):
             signal.signal(number, stop)
     try:
         batch.run(new_tasks)
-    except SystemExit as end:  # whoever started this learns why it ended
+    except SystemExit as end:  # ends by the signal, so that the parent process knows the cause
         signal.signal(-end.code, signal.SIG_DFL)
         os.kill(os.getpid(), -end.code)
     if not options.quiet:

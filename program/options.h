@@ -66,7 +66,7 @@ struct Swc_arguments
   double scale = 1;                      ///< of coordinates and radii
 };
 
-/// The voxels of a volume that are of a body, and how they are connected.
+/// The voxels of a volume that belong to a body, and their connectivity.
 struct Volume_options
 {
   std::optional<unsigned> label;   ///< of the body; without it and the others all voxels that are not 0 are of it
@@ -151,7 +151,7 @@ struct Simplify_options
   bool is_quiet = false;
 };
 
-/// The options that the commands on the skeleton of a mesh have in common.
+/// The common options of the commands on the skeleton of a mesh.
 struct Application_options
 {
   std::string input;  ///< a file name, or `standard_stream`
@@ -186,7 +186,7 @@ inline constexpr unsigned graph_input = 8;
 inline constexpr unsigned any_input = mesh_input | point_input | volume_input | graph_input;
 /// @}
 
-/// Where the value of an option is kept.
+/// The place of the value of an option.
 using Option_value =
     std::variant<bool*, unsigned*, std::size_t*, double*, std::optional<int>*, std::optional<unsigned>*,
                  std::optional<double>*, std::string*, std::vector<std::string>*>;
@@ -257,7 +257,7 @@ void check_name(const std::function<void()>& check, const std::string& more = ""
 /// \throw Usage_error if there are several results on standard output
 void check_standard_output(std::ptrdiff_t number_of_results);
 
-/// Whether the option says how a skeleton is made. Such options are arguments in Python.
+/// Whether the option affects the computation of a skeleton. Such options are arguments in Python.
 bool is_of_method(const Option& option);
 
 /// The name of the argument in Python.

@@ -64,12 +64,12 @@ struct Skeletonization_result : Run_report
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
 using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, double fraction)>;
 
-/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
-/// was repaired to standard error unless `is_quiet`.
+/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes the
+/// repairs to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
 /// \param keeps_file whether the input is also kept as it was read
 /// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
-/// \param number_of_threads 0 for all that the machine has
+/// \param number_of_threads 0 for all of the machine
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
                  bool makes_mesh = true, unsigned number_of_threads = 1);
@@ -98,7 +98,7 @@ CSCD::Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<C
 /// The input that is this graph.
 Input make_input(CSCD::Skeleton graph);
 
-/// What an input is called in messages.
+/// The name of an input in messages.
 std::string name_of(const std::string& input);
 
 /// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
@@ -162,7 +162,7 @@ void write_output(const std::string& filename, const Write& write)
 bool is_page(const std::string& output);
 
 /// Writes the viewer page.
-/// \param name of the input, without its folder, which means nothing to whom the page is given
+/// \param name of the input, without its folder, which has no meaning for other readers of the page
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
 
 /// Checks that pages can be written. \param option that asks for one \throw Usage_error

@@ -26,7 +26,7 @@
 
 namespace cscd {
 
-/// Where a limb ends at a border of the mesh.
+/// The place where a limb ends at a border of the mesh.
 struct Opening
 {
   std::size_t node = 0;
@@ -54,9 +54,9 @@ struct Run_report
   std::vector<Opening> openings;
   std::optional<Volume_body> volume;                    ///< if the surface is that of voxels
   std::vector<CSCD::Tree_measures> trees;               ///< the objects of a scan of trees
-  std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
+  std::optional<CSCD::Simplification_report> fragments; ///< the treatment of fragments, if requested
 
-  /// What the user should know: one sentence each.
+  /// The warnings for the user: one sentence each.
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
 };
 
@@ -74,7 +74,7 @@ nlohmann::ordered_json report_document(const Skeletonize_options& options, const
 void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
                   const Run_report& result);
 
-/// Writes a few lines for people: counts, topology, time.
+/// Writes a few lines of text: counts, topology, time.
 void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result);
 
 } // namespace cscd

@@ -9,7 +9,7 @@ set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$source_dir/build
-# That of the packages, whatever else is first in PATH.
+# The Python of the packages, even if another is first in PATH.
 python=/usr/bin/python3
 
 # shellcheck source=cmake/install_packages.sh

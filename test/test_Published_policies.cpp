@@ -51,7 +51,7 @@ using CSCD::test::Shape_maker;
 using CSCD::test::Similarity;
 
 constexpr std::size_t number_of_sources = 200;
-/// Enough for what must hold whatever is found.
+/// Enough for properties that hold for all separators.
 constexpr std::size_t few_sources = 32;
 
 template <class ConcurrencyTag = CGAL::Sequential_tag>
@@ -284,7 +284,7 @@ TEST_F(Multiscale_search, finds_what_a_search_on_the_surface_finds)
   }
 }
 
-/// Whatever the sources find, and if it is nothing.
+/// For any separators, even without any.
 class Published_method_on_hard_shapes : public Published_method
 {
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole pipeline on generated shapes with known answers, and what the entry point promises.
+// The whole pipeline on generated shapes with known answers, and the guarantees of the entry point.
 
 #include "support/Centreline_error.h"
 #include "support/Inside_count.h"
@@ -34,7 +34,7 @@ using CSCD::test::Shape_maker;
 using CSCD::test::Violations;
 namespace parameters = CSCD::parameters;
 
-/// A shape, its mesh and what the pipeline makes of it.
+/// A shape, its mesh and the result of the pipeline.
 class Skeletonized_shape : public testing::TestWithParam<Shape_maker>
 {
 protected:
@@ -218,7 +218,7 @@ TEST_F(Open_end, holes_windows_and_sheets_are_none)
   EXPECT_TRUE(m_openings.empty());
 }
 
-/// What the entry point promises, on one shape.
+/// The guarantees of the entry point, on one shape.
 class Extract_curve_skeleton : public testing::Test
 {
 protected:

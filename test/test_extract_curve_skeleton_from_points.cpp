@@ -59,7 +59,7 @@ struct Outcome
   CSCD::Skeletonization_report report;
 };
 
-/// Skeletonizes and checks what must hold for every point set.
+/// Skeletonizes and checks properties that hold for every point set.
 Outcome skeletonize(const std::vector<Triple>& triples)
 {
   const Points points = to_points(triples);

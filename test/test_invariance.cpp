@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What must not change the skeleton: the pose and the unit of the input, the order and the type of its storage, the
+// The skeleton does not depend on the pose and the unit of the input, the order and the type of its storage, and the
 // type of the output.
 
 #include "support/Similarity.h"

@@ -35,7 +35,7 @@ class Runner:
         self.folder, self.timeout, self.jobs, self.kept, self.failed = pathlib.Path(folder), timeout, jobs, {}, []
 
     def run(self, *command):
-        """What a program writes, or None."""
+        """The output of a program, or None."""
         try:
             return subprocess.run(command, capture_output=True, text=True, timeout=self.timeout, check=True).stdout
         except (subprocess.TimeoutExpired, subprocess.CalledProcessError) as error:
@@ -53,7 +53,7 @@ class Runner:
         return self.kept[key]
 
     def measure_all(self, arguments):
-        """Measures several at once; what a run takes is CPU time."""
+        """Measures several at once; the cost of a run is CPU time."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             for _ in pool.map(lambda one: self.measure(*one), arguments):
                 pass
@@ -185,7 +185,7 @@ def divided(points, faces, _):
 
 
 def diameters_table(runner, meshes, poses):
-    """Agreement of shape diameters by skeletons and by rays, what changes them, and what they cost."""
+    """Agreement of shape diameters by skeletons and by rays, their stability, and their cost."""
     columns = collections.defaultdict(lambda: collections.defaultdict(list))
 
     def compare(row, method, first, second, vertices):
@@ -255,7 +255,7 @@ def nearest_vertices(loop, points):
 
 
 def constrictions_table(runner, folder):
-    """In how many poses of all bodies the constrictions of the first pose are found again, by the correspondence."""
+    """The number of poses of all bodies that have the constrictions of the first pose, by the correspondence."""
     program = runner.folder / "cscd"
     (first, *others), *bodies = pose_files(folder).values()
     poses = [first] + others + [mesh for body in bodies for mesh in body]

@@ -183,7 +183,7 @@ void cgal_one_by_one(benchmark::State& state, const std::string& name)
   count_errors(state, input);
 }
 
-/// The distance from one end of a tube with eight edges around to the other, relative to its length.
+/// The distance between the ends of a tube with eight edges around, relative to its length.
 void tube(benchmark::State& state, bool is_cgal)
 {
   const double edge = 2 * std::sin(CSCD::test::pi / 8);
@@ -200,7 +200,7 @@ void tube(benchmark::State& state, bool is_cgal)
   }
   Vertex end(0);
   for (const Vertex vertex : mesh.vertices()) {
-    // The vertex of the last ring that is straight opposite along the tube.
+    // The vertex of the last ring straight along the tube.
     const auto offset = mesh.point(vertex) - mesh.point(Vertex(0));
     end = std::hypot(offset.y(), offset.z()) < 1e-9 && offset.x() > mesh.point(end).x() ? vertex : end;
   }

@@ -48,7 +48,7 @@ std::vector<Triple> seen(const std::vector<Triple>& points, const Triple& scanne
   return CSCD::test::seen_from(points, scanner, 0.0015, 0.1);
 }
 
-/// The gaps are 0.5 m wide, in the trunk and in all limbs of it.
+/// The gaps are 0.5 m wide, in the trunk and in all its limbs.
 std::vector<Triple> without_pieces(const Synthetic_tree& tree, std::vector<Triple> points)
 {
   for (const CSCD::test::Tree_limb& limb : tree.limbs()) {

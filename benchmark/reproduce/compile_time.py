@@ -24,7 +24,7 @@ from markdown_tables import markdown, replace_between_markers
 from measurements import ROOT, commit, output, processor
 
 COMPILER = os.environ.get("CXX", "g++")
-# Those of the target CSCD::CSCD where oneTBB was found; -frounding-math comes from the target CGAL::CGAL.
+# The options of the target CSCD::CSCD with oneTBB; -frounding-math comes from the target CGAL::CGAL.
 FLAGS = ["-std=c++17", "-O2", "-frounding-math", "-DCGAL_LINKED_WITH_TBB"]
 EIGEN = pathlib.Path("/usr/include/eigen3")
 COMPILED = "-DCSCD_COMPILED"

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Reads what Google Benchmark has written, and describes the machine and the build."""
+"""Reads the output of Google Benchmark, and describes the machine and the build."""
 
 import json
 import math
@@ -76,7 +76,7 @@ def compiler(build_dir):
 
 
 def circumstances(context, command, repetitions, build_dir):
-    """When, where and how the numbers were made, as a sentence."""
+    """A sentence on the time, the machine and the build of the measurements."""
     version, flags = compiler(build_dir)
     load = context.get("load_avg") or [math.nan]
     runs = "one run" if repetitions == 1 else f"medians of {repetitions} runs"

@@ -48,7 +48,7 @@ def method_time_table(medians):
 
 
 def quoted(source, mesh, run, key):
-    """What `source` says of one with as many vertices and faces, or of the same name and nearly as many."""
+    """The results of `source` for a mesh with as many vertices and faces, or with its name and nearly as many."""
     name = mesh.lower().replace("_", "-")
     for row in QUOTED[source]["rows"]:
         differences = [abs(row[counted] / run[counted] - 1) for counted in ("vertices", "faces")]
@@ -161,7 +161,7 @@ def about(kind, table):
     return lambda medians: table(medians) if runs_of(medians, kind) else None
 
 
-# By the name of a sentence on when, where and how benchmarks were run: the kind of these benchmarks.
+# By the name of a sentence on the conditions of benchmarks: the kind of these benchmarks.
 CIRCUMSTANCES = {f"circumstances_of_{kind}": kind
                  for kind in ("method", "sources", "noise", "resolution", "holes", "ring", "threads")}
 TABLES = {

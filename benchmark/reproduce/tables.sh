@@ -17,7 +17,7 @@ fi
 # shellcheck source=benchmark/build_benchmarks.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../build_benchmarks.sh"
 
-# What --quick runs of each program.
+# The benchmarks of each program that --quick runs.
 declare -A small=(
   [benchmark_skeletonization]='^mesh/(elephant|knot1)/|^growing/elephant_[01]/'
   [benchmark_points]='^(cloud|published)/(knot1|elephant)/uniform, 5,000/|^growing/armadillo/(5000|20000)/'
@@ -40,7 +40,7 @@ build_benchmarks "${programs[@]}"
 results_dir=$build_dir
 pages=("$source_dir")
 if $is_quick; then
-  # Copies of the pages, with all that is not measured anew.
+  # Copies of the pages, with the parts that are not measured anew.
   results_dir=$build_dir/quick
   mkdir -p "$results_dir/doc/fig"
   cp "$source_dir/README.md" "$results_dir"

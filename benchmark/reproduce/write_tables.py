@@ -163,7 +163,7 @@ def growing_cloud_table(medians):
 
 
 # By program, the tables by name: functions of the medians, which return None if they have no rows; None in the place of
-# a function stands for the sentence on when, where and how they were measured.
+# a function stands for the sentence on the conditions of the measurement.
 TABLES_OF_PROGRAM = {
     "benchmark_skeletonization": {
         "circumstances": None,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A skeleton that has everything writers can stumble over, with and without radius.
+// A skeleton with all difficult cases for writers, with and without radius.
 
 #ifndef CSCD_TEST_IO_SAMPLE_SKELETON_H
 #define CSCD_TEST_IO_SAMPLE_SKELETON_H

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which handles are cut: those of a few edges, and no others; and the steps of the cut.
+// Only handles of a few edges are cut; and the steps of the cut.
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"

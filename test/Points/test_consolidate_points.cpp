@@ -166,7 +166,7 @@ TEST(is_scan_of_trees, does_not_take_slices_for_twigs)
     const CSCD::Point_cloud cloud = CSCD::make_point_cloud(sliced_ball(20000, ratio), {});
     EXPECT_FALSE(CSCD::internal::is_scan_of_trees(CSCD::internal::forms_of(cloud.points))) << ratio;
   }
-  // What looks like twigs, laid flat.
+  // Lines that look like twigs, laid flat.
   CSCD::internal::Cloud_forms forms;
   forms.along_curves = forms.in_space = 0.3;
   forms.steepness = 0.3;

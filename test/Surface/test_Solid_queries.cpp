@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The answers about the body are those that its known shape gives.
+// The answers about the body agree with its known shape.
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"

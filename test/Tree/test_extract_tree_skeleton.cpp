@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of scans of trees that are known exactly: limbs found, orders, lengths and radii; what must not change
-// them, and scans that are hardly any.
+// Skeletons of scans of trees that are known exactly: limbs found, orders, lengths and radii; their invariance, and
+// degenerate scans.
 
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
@@ -53,7 +53,7 @@ struct Tree_outcome
   CSCD::Tree_report report;
 };
 
-/// What must hold for the branches of every report.
+/// Checks properties of the branches of every report.
 void expect_branches(const Tree_outcome& outcome)
 {
   std::vector<bool> is_end(num_vertices(outcome.skeleton), false); // of an edge of a branch
@@ -87,7 +87,7 @@ void expect_branches(const Tree_outcome& outcome)
   EXPECT_EQ(outcome.report.number_of_objects, number_of_trunks);
 }
 
-/// Skeletonizes and checks what must hold for every scan.
+/// Skeletonizes and checks properties that hold for every scan.
 Tree_outcome tree_of(const std::vector<Triple>& triples)
 {
   Tree_outcome outcome;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces of voxels are closed manifolds with the topology of the voxels, which is counted by cells here.
+// Surfaces of voxels are closed manifolds with the topology of the voxels. The tests count it by cells.
 
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Volume/Voxel_surface.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationTraits with no more than the concept asks for, and without any type of a mesh.
+// A minimal model of SkeletonizationTraits, without any type of a mesh.
 
 #ifndef CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H

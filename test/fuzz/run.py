@@ -64,7 +64,7 @@ def earlier_rows():
 
 
 def found(old, failed):
-    """What a slice with so many failing inputs leaves in the column, until someone says in words what it was."""
+    """The entry of a slice with so many failing inputs, until someone replaces it by a description."""
     if failed == 0:
         return old
     new = f"{failed} failing inputs, not looked at yet"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the program leaves when the disk is full, memory runs out, or it is killed: all of its outputs, or none.
+// The outputs of the program when the disk is full, memory runs out, or it is killed: all of them, or none.
 
 #include "IO/mesh_files.h"
 #include "program/Cscd.h"

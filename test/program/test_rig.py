@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: test_rig.py PROGRAM MESH FOLDER THREE_JS_DIR | test_rig.py PROGRAM MESH FOLDER
-# Writes a rig of the mesh and lets another read it: three.js in headless Chromium, where a joint is turned, or without
-# its folder the validator of Khronos (the npm package gltf-validator, which is fetched into FOLDER if npm is there).
-# Leaves with status 77 if that is not there; in continuous integration, three.js has to be.
+# Writes a rig of the mesh and lets another program read it: three.js in headless Chromium, where a joint is turned, or
+# without its folder the validator of Khronos (the npm package gltf-validator, which npm, if installed, fetches into
+# FOLDER). Leaves with status 77 if the reader is missing; in continuous integration, three.js is required.
 
 import base64
 import json

@@ -78,7 +78,7 @@ struct Shape
   std::size_t number_of_border_cycles = 0;
   /// Empty where the shape has no obvious centreline.
   std::vector<Centreline_segment> centreline;
-  /// What a good skeleton has, where that is beyond doubt.
+  /// Counts of a good skeleton, where they are unambiguous.
   std::optional<std::size_t> number_of_tips;
   std::optional<std::size_t> number_of_junctions;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A test shape as the body on which the pipeline runs.
+// A test shape as the body that the pipeline runs on.
 
 #ifndef CSCD_TEST_SUPPORT_SHAPE_SOLID_H
 #define CSCD_TEST_SUPPORT_SHAPE_SOLID_H

@@ -40,7 +40,7 @@ inline double length(const Tree_limb& limb)
   return sum;
 }
 
-/// How a tree is grown. Lengths in meters.
+/// The parameters of the growth of a tree. Lengths in meters.
 struct Tree_settings
 {
   unsigned seed = 1;
@@ -50,8 +50,8 @@ struct Tree_settings
   std::size_t limbs_of_trunk = 9; ///< each limb has about two thirds as many for its length
 };
 
-/// Limbs, parents first. Limbs taper by the pipe model: the area of a section is proportional to the length of all that
-/// it carries.
+/// Limbs, parents first. Limbs taper by the pipe model: the area of a section is proportional to the total length of
+/// the limbs that it carries.
 class Synthetic_tree
 {
 public:

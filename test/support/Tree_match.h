@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well the branches of a skeleton are the limbs of a known tree.
+// The agreement of the branches of a skeleton with the limbs of a known tree.
 
 #ifndef CSCD_TEST_SUPPORT_TREE_MATCH_H
 #define CSCD_TEST_SUPPORT_TREE_MATCH_H
@@ -27,7 +27,7 @@ struct Found_branch
   std::size_t order = 0;
 };
 
-/// What of a tree was found.
+/// The result of matching a tree.
 struct Tree_match
 {
   std::size_t number_of_limbs = 0; ///< those long enough to be seen

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What tests do where the data that they need is not installed.
+// The behavior of tests if their data is not installed.
 
 #ifndef CSCD_TEST_SUPPORT_SKIP_OR_FAIL_H
 #define CSCD_TEST_SUPPORT_SKIP_OR_FAIL_H

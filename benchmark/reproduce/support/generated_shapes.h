@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Generated shapes with about as many vertices as asked for.
+// Generated shapes with about a given number of vertices.
 
 #ifndef CSCD_BENCHMARK_SUPPORT_GENERATED_SHAPES_H
 #define CSCD_BENCHMARK_SUPPORT_GENERATED_SHAPES_H
