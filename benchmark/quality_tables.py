@@ -26,7 +26,7 @@ HALVES = ("all", "odd", "even")
 
 
 def number_of(name):
-    """The number that the last digits in `name` stand for; None if there are none."""
+    """The number that the last digits in `name` stand for; None without digits."""
     digits = re.findall(r"\d+", name)
     return int(digits[-1]) if digits else None
 

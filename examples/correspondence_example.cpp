@@ -26,7 +26,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Skeleton = CSCD::Skeleton_graph<Point, Vertex>;
 
-/// Colors that differ well, whatever their number: hues turn by the golden angle.
+/// Colors that differ well for any number: hues turn by the golden angle.
 CGAL::IO::Color branch_color(std::size_t branch)
 {
   constexpr double golden_angle = 137.508;

@@ -211,7 +211,7 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
 }
 
 /// The arguments. If the first one names no command, `skeletonize` stands in front.
-/// \throw cscd::Usage_error if there are none, or the first one is neither a command nor a file
+/// \throw cscd::Usage_error without arguments, or if the first one is neither a command nor a file
 std::vector<const char*> with_command(int argc, char** argv, const std::vector<Command>& commands)
 {
   std::vector<const char*> result(argv, argv + argc);

@@ -247,7 +247,7 @@ std::vector<Option> options_of(Segment_options& options);
 std::vector<Option> options_of(Loops_options& options);
 /// @}
 
-/// The fault of the value `root` of `--root`; empty if there is none.
+/// The fault of the value `root` of `--root`; empty without a fault.
 std::string check_root(const std::string& root);
 
 /// Calls `check`, which looks at the name of a file. \param more behind its message
@@ -263,7 +263,7 @@ bool is_of_method(const Option& option);
 /// The name of the argument in Python.
 std::string python_name(const Option& option);
 
-/// The value as text; empty if there is none.
+/// The value as text; empty without a value.
 std::string text_of(const Option& option);
 
 /// Sets the value. \throw Usage_error naming the option and its range if `text` is not such a value
@@ -272,7 +272,7 @@ void assign(const Option& option, const std::string& text);
 /// The rows of the table of `options` whose values are not the defaults.
 std::vector<Option> given_options(Skeletonize_options& options);
 
-/// The options that name files besides those of the skeleton, with their dashes, and where the names are kept.
+/// The options, with dashes, that name other files than those of the skeleton, and the places of these names.
 std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_options& options);
 
 /// The number of results that go to standard output.

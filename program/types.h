@@ -177,7 +177,7 @@ CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& ske
 /// \throw `CSCD::Input_error`
 CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton);
 
-/// Refuses an output file that is the input, by whatever name.
+/// Refuses an output file that is the input, under any name.
 /// \param option that names the output
 /// \throw Usage_error if it is
 void check_is_not_input(const std::string& output, const std::string& input, const std::string& option);

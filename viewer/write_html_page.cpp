@@ -37,8 +37,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Maps the shape to the cube from -1 to 1. Graphics cards compute in single precision, which suffices there wherever
-/// the shape is and whatever its size.
+/// Maps the shape to the cube from -1 to 1. Graphics cards compute in single precision, which suffices there for shapes
+/// of any place and size.
 class Frame
 {
 public:

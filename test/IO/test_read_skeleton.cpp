@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of skeletons read from files: those of the writers, of other programs, and malformed ones.
+// Tests of skeletons read from files: files of the writers, of other programs, and malformed files.
 
 #include "Parsed_skeleton.h"
 #include "archetypes/Skeleton_archetype.h"

@@ -775,7 +775,7 @@ TEST(Read_triangle_mesh, refuses_files_that_cannot_be_opened)
   EXPECT_THROW(CSCD::read_triangle_mesh(folder.file("folder.off"), mesh), CSCD::File_error);
 }
 
-/// All meshes of CGAL's data are read, and those that CGAL itself reads as closed triangle meshes are read equally.
+/// All meshes of CGAL's data are read. Meshes that CGAL itself reads as closed triangle meshes are read equally.
 TEST(Read_triangle_mesh, reads_the_meshes_of_cgal)
 {
   const std::filesystem::path folder(CSCD_CGAL_DATA_DIR);
