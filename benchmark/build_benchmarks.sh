@@ -9,7 +9,7 @@ build_dir=$source_dir/build
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
 
-# build_benchmarks <program>... installs what is missing (Debian, Ubuntu) and builds the programs in a Release build.
+# build_benchmarks <program>... installs missing packages (Debian, Ubuntu) and builds the programs in a Release build.
 build_benchmarks()
 {
   install_packages "${library_packages[@]}" git libbenchmark-dev python3 gnuplot-nox

@@ -59,7 +59,7 @@ def read_graph(path):
 
 
 def turns(points, edges):
-    """The angles in degrees by which a skeleton turns at its nodes of two edges."""
+    """The turning angles of a skeleton in degrees, at its nodes of degree two."""
     neighbors = [[] for _ in points]
     for a, b in edges:
         neighbors[a].append(b)
@@ -81,7 +81,7 @@ def thousandths(value):
 
 
 def evaluate(options, mesh, skeleton):
-    """The measures of a skeleton that do not depend on who has made it."""
+    """The measures of a skeleton that do not depend on the program that made it."""
     command = [options.evaluator, "evaluate", mesh, skeleton, "--json", "--quiet", "--resolution",
                str(1 if options.fast else options.resolution)]
     measures = json.loads(run(command, options.timeout)[0])
@@ -97,7 +97,7 @@ def evaluate(options, mesh, skeleton):
 
 
 def measure_own(options, mesh, folder):
-    """The row of a shape, but for those columns that name it and those of MCF."""
+    """The row of a shape, except the columns that name it and the columns of MCF."""
     skeleton, report = folder / "skeleton.graph", folder / "report.json"
     command = [options.program, "skeletonize", mesh, "--output", skeleton, "--report", report, "--quiet", "--threads",
                "1", *shlex.split(options.args)]
@@ -163,7 +163,7 @@ def meshes_of(folder):
 
 
 def names_of_sets(folders):
-    """The names of folders, with as many of those above them as tell them apart: the last alone is often 'meshes'."""
+    """The names of folders, with enough parent folders to be different: the last name alone is often 'meshes'."""
     parts = [pathlib.Path(folder).resolve().parts for folder in folders]
     for length in range(2, max(map(len, parts))):
         names = ["/".join(part[-length:]) for part in parts]
@@ -178,7 +178,7 @@ def chosen(options, mesh, position):
 
 
 def with_columns_of_mcf(rows, path):
-    """Each row with what an earlier measurement has of MCF."""
+    """Each row with the results of MCF from an earlier measurement."""
     old = {(row["set"], row["shape"]): row for row in quality_tables.read_rows(path)}
     for row in rows:
         of_mcf = {key: value for key, value in old.get((row["set"], row["shape"]), {}).items()

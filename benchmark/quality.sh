@@ -2,12 +2,12 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Builds the program cscd and prints what its skeletons of all meshes of some folders are worth: those of CGAL's data by
-# default. Odd- and even-numbered shapes are told apart: constants are chosen by odd ones alone.
+# Builds the program cscd and prints the quality of its skeletons of all meshes of some folders, by default CGAL's data.
+# Odd- and even-numbered shapes are listed separately: only odd ones are used to choose constants.
 # Usage: benchmark/quality.sh [--mcf] [OPTION...] [FOLDER...]
 # --mcf measures CGAL's mean curvature flow too, which takes most of the time. The other options are those of
 # measure_quality.py, such as --fast, --output CSV, --compare CSV, --args "--seed 1", --program CSCD for skeletons of
-# another build; --help tells all of them.
+# another build; --help lists all of them.
 
 set -euo pipefail
 

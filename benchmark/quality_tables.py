@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Sums up over sets of shapes what measure_quality.py has measured of each, and compares two measurements.
+"""Sums up the results of measure_quality.py over sets of shapes, and compares two measurements.
 
-A row is a dictionary: one shape, its values by column; None is what is not known or not defined.
+A row is a dictionary: one shape, its values by column; None stands for an unknown or undefined value.
 """
 
 import csv
@@ -20,20 +20,20 @@ COLUMNS = TEXT_COLUMNS[:2] + ("number",) + TEXT_COLUMNS[2:] + (
     "limbs", "limbs_without_tip", "tips_without_limb", "seconds", "mcf_cone", "mcf_convolution", "mcf_offset",
     "mcf_deviation", "mcf_inside", "mcf_betti_number", "mcf_seconds", "mcf_failure")
 CLASS_SIZE = 20  # consecutive numbers in the Princeton segmentation benchmark
-LEAST_GROUP = 4  # shapes of which a spread of tips means something
-SPREAD = 3  # of tips, within which most poses of a body should be
+LEAST_GROUP = 4  # shapes; the spread of tips of fewer shapes has no meaning
+SPREAD = 3  # of tips; most poses of a body should stay within it
 HALVES = ("all", "odd", "even")
 
 
 def number_of(name):
-    """The number that the last digits in `name` stand for; None if there are none."""
+    """The number that the last digits in `name` stand for; None without digits."""
     digits = re.findall(r"\d+", name)
     return int(digits[-1]) if digits else None
 
 
 def group_of(name):
-    """Shapes of the same group should have as many tips: poses have the same name but for the number at its end; if
-    there is nothing but a number, as in the Princeton set, classes are consecutive."""
+    """Shapes of a group should have equally many tips. The names of poses differ only in the number at their end. If
+    a name is only a number, as in the Princeton set, classes are consecutive."""
     if name.isdigit():
         first = (int(name) - 1) // CLASS_SIZE * CLASS_SIZE + 1
         return f"{first} to {first + CLASS_SIZE - 1}"
@@ -41,7 +41,7 @@ def group_of(name):
 
 
 def identity(name, position):
-    """What a row begins with, of the shape `name` that is at `position`, from 1, among the sorted names of its set."""
+    """The first columns of the row of shape `name`, at `position`, from 1, among the sorted names of its set."""
     number = number_of(name)
     number = position if number is None else number
     return {"shape": name, "number": number, "half": "odd" if number % 2 else "even", "group": group_of(name)}
@@ -96,7 +96,7 @@ def text_of_ratios(by_shape):
 
 
 def right(rows, columns):
-    """How many of `rows` have the same value in two columns."""
+    """The number of `rows` with the same value in two columns."""
     known = [row for row in rows if all(row.get(column) is not None for column in columns)]
     return f"{sum(row[columns[0]] == row[columns[1]] for row in known)} of {len(known)}" if known else "-"
 
@@ -117,7 +117,7 @@ def greatest(rows, column):
 
 
 def part(rows, column, of):
-    """The sum of one column and that of another one of which it is a part."""
+    """The sum of one column and the sum of another one that includes it."""
     known = [row for row in rows if row.get(column) is not None and row.get(of) is not None]
     return f"{sum(row[column] for row in known):.0f} of {sum(row[of] for row in known):.0f}" if known else "-"
 
@@ -129,7 +129,7 @@ def recall(rows, missing, of):
     return f"{1 - sum(row[missing] for row in known) / number:.3f}" if number else "-"
 
 
-# Each line of a table: what it is called, and what makes its text of rows.
+# Each line of a table: its label, and the function that makes its text from rows.
 MEASURES = (
     ("components right", lambda rows: right(rows, ("components", "surface_components"))),
     ("Betti number = genus, closed", lambda rows: right(list(filter(is_closed, rows)), ("betti_number", "genus"))),
@@ -173,7 +173,7 @@ def aligned(lines):
 
 
 def table_of_set(name, rows):
-    """What is printed of a set: lines of text."""
+    """The table of a set: lines of text."""
     by_half = halves(rows)
     lines = [[name, *HALVES], ["shapes", *(str(len(by_half[half])) for half in HALVES)]]
     for label, text_of in MEASURES:
@@ -196,7 +196,7 @@ def most_within(numbers, width):
 
 
 def table_of_groups(rows):
-    """Tips of each group: lines of text; none if there are no groups."""
+    """Tips of each group: lines of text; none without groups."""
     groups = {}
     for row in rows:
         if not row.get("failure") and row.get("tips") is not None:
@@ -219,7 +219,7 @@ COMPARED_BY_SUM = ("nodes_outside", "edges_outside", "turns_above_90", "tips", "
 
 
 def table_of_comparison(before, after):
-    """What has changed on the shapes of a set that are in both measurements: lines of text."""
+    """The changes on the shapes of a set that are in both measurements: lines of text."""
     old = {row["shape"]: row for row in before if not row.get("failure")}
     pairs = [{"half": row["half"], "shape": row["shape"], "before": old[row["shape"]], "after": row} for row in after
              if not row.get("failure") and row["shape"] in old]
@@ -246,7 +246,7 @@ def table_of_comparison(before, after):
 
 
 def worst_changes(pairs, column, number=10):
-    """The shapes on which `column` has grown most, and has shrunk most."""
+    """The shapes with the greatest increase and the greatest decrease of `column`."""
     joined = [{"shape": pair["shape"], "before": pair["before"].get(column), "after": pair["after"].get(column)}
               for pair in pairs]
     ordered = sorted(ratios(joined, "before", "after").items(), key=lambda item: item[1])
@@ -260,7 +260,7 @@ def worst_changes(pairs, column, number=10):
 
 
 def report(rows, before=None):
-    """All that is printed of the rows of any number of sets, beside those of another measurement if there is one."""
+    """All tables of the rows of any number of sets, compared with the rows of another measurement if given."""
     blocks = []
     for name in dict.fromkeys(row["set"] for row in rows):
         of_set = [row for row in rows if row["set"] == name]

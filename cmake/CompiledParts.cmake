@@ -3,7 +3,7 @@
 #
 # The compiled parts of the library: the core, which can also be used header-only, and the modules, which cannot.
 
-# Each after those that it links.
+# Each module after the modules that it links.
 set(cscd_parts core measure tree application io)
 
 set(cscd_core_sources consolidation.cpp geodesics.cpp mesh_pipeline.cpp points.cpp published_method.cpp)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# How the project's own programs are compiled. Users of CSCD::CSCD get nothing of this.
+# The compilation of the project's own programs. It does not affect users of CSCD::CSCD.
 
 # Warnings are errors in our own code; the headers of CGAL, Boost and Eigen count as system headers.
 add_library(cscd_warnings INTERFACE)

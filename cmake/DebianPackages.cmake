@@ -22,7 +22,7 @@ set(CPACK_COMPONENT_PYTHON_DOCUMENTS_GROUP python)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)
 
-# Debian asks for an address.
+# Debian requires an address.
 set(CPACK_PACKAGE_CONTACT "The CSCD developers <developers@cscd.invalid>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -64,7 +64,7 @@ execute_process(COMMAND /usr/bin/python3 -c "import sys; a, b, *_ = sys.version_
 python3 (<< {a}.{b + 1}), python3-numpy')" OUTPUT_VARIABLE CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
                 OUTPUT_STRIP_TRAILING_WHITESPACE)
 
-# What Debian asks of each package: a copyright file and a changelog.
+# Debian requires of each package a copyright file and a changelog.
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(changelog "${PROJECT_BINARY_DIR}/debian/changelog")
 file(CONFIGURE OUTPUT "${changelog}" CONTENT "cscd (${PROJECT_VERSION}) unstable; urgency=medium

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes one HTML file of a page in several files, and a file of C++ of that. three.js is that of the machine that builds.
+# Makes one HTML file of a page in several files, and a C++ file of that. The building machine provides three.js.
 #   cscd_three_js           the text of three.js and its OrbitControls, for a script element; empty if it was not found
 #   cscd_bundle_page()      puts style sheets and scripts into a page
 #   cscd_write_page_source() writes the viewer page as a file of C++
@@ -36,7 +36,7 @@ if(CSCD_FETCH_THREE_JS AND NOT CSCD_THREE_JS_DIR)
   set_property(CACHE CSCD_THREE_JS_DIR PROPERTY VALUE "${cscd_npm_folder}/node_modules/three")
 endif()
 
-# Minified files come without the notice that their licence asks for.
+# Minified files lack the notice that their license requires.
 set(cscd_three_js_notice
     [[
 /*!

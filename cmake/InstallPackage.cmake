@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs the headers, the compiled parts and the program where they are built, and what find_package(CSCD) reads.
+# Installs the headers, the compiled parts and the program if they are built, and the files of find_package(CSCD).
 
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Option CSCD_SANITIZER: compiles everything with a sanitizer, and adds only the tests that ask for it.
+# Option CSCD_SANITIZER: compiles everything with a sanitizer, and adds only the tests that name it.
 
 set(CSCD_SANITIZER
     ""
@@ -14,7 +14,7 @@ if(CSCD_SANITIZER STREQUAL "address")
   add_compile_options(-fsanitize=${cscd_sanitizers} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${cscd_sanitizers})
 elseif(CSCD_SANITIZER STREQUAL "thread")
-  # The macro lets CSCD show the sanitizer in which order TBB does its work.
+  # The macro lets CSCD show the sanitizer the order of TBB's work.
   add_compile_options(-fsanitize=thread)
   add_compile_definitions(CSCD_THREAD_SANITIZER)
   add_link_options(-fsanitize=thread)

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What is decided only when CSCD is the main project: build type, compiler cache.
+# Settings that apply only when CSCD is the main project: build type, compiler cache.
 
 get_property(cscd_is_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 if(NOT cscd_is_multi_config AND NOT CMAKE_BUILD_TYPE)

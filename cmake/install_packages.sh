@@ -4,7 +4,7 @@
 # For scripts of bash, to be read by `source`.
 # shellcheck shell=bash disable=SC2034
 
-# install_packages <package>... installs by apt-get those Debian packages that are missing, and says which.
+# install_packages <package>... installs missing Debian packages by apt-get, and names them.
 install_packages()
 {
   local package
@@ -28,7 +28,7 @@ install_packages()
     apt-get install --yes --quiet --quiet --no-install-recommends "${missing[@]}"
 }
 
-# number_of_jobs prints how many compilers to run at once: one a core, but not more than memory allows.
+# number_of_jobs prints the number of compilers to run at once: one a core, but not more than memory allows.
 number_of_jobs()
 {
   local cores memory
@@ -38,11 +38,11 @@ number_of_jobs()
   echo $((memory < 1 ? 1 : memory < cores ? memory : cores))
 }
 
-# What the library, its examples and the program cscd are built with; libcgal-demo has the meshes they are shown on.
+# Packages for the library, its examples and the program cscd; libcgal-demo has the meshes of the examples.
 library_packages=(
   g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
   libcli11-dev nlohmann-json3-dev libjs-three zlib1g-dev libzstd-dev libtiff-dev
 )
 
-# What the Python module is built with, and its tests.
+# Packages for the Python module and its tests.
 python_packages=(python3-dev pybind11-dev python3-numpy python3-networkx python3-pytest python3-mypy)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Every vertex of the mesh belongs to one node of the skeleton, and nodes form branches: colors the mesh by branch and
-// writes it as branches.ply. Junctions belong to no branch and stay gray.
+// writes it as branches.ply. Junctions do not belong to a branch and stay gray.
 
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/Measure/split_into_branches.h>
@@ -26,7 +26,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Vertex = Mesh::Vertex_index;
 using Skeleton = CSCD::Skeleton_graph<Point, Vertex>;
 
-/// Colors that differ well, whatever their number: hues turn by the golden angle.
+/// Colors that differ well for any number: hues turn by the golden angle.
 CGAL::IO::Color branch_color(std::size_t branch)
 {
   constexpr double golden_angle = 137.508;

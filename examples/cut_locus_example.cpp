@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cut locus of a vertex: the points of the surface that are reached from it on two different shortest ways.
+// The cut locus of a vertex: the points of the surface that two different shortest paths from it reach.
 // Writes its curves as cut_locus.polylines.txt, and as cut_locus.html, a page to look at, where three.js is installed.
 // Usage: cut_locus_example [mesh file [number of the vertex]]
 

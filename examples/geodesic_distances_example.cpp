@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far every vertex of a mesh is from its first one along the surface: writes the mesh as distances.ply, with bands
-// of equal distance in two colors.
+// The distance of every vertex of a mesh from the first one along the surface: writes the mesh as distances.ply, with
+// bands of equal distance in two colors.
 
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/estimate_geodesic_distances.h>

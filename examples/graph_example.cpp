@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletonizes a graph that is no surface: the bonds of a tube of atoms, and of a chain that hangs on it.
+// Skeletonizes a graph that is not a surface: the bonds of a tube of atoms, and of a chain that hangs on it.
 
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Skeleton_graph.h>

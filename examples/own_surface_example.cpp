@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletonizes a surface that is no mesh: a tube around a torus knot, with points by a formula and a periodic grid.
+// Skeletonizes a surface that is not a mesh: a tube around a torus knot, with points by a formula and a periodic grid.
 // The skeleton should be a single cycle along the knot.
 
 #include <CSCD/Curve_skeletonization.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The cut locus of a point of a cloud: the points of the surface that are reached from it on two different shortest
-// ways. No surface is made of the points. Writes the curves as point_cut_locus.polylines.txt.
+// The cut locus of a point of a cloud: the points of the surface that two different shortest paths from it reach. The
+// points are not made into a surface. Writes the curves as point_cut_locus.polylines.txt.
 // Usage: point_cut_locus_example [point file [number of the point]]
 
 #include <CSCD/IO/read_points.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far every point of a set is from its first one along the surface that the points sample: writes the points as
-// point_distances.ply, with bands of equal distance in two colors.
+// The distance of every point of a set from the first one along the surface that the points sample: writes the points
+// as point_distances.ply, with bands of equal distance in two colors.
 
 #include <CSCD/IO/read_points.h>
 #include <CSCD/estimate_geodesic_distances_on_points.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// In the place of CGAL's mean curvature flow skeletonization: its mesh and skeleton types stay, one call changes, and
-// what reads the skeleton reads ours. Writes the skeleton and the correspondence as CGAL's own example does.
+// Replaces CGAL's mean curvature flow skeletonization: its mesh and skeleton types stay, one call changes, and code
+// that reads the skeleton reads ours. Writes the skeleton and the correspondence as CGAL's own example does.
 
 #include <CSCD/IO/write_skeleton.h>
 #include <CSCD/extract_curve_skeleton.h>

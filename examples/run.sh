@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the program cscd, skeletonizes a real mesh and
+# Installs missing packages (Debian, Ubuntu), builds the program cscd, skeletonizes a real mesh and
 # a real point set, and names the files to open. Takes no arguments; may be run again.
 
 set -euo pipefail

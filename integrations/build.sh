@@ -17,7 +17,7 @@ if [[ ! -x $program ]]; then
   exit 1
 fi
 program=$(realpath "$program")
-python=/usr/bin/python3 # that of the packages, whatever else is first in PATH
+python=/usr/bin/python3 # the Python of the packages, even if another is first in PATH
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
 # VTK and ParaView have modules of the same names: the package python3-vtk9 is unpacked, not installed.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The calls of the package. What differs between Node and browsers is in node.js and browser.js.
+// The calls of the package. The differences between Node and browsers are in node.js and browser.js.
 
 // The options of the program that apply, and the type of their values.
 const option_types = {

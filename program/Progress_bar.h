@@ -58,7 +58,7 @@ private:
   CSCD::Skeletonization_stage m_stage = CSCD::Skeletonization_stage::compile_surface;
 };
 
-/// Passes progress on to a function, if there is one.
+/// Passes progress on to a function, if given.
 class Progress_visitor : public CSCD::Default_skeletonization_visitor
 {
 public:

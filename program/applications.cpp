@@ -51,7 +51,7 @@ void check_files(const Application_options& options)
   check_standard_output((options.output == standard_stream ? 1 : 0) + (options.report == standard_stream ? 1 : 0));
 }
 
-/// Writes the result by `write(out)`, and the report if there is to be one.
+/// Writes the result by `write(out)`, and the report if requested.
 /// \param document makes the report
 template <class Write, class MakeDocument>
 void write_with_report(const Application_options& options, const Write& write, const MakeDocument& document)
@@ -64,7 +64,7 @@ void write_with_report(const Application_options& options, const Write& write, c
   files.publish();
 }
 
-/// A mesh, its skeleton, and how it was computed.
+/// A mesh, its skeleton, and the report of the computation.
 struct Skeletonized_input
 {
   Skeletonize_options options;
@@ -74,7 +74,7 @@ struct Skeletonized_input
   Mesh& mesh() { return input.mesh; }
   const Skeleton& skeleton() const { return result.skeleton; }
 
-  /// The report of the skeleton, with what was made of it.
+  /// The report of the skeleton and of its application.
   nlohmann::ordered_json document(const std::string& name, nlohmann::ordered_json part) const
   {
     nlohmann::ordered_json all = report_document(options, input.repairs.sentences(), result);
@@ -88,15 +88,14 @@ Skeletonized_input skeletonized_input(const Application_options& options)
   check_files(options);
   Skeletonized_input result;
   result.options.input = options.input;
-  constexpr bool keeps_file = true; // what is written follows the order of the file
+  constexpr bool keeps_file = true; // the output follows the order of the file
   result.input = read_mesh(options.input, options.format, options.is_quiet, keeps_file);
   result.result = skeletonize_input(result.input, result.options, nullptr);
   return result;
 }
 
-/// CGAL's segmentation of shape diameters: the number of thicknesses that it tells apart is its default. Its default of
-/// the weight of short boundaries, 0.26, is for noisier diameters, found by rays: with ours, most bodies stay in one
-/// part.
+/// CGAL's segmentation of shape diameters, with CGAL's default number of clusters. Its default of the weight of short
+/// boundaries, 0.26, is for noisier diameters, found by rays: with ours, most bodies stay in one part.
 constexpr std::size_t number_of_clusters = 5;
 constexpr double smoothness = 0.1;
 
@@ -112,8 +111,8 @@ std::size_t segment_by_diameter(Skeletonized_input& input, FaceLabelMap labels)
 
 using Labels = Mesh::Property_map<Mesh::Face_index, std::size_t>;
 
-/// Which faces of the mesh come from which faces of the file; as long as nothing was cut or removed, those of the same
-/// number.
+/// The faces of the mesh and the faces of the file that they come from. They have the same numbers unless faces were
+/// cut or removed.
 CSCD::internal::Faces_of_file faces_of_file(const Input& input)
 {
   CSCD::internal::Faces_of_file result;
@@ -139,7 +138,7 @@ void check(const Segment_options& options)
   }
 }
 
-/// The parts of a mesh: how many faces and which area they have.
+/// The parts of a mesh: their numbers of faces and their areas.
 nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh& mesh, Labels labels)
 {
   std::map<std::size_t, std::pair<std::size_t, double>> parts;
@@ -159,7 +158,7 @@ nlohmann::ordered_json parts_document(const Segment_options& options, const Mesh
   return result;
 }
 
-/// What is known of the shape diameters at vertices with a face.
+/// Statistics of the shape diameters at vertices with a face.
 nlohmann::ordered_json diameters_document(std::vector<double> values)
 {
   values.erase(std::remove(values.begin(), values.end(), 0.), values.end());

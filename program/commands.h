@@ -20,7 +20,7 @@ void skeletonize(const Skeletonize_options& options);
 /// Reads a mesh and a skeleton, measures the skeleton and writes the measures.
 void evaluate(const Evaluate_options& options);
 
-/// Reads two skeletons and writes how alike they are.
+/// Reads two skeletons and writes a comparison.
 void compare(const Compare_options& options);
 
 /// Reads a skeleton, simplifies it and writes it.

@@ -175,8 +175,8 @@ Skeletonization_result run_skeletonization(const Traits& traits, const Policies&
   return result;
 }
 
-/// As `run_skeletonization()` with the policies that are not those of the local method. The page that computes has none
-/// of them: it would be too large.
+/// As `run_skeletonization()` with the policies of other than the local method. The page that computes omits them to
+/// stay small.
 template <class Traits, class Policies, class AnySkeleton>
 Skeletonization_result
 run_other_method([[maybe_unused]] const Traits& traits, [[maybe_unused]] const Policies& policies,
@@ -219,8 +219,7 @@ Skeletonization_result make_result(const CSCD::Skeleton& skeleton, CSCD::Skeleto
   return result;
 }
 
-/// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if that is asked
-/// for.
+/// Skeletonizes the mesh of `input`, or its triangles, which are used up. The mesh is wrapped first if requested.
 Skeletonization_result compute_mesh_skeleton(Input& input, const Skeletonize_options& options,
                                              Progress_visitor& visitor)
 {
@@ -321,7 +320,7 @@ Skeletonization_result compute_surface_skeleton(const Surface_traits& traits, co
   return result;
 }
 
-/// The skeleton of points that may be no surface, with the reason in front of the warnings.
+/// The skeleton of points that may not sample a surface, with the reason in front of the warnings.
 Skeletonization_result compute_recognized_tree_skeleton(Input& input, const Skeletonize_options& options,
                                                         const std::string& reason)
 {

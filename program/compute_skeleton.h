@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The computation of the skeleton, which node the vertices of the input belong to, and wraps around meshes.
+// The computation of the skeleton, the nodes of the vertices of the input, and wraps around meshes.
 
 #ifndef CSCD_PROGRAM_COMPUTE_SKELETON_H
 #define CSCD_PROGRAM_COMPUTE_SKELETON_H
@@ -20,7 +20,7 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
                                         const Stage_progress& progress);
 
 /// The label of each vertex or point of the file, in its order.
-/// \pre `input` has kept what was read
+/// \pre `input` has kept the contents of the file
 std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result);
 
 /// Replaces the mesh of `input` by the surface that CGAL's alpha wrapping puts around it: closed, without parts that

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The program cscd: skeletons of meshes and point sets from the command line, and how good they are.
+// The program cscd: skeletons of meshes and point sets from the command line, and their quality.
 
 #include "commands.h"
 #include "memory.h"
@@ -43,7 +43,7 @@ enum Exit_status
   internal_failure = 3
 };
 
-/// A command: its row in the help, its options, and what runs it.
+/// A command: its row in the help, its options, and its function.
 struct Command
 {
   const char* name;
@@ -179,7 +179,7 @@ void add_command(CLI::App& app, const Command& command)
 {
   CLI::App* added = app.add_subcommand(command.name, command.description);
   added->formatter(std::make_shared<Examples_first>(command.examples));
-  added->get_help_ptr()->group(""); // whoever reads the help knows it
+  added->get_help_ptr()->group(""); // readers of the help know this option
   for (const cscd::Option& option : command.options) {
     add_option(*added, option, command.options);
   }
@@ -194,7 +194,7 @@ void complain(std::string message)
 
 constexpr const char* not_enough_memory = "not enough memory; simplify the input or use a machine with more";
 
-/// Ends the program where a destructor has found no memory: those of JSON values need some.
+/// Ends the program if a destructor runs out of memory: destructors of JSON values need some.
 [[noreturn]] void terminate()
 {
   try {
@@ -211,7 +211,7 @@ constexpr const char* not_enough_memory = "not enough memory; simplify the input
 }
 
 /// The arguments. If the first one names no command, `skeletonize` stands in front.
-/// \throw cscd::Usage_error if there are none, or the first one is neither a command nor a file
+/// \throw cscd::Usage_error without arguments, or if the first one is neither a command nor a file
 std::vector<const char*> with_command(int argc, char** argv, const std::vector<Command>& commands)
 {
   std::vector<const char*> result(argv, argv + argc);
@@ -294,7 +294,7 @@ int main(int argc, char** argv)
     complain(not_enough_memory);
     return internal_failure;
   } catch (const std::exception& error) {
-    // oneTBB throws its own exception where there is no memory for the stack of a thread.
+    // oneTBB throws its own exception if memory for the stack of a thread is missing.
     complain(std::strstr(error.what(), "pthread_create") != nullptr
                  ? not_enough_memory
                  : std::string("internal failure: ") + error.what() +

@@ -66,7 +66,7 @@ class Manifest:
         try:
             if old[:len(header)] != header[:len(old)]:
                 raise ValueError
-            # Half a row is left by a process that was killed.
+            # A process that was killed may leave half a row.
             rows = self.read(old[len(header):old.rfind(b"\n") + 1].decode(errors="surrogateescape"))
             finished = {row["input"]: row for row in reversed(rows) if row["status"] in FINISHED}
             new = header + b"".join(map(self.line, reversed(finished.values())))
@@ -142,7 +142,7 @@ def parse_arguments(arguments):
 
 
 def check_command(command):
-    """Options of cscd skeletonize, by which each input must get files of its own."""
+    """Checks the options of cscd skeletonize, which must give each input its own files."""
     names = [option.split("=")[0] for option in command]
     if "--report" in names:
         raise Refusal("--report: the manifest has the counts; leave it out")
@@ -155,7 +155,7 @@ def check_command(command):
 
 
 def make_tasks(options):
-    """The inputs, each once, and the names of their results, which lie to each other as the inputs do."""
+    """The inputs, each once, and the names of their results, in the same arrangement of folders."""
     inputs = list(options.inputs)
     if options.list:
         with open(0 if options.list == "-" else options.list, encoding="utf-8", errors="surrogateescape") as lines:
@@ -286,7 +286,7 @@ def run(options):
             signal.signal(number, stop)
     try:
         batch.run(new_tasks)
-    except SystemExit as end:  # whoever started this learns why it ended
+    except SystemExit as end:  # ends by the signal, so that the parent process knows the cause
         signal.signal(-end.code, signal.SIG_DFL)
         os.kill(os.getpid(), -end.code)
     if not options.quiet:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The commands `cscd evaluate` and `cscd compare`: from arguments to measures, for programs and for people.
+// The commands `cscd evaluate` and `cscd compare`: from arguments to measures, as JSON and as text.
 
 #include "commands.h"
 #include "types.h"

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
 
-/// The number in a file, or behind `key` there; nothing if there is none, as where a group has no bound.
+/// The number in a file, or after `key` there; nothing without a number, for example if a group has no bound.
 std::optional<std::size_t> number_in(const std::string& file, const std::string& key = "")
 {
   std::ifstream in(file);

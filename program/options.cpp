@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tables of options, and how they are set and checked.
+// The tables of options, and functions that set and check them.
 
 #include "options.h"
 

@@ -66,7 +66,7 @@ struct Swc_arguments
   double scale = 1;                      ///< of coordinates and radii
 };
 
-/// The voxels of a volume that are of a body, and how they are connected.
+/// The voxels of a volume that belong to a body, and their connectivity.
 struct Volume_options
 {
   std::optional<unsigned> label;   ///< of the body; without it and the others all voxels that are not 0 are of it
@@ -151,7 +151,7 @@ struct Simplify_options
   bool is_quiet = false;
 };
 
-/// The options that the commands on the skeleton of a mesh have in common.
+/// The common options of the commands on the skeleton of a mesh.
 struct Application_options
 {
   std::string input;  ///< a file name, or `standard_stream`
@@ -186,7 +186,7 @@ inline constexpr unsigned graph_input = 8;
 inline constexpr unsigned any_input = mesh_input | point_input | volume_input | graph_input;
 /// @}
 
-/// Where the value of an option is kept.
+/// The place of the value of an option.
 using Option_value =
     std::variant<bool*, unsigned*, std::size_t*, double*, std::optional<int>*, std::optional<unsigned>*,
                  std::optional<double>*, std::string*, std::vector<std::string>*>;
@@ -247,7 +247,7 @@ std::vector<Option> options_of(Segment_options& options);
 std::vector<Option> options_of(Loops_options& options);
 /// @}
 
-/// The fault of the value `root` of `--root`; empty if there is none.
+/// The fault of the value `root` of `--root`; empty without a fault.
 std::string check_root(const std::string& root);
 
 /// Calls `check`, which looks at the name of a file. \param more behind its message
@@ -257,13 +257,13 @@ void check_name(const std::function<void()>& check, const std::string& more = ""
 /// \throw Usage_error if there are several results on standard output
 void check_standard_output(std::ptrdiff_t number_of_results);
 
-/// Whether the option says how a skeleton is made. Such options are arguments in Python.
+/// Whether the option affects the computation of a skeleton. Such options are arguments in Python.
 bool is_of_method(const Option& option);
 
 /// The name of the argument in Python.
 std::string python_name(const Option& option);
 
-/// The value as text; empty if there is none.
+/// The value as text; empty without a value.
 std::string text_of(const Option& option);
 
 /// Sets the value. \throw Usage_error naming the option and its range if `text` is not such a value
@@ -272,7 +272,7 @@ void assign(const Option& option, const std::string& text);
 /// The rows of the table of `options` whose values are not the defaults.
 std::vector<Option> given_options(Skeletonize_options& options);
 
-/// The options that name files besides those of the skeleton, with their dashes, and where the names are kept.
+/// The options, with dashes, that name other files than those of the skeleton, and the places of these names.
 std::vector<std::pair<std::string, std::string*>> other_files(Skeletonize_options& options);
 
 /// The number of results that go to standard output.

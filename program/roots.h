@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where a skeleton begins, and files whose content depends on it.
+// The roots of a skeleton, and files whose content depends on them.
 
 #ifndef CSCD_PROGRAM_ROOTS_H
 #define CSCD_PROGRAM_ROOTS_H

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The command `cscd simplify`, and what `cscd skeletonize` does with fragments.
+// The command `cscd simplify`, and the treatment of fragments by `cscd skeletonize`.
 
 #include "commands.h"
 #include "roots.h"

@@ -115,7 +115,7 @@ std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repai
   return result;
 }
 
-/// What the page shows of a point set; nothing for a mesh.
+/// The points and repairs of a point set for the page; nothing for a mesh.
 CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
 {
   if (result.tree) {
@@ -135,14 +135,14 @@ CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonizatio
           centers(result.report.reconstruction->joined_gaps)};
 }
 
-/// Whether the mesh of `input` is the surface of a body: not that of a tree or graph, which has no faces, nor the
-/// triangles that join points by the published method.
+/// Whether the mesh of `input` is the surface of a body, unlike the mesh of a tree or graph, which has no faces, and
+/// the triangles that join points by the published method.
 bool bounds_body(const Skeletonization_result& result, const Skeletonize_options& options)
 {
   return !result.tree && options.domain.empty() && !(result.is_of_points && options.method == published_method);
 }
 
-/// Writes which node the vertices of the file belong to, and says how many belong to none.
+/// Writes the node that each vertex of the file belongs to, and reports the number of vertices without a node.
 void write_labels(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                   const Skeletonize_options& options)
 {
@@ -167,7 +167,7 @@ void write_labels(CSCD::File_group& files, const Input& input, const Skeletoniza
   }
 }
 
-/// \throw CSCD::Input_error if the rig needs the surface of a body, and there is none
+/// \throw CSCD::Input_error if the rig needs the surface of a body, and the input has no such surface
 void write_rig(CSCD::File_group& files, const std::string& output, const Input& input,
                const Skeletonization_result& result, const Skeletonize_options& options)
 {
@@ -369,7 +369,7 @@ void check_options(const Input& input, const Skeletonize_options& options)
   }
 }
 
-/// Refuses options that do not apply to points by what these were recognized as.
+/// Refuses options that do not apply to points after these were recognized as a surface or trees.
 void check_options(const Skeletonization_result& result, const Skeletonize_options& options)
 {
   if (result.tree && (options.fragments.joins_components || options.fragments.min_component_size > 0)) {
@@ -437,7 +437,7 @@ bool needs_mesh(const Skeletonize_options& options)
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }
 
-/// As `read_input()`; where a mesh cannot be repaired, the message says what can be done with it still.
+/// As `read_input()`; if a mesh cannot be repaired, the message names the remaining options.
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
@@ -448,7 +448,7 @@ Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
   }
 }
 
-/// Skeletonizes `input` and writes what is to be written to `files`.
+/// Skeletonizes `input` and writes the outputs to `files`.
 Skeletonization_result skeletonize_and_write(CSCD::File_group& files, Input& input, const Skeletonize_options& options)
 {
   std::optional<Progress_bar> bar;

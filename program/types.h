@@ -47,14 +47,14 @@ struct Input
   CSCD::Mesh_repair_report repairs;
   std::vector<Point> points;
   std::vector<Vector> normals;         ///< of the points, or empty
-  std::optional<CSCD::Skeleton> graph; ///< if it is taken for one: its vertices are the points
+  std::optional<CSCD::Skeleton> graph; ///< if treated as a graph: its vertices are the points
   std::optional<Volume_body> volume;   ///< if the mesh is the surface of voxels
   bool is_wrapped = false;             ///< whether the mesh is a wrap around that of the file
-  bool has_other_columns = false;      ///< whether three numbers beside each point are no normals
-  CSCD::Shape_file as_read;            ///< what the file has, if it was to be kept
+  bool has_other_columns = false;      ///< whether three numbers after each point are not normals
+  CSCD::Shape_file as_read;            ///< the contents of the file, if kept
 };
 
-/// A skeleton, how it was computed, and, if it is that of a surface, the closed curves by which this was cut.
+/// A skeleton, the report of its computation and, for a surface, the closed curves that cut the surface.
 struct Skeletonization_result : Run_report
 {
   Skeleton skeleton;
@@ -64,12 +64,12 @@ struct Skeletonization_result : Run_report
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
 using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, double fraction)>;
 
-/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes what
-/// was repaired to standard error unless `is_quiet`.
+/// Reads a mesh or points from the file `name`, or from standard input if that is `standard_stream`, and writes the
+/// repairs to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
 /// \param keeps_file whether the input is also kept as it was read
 /// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
-/// \param number_of_threads 0 for all that the machine has
+/// \param number_of_threads 0 for all of the machine
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
                  bool makes_mesh = true, unsigned number_of_threads = 1);
@@ -80,7 +80,7 @@ void check_format_of_standard_input(const std::string& format);
 /// Reads the polygons or points of a file or of standard input, as `read_input()` does.
 CSCD::Shape_file read_soup(const std::string& name, const std::string& format);
 
-/// Makes a mesh, triangles or points of what was read, as `read_input()` does, and says what was repaired.
+/// Makes a mesh, triangles or points of `soup`, as `read_input()` does, and reports repairs.
 Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
                unsigned number_of_threads);
 
@@ -98,13 +98,13 @@ CSCD::Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<C
 /// The input that is this graph.
 Input make_input(CSCD::Skeleton graph);
 
-/// What an input is called in messages.
+/// The name of an input in messages.
 std::string name_of(const std::string& input);
 
 /// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
 Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
 
-/// Refuses files from which no skeleton can be read, by their endings.
+/// Refuses files whose ending is not that of a format of skeletons.
 /// \throw Usage_error
 void check_skeleton_argument(const std::string& filename);
 
@@ -113,7 +113,7 @@ void check_skeleton_argument(const std::string& filename);
 /// \throw CSCD::File_error
 bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton);
 
-/// Refuses outputs to which no skeleton can be written, by their endings, and those that are the input.
+/// Refuses outputs whose ending is not that of a format of skeletons, and outputs that are the input.
 /// \param other_endings that the command knows, for messages
 /// \throw Usage_error
 void check_skeleton_outputs(const std::vector<std::string>& outputs, const std::string& input,
@@ -162,23 +162,23 @@ void write_output(const std::string& filename, const Write& write)
 bool is_page(const std::string& output);
 
 /// Writes the viewer page.
-/// \param name of the input, without its folder, which means nothing to whom the page is given
+/// \param name of the input, without its folder, which has no meaning for other readers of the page
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
 
 /// Checks that pages can be written. \param option that asks for one \throw Usage_error
 void check_viewer_source(const std::string& option);
 
-/// Measures `skeleton` against `input`, and writes the reconstructed surfaces for which `options` name files.
+/// Measures `skeleton` against `input`, and writes the reconstructed surfaces to the files that `options` name.
 /// \throw `CSCD::Input_error`, `CSCD::File_error`
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);
 
 /// Simplifies a skeleton that has radii.
-/// \param mesh of which the skeleton stays inside, or null
+/// \param mesh that the skeleton stays inside of, or null
 /// \throw `CSCD::Input_error`
 CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton);
 
-/// Refuses an output file that is the input, by whatever name.
-/// \param option by which the output is named
+/// Refuses an output file that is the input, under any name.
+/// \param option that names the output
 /// \throw Usage_error if it is
 void check_is_not_input(const std::string& output, const std::string& input, const std::string& option);
 

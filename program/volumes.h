@@ -23,7 +23,7 @@ bool is_node_volume(const std::string& output);
 /// \throw Usage_error
 void check_volume_options(const Skeletonize_options& options);
 
-/// Skeletonizes the surface of a body in a volume and writes the results that are no volumes to `files`.
+/// Skeletonizes the surface of a body in a volume and writes the results, except volumes, to `files`.
 using Skeletonize_body =
     std::function<Skeletonization_result(CSCD::File_group& files, Input& body, const Skeletonize_options& options)>;
 

@@ -51,7 +51,7 @@ CSCD::Shape_file to_soup(const Wrap& wrap)
 
 void wrap_mesh(Input& input, double size)
 {
-  // How far the wrap stays off the mesh, relative to what it closes, as in CGAL's examples.
+  // The distance of the wrap from the mesh, relative to the size of closed gaps, as in CGAL's examples.
   constexpr double offset = 1. / 30;
   std::vector<Exact_kernel::Point_3> points;
   CGAL::Bbox_3 box;

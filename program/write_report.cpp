@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The report of a run, for programs and for people.
+// The report of a run, as JSON and as text.
 
 #include "write_report.h"
 
@@ -58,7 +58,7 @@ Json by_outcome(const std::array<const char*, size>& names, const Numbers& numbe
   return result;
 }
 
-/// Why sources have no cut point that is accepted.
+/// The reasons why sources have no accepted cut point.
 Json rejections(const CSCD::Skeletonization_report& r)
 {
   constexpr std::array<const char*, CSCD::number_of_cut_loop_outcomes> names{
@@ -193,7 +193,7 @@ Json gaps(const CSCD::Tree_report& r)
   return result;
 }
 
-/// The options that were given and say how the skeleton is made.
+/// The given options that affect the computation of the skeleton.
 Json options_part(Skeletonize_options options)
 {
   Json result = Json::object();

@@ -26,7 +26,7 @@
 
 namespace cscd {
 
-/// Where a limb ends at a border of the mesh.
+/// The place where a limb ends at a border of the mesh.
 struct Opening
 {
   std::size_t node = 0;
@@ -42,28 +42,28 @@ struct Volume_body
   std::size_t number_of_cavities = 0;
 };
 
-/// What is known of a run besides the skeleton.
+/// The report of a run, without the skeleton.
 struct Run_report
 {
   CSCD::Skeletonization_report report;
-  std::optional<CSCD::Tree_report> tree; ///< if the input was taken for a scan of trees: the report that counts
+  std::optional<CSCD::Tree_report> tree; ///< if the input was treated as a scan of trees: the report that counts
   bool is_of_points = false;             ///< or else of a mesh
   bool has_normals = false;              ///< whether the points came with normals
-  std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty if there are none
+  std::vector<CSCD::Index> roots;        ///< of the skeleton, by choice, or of a scan of trees; empty without any
   CSCD::Skeleton_branches branches;
   std::vector<Opening> openings;
   std::optional<Volume_body> volume;                    ///< if the surface is that of voxels
   std::vector<CSCD::Tree_measures> trees;               ///< the objects of a scan of trees
-  std::optional<CSCD::Simplification_report> fragments; ///< what became of fragments, if anything was to be done
+  std::optional<CSCD::Simplification_report> fragments; ///< the treatment of fragments, if requested
 
-  /// What the user should know: one sentence each.
+  /// The warnings for the user: one sentence each.
   const std::vector<std::string>& warnings() const { return tree ? tree->warnings : report.warnings; }
 };
 
 /// `text` with control characters, which could stand in a file name and act on a terminal, as escape sequences.
 std::string printable(const std::string& text);
 
-/// `json` as text. What is no UTF-8, as in file names, is replaced.
+/// `json` as text. Bytes that are not UTF-8, as in file names, are replaced.
 std::string dump_json(const nlohmann::ordered_json& json);
 
 /// The report of a run as a JSON object. \param repairs of the input, a sentence each
@@ -74,7 +74,7 @@ nlohmann::ordered_json report_document(const Skeletonize_options& options, const
 void write_report(std::ostream& out, const Skeletonize_options& options, const std::vector<std::string>& repairs,
                   const Run_report& result);
 
-/// Writes a few lines for people: counts, topology, time.
+/// Writes a few lines of text: counts, topology, time.
 void write_summary(std::ostream& out, const Skeletonize_options& options, const Run_report& result);
 
 } // namespace cscd

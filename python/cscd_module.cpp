@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The compiled part of the Python module: between NumPy's arrays and the commands of the program. What users see is in
-// cscd/__init__.py.
+// The compiled part of the Python module: between NumPy's arrays and the commands of the program. The public interface
+// is in cscd/__init__.py.
 
 #include "compute_skeleton.h"
 #include "options.h"
@@ -65,12 +65,12 @@ static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_ind
 static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
               "NumPy sees points and edges as rows");
 
-/// What was skeletonized.
+/// The input of a skeletonization.
 struct Source
 {
   cscd::Input input; ///< of a mesh, it has kept the points of the arrays
 
-  /// What messages call the input.
+  /// The name of the input in messages.
   const char* name() const { return input.graph ? "graph" : input.is_point_set ? "points" : "mesh"; }
 };
 
@@ -90,8 +90,8 @@ std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string
   return result;
 }
 
-/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row. -1 behind
-/// the third value of a row stands for no vertex.
+/// Calls `add_vertex(vertex)` for all values of `rows`, which has this name, and `end_row()` after each row. -1 after
+/// the third value of a row does not stand for a vertex.
 template <class AddVertex, class EndRow>
 void for_each_vertex(const Corners& rows, const std::string& name, py::ssize_t number_of_vertices,
                      const AddVertex& add_vertex, const EndRow& end_row)
@@ -197,8 +197,8 @@ py::list describe_options()
   return result;
 }
 
-/// Passes progress on to `callback(stage, fraction)`, which is referred to and may be None, and raises what signals of
-/// the user raise, such as KeyboardInterrupt.
+/// Passes progress on to `callback(stage, fraction)`, which is referred to and may be None, and raises the exceptions
+/// of the user's signals, such as KeyboardInterrupt.
 cscd::Stage_progress to_progress(const py::object& callback)
 {
   return [&callback](CSCD::Skeletonization_stage stage, double fraction) {
@@ -212,7 +212,7 @@ cscd::Stage_progress to_progress(const py::object& callback)
   };
 }
 
-/// A skeleton, with its arrays as NumPy shows them and what it was made of.
+/// A skeleton, with its arrays as NumPy shows them and its input.
 class Python_skeleton
 {
 public:
@@ -257,7 +257,7 @@ private:
   {
     cscd::Skeletonize_options options = m_options;
     options.root = root.empty() ? options.root : root;
-    // The limbs of a tree name nodes that may be gone, and there is no surface.
+    // The limbs of a tree name nodes that may be gone, and a tree has no surface.
     std::optional<CSCD::Tree_report> tree = std::exchange(result.tree, std::nullopt);
     if (tree) {
       options.report.clear();
@@ -448,7 +448,7 @@ void define_arrays(py::class_<Python_skeleton>& type)
   });
 }
 
-/// The corners of the polygons, a row each, with -1 behind the corners of those that have fewer than others.
+/// The corners of the polygons, a row each, padded with -1 to the length of the longest.
 py::object polygons_of(const CSCD::Shape_file& shape)
 {
   std::size_t width = 0;
@@ -464,7 +464,7 @@ py::object polygons_of(const CSCD::Shape_file& shape)
   return result;
 }
 
-/// A new array of rows of three or two numbers; None if there are none.
+/// A new array of rows of three or two numbers; None if `rows` is empty.
 template <class Value, class Row>
 py::object rows_or_none(const std::vector<Row>& rows)
 {
@@ -473,7 +473,7 @@ py::object rows_or_none(const std::vector<Row>& rows)
                       : py::array_t<Value>({rows.size(), width}, reinterpret_cast<const Value*>(rows.data()));
 }
 
-/// Points, polygons, normals, edges and radii of a file; None stands for what it does not have.
+/// Points, polygons, normals, edges and radii of a file; None stands for missing arrays.
 py::tuple read_file(const std::string& filename)
 {
   CSCD::Shape_file shape;

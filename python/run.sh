@@ -2,14 +2,14 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the Python module cscd and runs its tests. Takes no arguments; may
+# Installs missing packages (Debian, Ubuntu), builds the Python module cscd and runs its tests. Takes no arguments; may
 # be run again.
 
 set -euo pipefail
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$source_dir/build
-# That of the packages, whatever else is first in PATH.
+# The Python of the packages, even if another is first in PATH.
 python=/usr/bin/python3
 
 # shellcheck source=cmake/install_packages.sh

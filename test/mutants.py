@@ -57,7 +57,7 @@ def first_failure(build, tests):
 
 
 def make(mutant, build):
-    """What came of a fault, which is not left in the file."""
+    """The outcome of a fault. The file is restored."""
     file = ROOT / mutant["file"]
     text = file.read_text(encoding="utf-8")
     try:

@@ -51,7 +51,7 @@ using CSCD::test::Shape_maker;
 using CSCD::test::Similarity;
 
 constexpr std::size_t number_of_sources = 200;
-/// Enough for what must hold whatever is found.
+/// Enough for properties that hold for all separators.
 constexpr std::size_t few_sources = 32;
 
 template <class ConcurrencyTag = CGAL::Sequential_tag>
@@ -123,7 +123,7 @@ TEST(Published_policies, follow_the_middle_of_sheets)
       sum += sheet.distance_from_middle(point) / sheet.half_width;
     }
     EXPECT_LT(sum / double(plain.points.size()), 0.05);
-    if (report.number_of_junctions == 0) { // edges beside a junction cut the corner between middle lines
+    if (report.number_of_junctions == 0) { // edges next to a junction cut the corner between middle lines
       EXPECT_LT(CSCD::test::max_distance_from_middle(sheet, plain.points, plain.edges), 0.05);
     }
     EXPECT_EQ(report.number_of_tips, sheet.ends.size());
@@ -284,7 +284,7 @@ TEST_F(Multiscale_search, finds_what_a_search_on_the_surface_finds)
   }
 }
 
-/// Whatever the sources find, and if it is nothing.
+/// For any separators, even without any.
 class Published_method_on_hard_shapes : public Published_method
 {
 };

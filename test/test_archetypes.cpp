@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library runs on types that have no more than the concepts ask for.
+// The library runs on minimal models of the concepts.
 
 #include "Surface/to_indexed_triangles.h"
 #include "archetypes/Policies_archetype.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The library's own classes are models of the concepts; what is refused, and how, is seen in compile_errors, and that
-// no more is asked for in test_archetypes.cpp.
+// The library's own classes are models of the concepts. compile_errors tests the refused types and their messages;
+// test_archetypes.cpp tests that the concepts suffice.
 
 #include <CSCD/Local_policies.h>
 #include <CSCD/Points/Point_solid.h>

@@ -447,8 +447,7 @@ TEST(Degenerate_input, fragments_without_thickness_have_no_inside)
             std::ptrdiff_t(number));
 }
 
-/// Cubes of side `width` at the points of a lattice of n x n x n, those beside each other joined by struts of eight
-/// faces.
+/// Cubes of side `width` at the points of a lattice of n x n x n; struts of eight faces join neighbors.
 Shape wire_lattice(std::size_t n, double width)
 {
   Shape shape;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances on meshes beside exact shortest paths and CGAL's heat method; kinds of meshes, sources and parameters.
+// Distances on meshes against exact shortest paths and CGAL's heat method; kinds of meshes, sources and parameters.
 
 #include "Surface/to_surface.h"
 #include "Traits/message_of.h"

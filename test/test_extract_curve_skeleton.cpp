@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole pipeline on generated shapes with known answers, and what the entry point promises.
+// The whole pipeline on generated shapes with known answers, and the guarantees of the entry point.
 
 #include "support/Centreline_error.h"
 #include "support/Inside_count.h"
@@ -34,7 +34,7 @@ using CSCD::test::Shape_maker;
 using CSCD::test::Violations;
 namespace parameters = CSCD::parameters;
 
-/// A shape, its mesh and what the pipeline makes of it.
+/// A shape, its mesh and the result of the pipeline.
 class Skeletonized_shape : public testing::TestWithParam<Shape_maker>
 {
 protected:
@@ -110,7 +110,7 @@ TEST_P(Open_shape, satisfies_the_invariants)
 
 INSTANTIATE_TEST_SUITE_P(All, Open_shape, testing::ValuesIn(CSCD::test::open_shapes()), CSCD::test::name_of_shape);
 
-/// Removes the triangles of which all corners are in the part of space `is_removed`.
+/// Removes the triangles with all corners in the part of space `is_removed`.
 template <class Predicate>
 Shape cut_off(Shape shape, const Predicate& is_removed)
 {
@@ -218,7 +218,7 @@ TEST_F(Open_end, holes_windows_and_sheets_are_none)
   EXPECT_TRUE(m_openings.empty());
 }
 
-/// What the entry point promises, on one shape.
+/// The guarantees of the entry point, on one shape.
 class Extract_curve_skeleton : public testing::Test
 {
 protected:
@@ -283,7 +283,7 @@ TEST(Thin_wall, of_a_cup_leads_no_branch_around_its_hollow)
   EXPECT_GT(report.number_of_tunnels, 0u);
   EXPECT_LE(report.number_of_tips, 1u);
   EXPECT_EQ(report.number_of_edges_outside, 0u);
-  // What is left without branches to tips is the cycle.
+  // Removing branches to tips leaves the cycle.
   ASSERT_EQ(report.betti_number, 1u);
   for (bool is_changed = true; is_changed;) {
     is_changed = false;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of point sets: their topology on generated shapes of several densities and noise levels, what must not
-// change them, and input of which no surface can be made.
+// Skeletons of point sets: their topology on generated shapes of several densities and noise levels, their invariance,
+// and input without a possible surface.
 
 #include "support/Shape.h"
 #include "support/Similarity.h"
@@ -59,7 +59,7 @@ struct Outcome
   CSCD::Skeletonization_report report;
 };
 
-/// Skeletonizes and checks what must hold for every point set.
+/// Skeletonizes and checks properties that hold for every point set.
 Outcome skeletonize(const std::vector<Triple>& triples)
 {
   const Points points = to_points(triples);
@@ -125,7 +125,7 @@ TEST_P(Sampled_shape, has_it_under_noise)
   for (const double deviation : {0.3, 0.6, 1.0}) {
     SCOPED_TRACE(deviation);
     const Outcome outcome = skeletonize(CSCD::test::shaken(clean, deviation * spacing, 2));
-    // With noise as large as the spacing, thin limbs and bodies that nearly touch are beyond what can be told.
+    // With noise as large as the spacing, thin limbs and bodies that nearly touch cannot be distinguished.
     if (deviation < 1) {
       expect_topology(m_shape, outcome);
     }
@@ -308,7 +308,7 @@ TEST(Point_skeleton, handles_few_or_coplanar_points)
   EXPECT_EQ(1u, skeletonize(plane).report.number_of_skeleton_components);
 }
 
-/// The message with which `points` are refused; the skeleton stays as it was.
+/// The message that refuses `points`; the skeleton stays as it was.
 std::string refusal(const std::vector<Triple>& points)
 {
   Skeleton skeleton;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cut loci where the truth is known, and what the function promises on any surface.
+// Known cut loci, and the guarantees of the function on any surface.
 
 #include "support/Similarity.h"
 #include "support/convert_shape.h"

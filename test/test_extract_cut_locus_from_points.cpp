@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cut loci of point clouds: where symmetry says they are, with and without noise, whatever the order of the points.
+// Cut loci of point clouds: at the places that symmetry implies, with and without noise, for any order of the points.
 
 #include "support/Similarity.h"
 #include "support/convert_shape.h"

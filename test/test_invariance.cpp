@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What must not change the skeleton: the pose and the unit of the input, the order and the type of its storage, the
+// The skeleton does not depend on the pose and the unit of the input, the order and the type of its storage, and the
 // type of the output.
 
 #include "support/Similarity.h"
@@ -92,7 +92,7 @@ TEST_P(Invariance, under_the_type_of_the_mesh)
   EXPECT_EQ(difference(expected, skeletonize<Linear_cell_complex>(m_shape), tolerance), "");
 }
 
-/// Symmetry is no excuse where the pose stays.
+/// Symmetry does not excuse differences if the pose stays.
 class Renumbering : public testing::TestWithParam<Shape_maker>
 {
 };

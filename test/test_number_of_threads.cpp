@@ -31,7 +31,7 @@ using CSCD::test::Shape_maker;
 /// Arbitrary, but not the default.
 constexpr unsigned seed = 5;
 
-/// Expects that as many threads are used as are asked for, if any number is.
+/// Expects the use of the requested number of threads, if given.
 template <class ConcurrencyTag>
 Plain_skeleton skeletonize(const Mesh& mesh, unsigned number_of_threads)
 {
@@ -75,7 +75,7 @@ TEST_P(Number_of_threads, changes_nothing)
 #endif
 }
 
-/// Two calls at once, by both methods, give what each gives alone.
+/// Two calls at once, by both methods, give the same results as each alone.
 TEST(Calls_from_two_threads, do_not_disturb_each_other)
 {
   const Mesh comb = CSCD::test::to_mesh<Mesh>(CSCD::test::comb(6, 0.2));

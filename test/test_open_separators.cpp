@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of sheets, whose separators lead from border to border, and which borders these are.
+// Skeletons of sheets, whose separators lead from border to border, and the choice of these borders.
 
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"

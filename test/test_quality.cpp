@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The quality of skeletons of CGAL's closed meshes is not worse than in the table quality.txt beside this file.
+// The quality of skeletons of CGAL's closed meshes is not worse than in the table quality.txt next to this file.
 //
 // Where a change is better on the whole, this command writes the table anew, and the difference shows what got worse:
 //   CSCD_WRITE_QUALITY=1 build-checked/bin/test/test_quality

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// For every kind of input and both methods, a visitor hears each stage, and can stop the work.
+// For every kind of input and both methods, a visitor is notified of each stage, and can stop the work.
 
 #include "support/expect_skeleton.h"
 #include "support/sampling.h"
@@ -42,7 +42,7 @@ struct Record
   std::size_t number_of_questions = 0;
 };
 
-/// Writes down what it hears, and stops the work at a question, counted from 1; 0: never.
+/// Records its notifications, and stops the work at a question, counted from 1; 0: never.
 class Recording_visitor
 {
 public:

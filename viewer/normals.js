@@ -37,7 +37,7 @@ function corners_of_vertices(triangles, number_of_vertices) {
   return { first, corners };
 }
 
-// The direction of the sum; zero if there is none.
+// The direction of the sum; zero if the sum is zero.
 function mean_direction(vectors) {
   const sum = [0, 0, 0];
   for (const v of vectors) for (let k = 0; k < 3; ++k) sum[k] += v[k];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The panel and the keyboard: they choose what the picture shows.
+// The panel and the keyboard: they choose the content of the picture.
 
 import { make_coloring, ramp, special_colors } from './colors.js';
 import { branches_at, describe_branch, describe_node, detail_of, figure } from './model.js';

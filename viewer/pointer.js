@@ -29,14 +29,14 @@ function node_at(panel, x, y, within) {
   return nearest(distances, within);
 }
 
-// The distance of a place from the segment between two others, and at which part of the segment it is.
+// The distance of a place from the segment between two others, and the part of the segment at the nearest point.
 function distance_to_segment(x, y, a, b) {
   const [u, v] = [b.x - a.x, b.y - a.y];
   const part = Math.min(1, Math.max(0, ((x - a.x) * u + (y - a.y) * v) / (u * u + v * v || 1)));
   return { distance: Math.hypot(a.x + part * u - x, a.y + part * v - y), part };
 }
 
-// The node at a place; where there is none, the nearer end of the edge there.
+// The node at a place; without a node, the nearer end of the edge there.
 function node_or_end_at(panel, x, y, within) {
   const node = node_at(panel, x, y, within);
   if (node !== null || !panel.visible.skeleton) return node;

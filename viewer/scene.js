@@ -86,7 +86,7 @@ const tube_vertex = `
     gl_Position = projectionMatrix * p;
   }`;
 
-// Objects of a lesser number are drawn first.
+// Objects with a smaller number are drawn first.
 const render_order = { points: 5, balls: 10, surface: 20, near_curves: 30, marks: 40 };
 
 const rgb = (text) => new THREE.Color(text).toArray();

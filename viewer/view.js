@@ -81,7 +81,7 @@ export class View {
     this.is_fitted = true;
   }
 
-  // The least distance at which the picture holds all points, with a margin.
+  // The least distance where the picture holds all points, with a margin.
   distance_to_fit() {
     const margin = 1.12;
     const turn = this.camera.quaternion.clone().conjugate();
@@ -118,7 +118,7 @@ export class View {
     return this.camera.position.distanceTo(this.controls.target);
   }
 
-  // How many pixels this length takes at the depth of the target.
+  // The number of pixels of this length at the depth of the target.
   pixels(length) {
     return (length * this.height) / (2 * tangent * this.depth_of_target());
   }

@@ -37,8 +37,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Maps the shape to the cube from -1 to 1. Graphics cards compute in single precision, which suffices there wherever
-/// the shape is and whatever its size.
+/// Maps the shape to the cube from -1 to 1. Graphics cards compute in single precision, which suffices there for shapes
+/// of any place and size.
 class Frame
 {
 public:
@@ -107,7 +107,7 @@ Json encode(const std::vector<Number>& numbers)
   return Json::array({type, encode_base64(std::move(bytes))});
 }
 
-/// For each branch the threshold of `measure` above which pruning cuts it; infinite for what pruning leaves.
+/// For each branch the threshold of `measure`; greater thresholds let pruning cut it. Infinite for other branches.
 std::vector<double> limits(const Skeleton& skeleton, const std::vector<Index>& branch_of_edge,
                            std::size_t number_of_branches, Branch_measure measure)
 {
@@ -165,7 +165,7 @@ void add_branches(Skeleton skeleton, Json& arrays)
   }
 }
 
-/// Adds the closed curves, one after the other, and where each begins.
+/// Adds the closed curves, one after the other, and the index of the first point of each.
 void add_separators(const std::vector<std::vector<Vector_3>>& separators, const Frame& frame, Json& arrays)
 {
   std::vector<Vector_3> points;

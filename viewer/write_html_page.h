@@ -27,7 +27,7 @@ namespace CSCD {
 /// Whether three.js was found when this was built. Without it pages show a message in place of the picture.
 bool has_three_js();
 
-/// The points of a point set, and where its surface was repaired.
+/// The points of a point set, and the repairs of its surface.
 template <class Point>
 struct Html_page_cloud
 {
@@ -64,14 +64,14 @@ std::vector<Vector_3> to_vectors(const std::vector<Point>& points)
 /// writes a page for browsers that shows `skeleton` inside the translucent surface of `mesh`: one HTML file that needs
 /// no other file and no network.
 /// Positions are stored in single precision relative to the middle of the shape. The page's address can carry the first
-/// view: `page.html#separators=1&color=1&opacity=60&significance=1&up=z&panel=0`. Sliders hide branches by the rule by
-/// which `simplify_skeleton()` prunes. O(n log n).
+/// view: `page.html#separators=1&color=1&opacity=60&significance=1&up=z&panel=0`. Sliders hide branches by the pruning
+/// rule of `simplify_skeleton()`. O(n log n).
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \tparam SkeletonGraph a `Skeleton_graph`, or CGAL's `Mean_curvature_flow_skeletonization<TriangleMesh>::Skeleton`,
 ///         whose nodes have no radius, so that the page has no balls and no sliders
 /// \param separators closed curves on the surface, the first point not repeated; may be empty
 /// \param title heads the page; any text
-/// \param cloud the points behind a mesh that was made of points, and where it was repaired; empty for other meshes
+/// \param cloud the points of a mesh that was made of points, and its repairs; empty for other meshes
 /// \pre all faces of `mesh` are triangles; all coordinates are finite
 /// \throw File_error if `out` fails
 template <class TriangleMesh, class SkeletonGraph, class Point>

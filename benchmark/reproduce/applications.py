@@ -29,13 +29,13 @@ TITLES = ("1 - Rand index", "cut discrepancy", "Hamming", "global consistency", 
 
 
 class Runner:
-    """Runs the programs, keeps what the first has measured, and tells which runs failed or took too long."""
+    """Runs the programs, keeps the measurements of the first, and reports runs that failed or took too long."""
 
     def __init__(self, folder, timeout, jobs):
         self.folder, self.timeout, self.jobs, self.kept, self.failed = pathlib.Path(folder), timeout, jobs, {}, []
 
     def run(self, *command):
-        """What a program writes, or None."""
+        """The output of a program, or None."""
         try:
             return subprocess.run(command, capture_output=True, text=True, timeout=self.timeout, check=True).stdout
         except (subprocess.TimeoutExpired, subprocess.CalledProcessError) as error:
@@ -53,7 +53,7 @@ class Runner:
         return self.kept[key]
 
     def measure_all(self, arguments):
-        """Measures several at once; what a run takes is CPU time."""
+        """Measures several at once; the cost of a run is CPU time."""
         with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
             for _ in pool.map(lambda one: self.measure(*one), arguments):
                 pass
@@ -185,14 +185,14 @@ def divided(points, faces, _):
 
 
 def diameters_table(runner, meshes, poses):
-    """Agreement of shape diameters by skeletons and by rays, what changes them, and what they cost."""
+    """Agreement of shape diameters by skeletons and by rays, their stability, and their cost."""
     columns = collections.defaultdict(lambda: collections.defaultdict(list))
 
     def compare(row, method, first, second, vertices):
         """`vertices`: pairs of the same place."""
         if first and second:
             a, b = ([run["diameters"][pair[k]] for pair in vertices] for k, run in ((0, first), (1, second)))
-            # What has no face has no diameter.
+            # Vertices without a face have no diameter.
             a, b = zip(*[(x, y) for x, y in zip(a, b) if x > 0 and y > 0])
             columns[row][method].append((rank_correlation(a, b), difference(a, b)))
 
@@ -234,7 +234,7 @@ def read_numbers(path):
 
 
 def pose_files(folder):
-    """The meshes of each body in order, for which there is a correspondence: FOLDER/off and FOLDER/vts."""
+    """The meshes of each body that have a correspondence, in order: FOLDER/off and FOLDER/vts."""
     bodies = collections.defaultdict(list)
     for mesh in folder.glob("off/*.off"):
         if (folder / "vts" / f"{mesh.stem}.vts").exists():
@@ -255,7 +255,7 @@ def nearest_vertices(loop, points):
 
 
 def constrictions_table(runner, folder):
-    """In how many poses of all bodies the constrictions of the first pose are found again, by the correspondence."""
+    """The number of poses of all bodies that have the constrictions of the first pose, by the correspondence."""
     program = runner.folder / "cscd"
     (first, *others), *bodies = pose_files(folder).values()
     poses = [first] + others + [mesh for body in bodies for mesh in body]
@@ -289,7 +289,7 @@ def constrictions_table(runner, folder):
 
 
 def boundaries_text(runner, folder, step):
-    """How long boundaries of parts are beside the separators that they follow."""
+    """The lengths of boundaries of parts, compared with the separators that they follow."""
     meshes = [mesh for _, mesh in princeton_meshes(folder, 0, step)]
     runner.measure_all([(mesh, "skeleton", folder / "seg/Benchmark" / mesh.stem) for mesh in meshes])
     runs = [run for run in (runner.measure(mesh, "skeleton") for mesh in meshes) if run]

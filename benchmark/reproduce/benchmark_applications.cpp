@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Applications of skeletons on one mesh, beside the same by other means, for benchmark/reproduce/applications.py.
+// Applications of skeletons on one mesh, compared with other methods, for benchmark/reproduce/applications.py.
 //
 // Usage: benchmark_applications MESH METHOD [FOLDER]
 // Methods: `skeleton`, CSCD::segment_mesh() and our shape diameters; `diameter`, CGAL's segmentation by our shape
 // diameters; `rays`, CGAL's segmentation by its own shape diameters, which are found by rays; `mcf`, our shape
 // diameters of CGAL's skeleton by mean curvature flow, without a segmentation. FOLDER holds segmentations by people.
-// Writes one JSON object: CPU seconds, shape diameters of the vertices, the errors of the segmentation,
-// in the mean over the people, and of segment_mesh() the boundaries beside separators.
+// Writes one JSON object: CPU seconds, shape diameters of the vertices, the mean errors of the segmentation
+// over the people, and for segment_mesh() the boundaries compared with separators.
 
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
@@ -144,8 +144,8 @@ Boundaries find_boundaries(const Mesh& mesh, const Labels& labels)
   return result;
 }
 
-/// The lengths of the boundaries that are closed curves beside those of the nearest packed separators, and the mean
-/// distances of both, relative to the radius of a circle as long.
+/// Compares the boundaries that are closed curves with the nearest packed separators: both lengths, and the mean
+/// distances of both, relative to the radius of a circle of that length.
 Json compare_with_separators(const Skeletonization& skeletonization, const Mesh& mesh, const Labels& labels)
 {
   std::vector<Curve> separators;
@@ -186,7 +186,7 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
   double segmentation_end = 0;
   std::size_t number_of_parts = 0;
   if (method == "rays") {
-    CGAL::sdf_values(mesh, face_diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults but for the postprocessing
+    CGAL::sdf_values(mesh, face_diameters, 2. / 3 * CGAL_PI, 25, false); // the defaults, except no postprocessing
     diameter_end = cpu_seconds();
     to_vertices(mesh, face_diameters, diameters);
     number_of_parts = segment_by_diameters(mesh, face_diameters, 0.26, labels); // CGAL's default

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Geodesic distances by the heat method beside CGAL's: time to prepare a mesh, time for each source, alone and eight at
-// a time, and the errors against exact shortest paths. CPU time of one thread. Then tubes of growing length, at the far
-// end of which heat is less than any number.
+// Geodesic distances by the heat method compared with CGAL's: time to prepare a mesh, time for each source, alone and
+// eight at a time, and the errors against exact shortest paths. CPU time of one thread. Then tubes of growing length,
+// where the heat at the far end is less than any number.
 
 #include "convert_shape.h"
 #include "swept_shapes.h"
@@ -39,10 +39,10 @@ using Cgal_estimator =
     CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay>;
 
 constexpr std::size_t number_of_sources = 8;
-/// From how many of them exact distances are computed, which takes seconds each.
+/// The number of these sources with exact distances, which take seconds each.
 constexpr std::size_t number_of_exact_sources = 2;
 
-/// A mesh with what is known about it.
+/// A mesh and its known properties.
 struct Prepared
 {
   explicit Prepared(const std::string& name)
@@ -183,7 +183,7 @@ void cgal_one_by_one(benchmark::State& state, const std::string& name)
   count_errors(state, input);
 }
 
-/// The distance from one end of a tube with eight edges around to the other, relative to its length.
+/// The distance between the ends of a tube with eight edges around, relative to its length.
 void tube(benchmark::State& state, bool is_cgal)
 {
   const double edge = 2 * std::sin(CSCD::test::pi / 8);
@@ -200,7 +200,7 @@ void tube(benchmark::State& state, bool is_cgal)
   }
   Vertex end(0);
   for (const Vertex vertex : mesh.vertices()) {
-    // The vertex of the last ring that is straight opposite along the tube.
+    // The vertex of the last ring straight along the tube.
     const auto offset = mesh.point(vertex) - mesh.point(Vertex(0));
     end = std::hypot(offset.y(), offset.z()) < 1e-9 && offset.x() > mesh.point(end).x() ? vertex : end;
   }

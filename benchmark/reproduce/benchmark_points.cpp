@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of point sets, held against the meshes from which the points are drawn and against their skeletons: clouds
-// of two densities, with noise, and with missing data, by default and as published; and the cost of up to a million
-// points. One thread.
+// Skeletons of point sets, compared with the meshes that the points are drawn from and with the skeletons of these
+// meshes: clouds of two densities, with noise, and with missing data, by default and as published; and the cost of up
+// to a million points. One thread.
 // Meshes are some of CGAL's data, and the closed ones among the OFF files in the folder that the environment variable
 // CSCD_MODELS names, if there is one.
 
@@ -41,17 +41,17 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using CSCD::test::Shape;
 using CSCD::test::Triple;
 
-/// How points are drawn from a mesh.
+/// The sampling of points from a mesh.
 struct Sampling
 {
   const char* name;
   std::size_t number_of_points;
   double noise = 0;       ///< standard deviation of each coordinate, relative to the mean distance to the nearest point
-  unsigned holes = 0;     ///< balls around points, the points in which are missing
+  unsigned holes = 0;     ///< balls around points; the points inside them are missing
   double hole_radius = 0; ///< relative to the diagonal of the bounding box
 };
 
-/// A mesh and how good its own skeleton is.
+/// A mesh and the quality of its own skeleton.
 struct Body
 {
   Shape shape;
@@ -61,7 +61,7 @@ struct Body
 
 CSCD::Skeleton_measures measure(const Mesh& mesh, const CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
 {
-  // Of the reconstructed surfaces nothing is used: they may be coarse.
+  // The reconstructed surfaces are not used: they may be coarse.
   return CSCD::evaluate_skeleton(mesh, skeleton, CSCD::parameters::resolution(20));
 }
 
@@ -113,7 +113,7 @@ void skeletonize_by_default(const Points& points, CSCD::Skeleton_graph<Point, st
   CSCD::extract_curve_skeleton(points, skeleton);
 }
 
-/// From fewer sources than the published experiments: more make little difference.
+/// Fewer sources than in the published experiments: more make little difference.
 void skeletonize_as_published(const Points& points, CSCD::Skeleton_graph<Point, std::size_t>& skeleton)
 {
   constexpr std::size_t number_of_sources = 1000;
@@ -122,7 +122,7 @@ void skeletonize_as_published(const Points& points, CSCD::Skeleton_graph<Point, 
       CSCD::parameters::policies(CSCD::Published_policies()).maximum_number_of_sources(number_of_sources));
 }
 
-/// Skeletonizes a cloud and counts how the skeleton compares with that of the mesh.
+/// Skeletonizes a cloud and compares the skeleton with that of the mesh.
 void run(benchmark::State& state, Skeletonize skeletonize, const std::string& path, const Sampling& sampling,
          bool is_evaluated)
 {

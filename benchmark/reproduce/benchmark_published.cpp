@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The published method beside the local one and CGAL's mean curvature flow (MCF): quality and time; the published one
-// also with other targets, shortenings and numbers of sources; both with noise, fewer vertices, holes, and threads. One
-// thread but for the last.
+// The published method compared with the local one and CGAL's mean curvature flow (MCF): quality and time; the
+// published one also with other targets, shortenings and numbers of sources; both with noise, fewer vertices, holes,
+// and threads. One thread, except in the last.
 // Meshes are generated ones, some of CGAL's data, and the OFF files in the folder that the environment variable
 // CSCD_MODELS names, if there is one; all must be closed.
 
@@ -59,7 +59,7 @@ using CSCD::test::Triple;
 using CSCD::test::operator+; // of triples, which argument-dependent lookup does not find
 using CSCD::test::operator*;
 
-/// Cells along the diagonal to reconstruct by where nothing of the reconstruction is used.
+/// The number of cells along the diagonal of reconstructions that are not used.
 constexpr std::size_t coarse_resolution = 20;
 
 enum class Method
@@ -69,7 +69,7 @@ enum class Method
   mean_curvature_flow
 };
 
-/// How a skeleton is computed.
+/// The computation of a skeleton.
 struct Variant
 {
   Method method = Method::published;
@@ -80,12 +80,12 @@ struct Variant
   bool is_reconstructed = false; ///< whether the error of the convolution surface is measured
 };
 
-/// Where a mesh comes from, and what is done to it before.
+/// The origin of a mesh, and its change before the skeletonization.
 struct Input
 {
   std::string name;
-  std::function<Mesh()> make;             ///< the original, by which skeletons are measured
-  std::function<Mesh(const Mesh&)> alter; ///< where given, what is skeletonized in its place
+  std::function<Mesh()> make;             ///< the original, which skeletons are measured against
+  std::function<Mesh(const Mesh&)> alter; ///< if given, its result is skeletonized instead
 };
 
 Input input_of(const std::string& path)
@@ -113,7 +113,7 @@ Mesh with_noise(const Mesh& mesh, double deviation)
   return CSCD::test::to_mesh<Mesh>(shape);
 }
 
-/// Simplified until this part of the edges is left.
+/// Simplified to this part of the edges.
 Mesh simplified(Mesh mesh, double edges_to_keep)
 {
   CGAL::Surface_mesh_simplification::Count_ratio_stop_predicate<Mesh> stop(edges_to_keep);
@@ -128,8 +128,8 @@ Mesh with_holes(const Mesh& mesh, std::size_t number)
   return CSCD::test::to_mesh<Mesh>(CSCD::test::with_small_holes(CSCD::test::to_shape(mesh), number, 1));
 }
 
-/// The torus of which the paper shows the skeleton (supplement, H.3): with two holes back to back and, on the other
-/// side of the ring, perhaps a break all around the tube.
+/// The torus whose skeleton the paper shows (supplement, H.3): with two holes back to back and, if `is_broken`, a break
+/// all around the tube on the other side of the ring.
 Mesh torus_with_holes(const Mesh& mesh, bool is_broken)
 {
   constexpr double major_radius = 3;
@@ -240,7 +240,7 @@ benchmark::internal::Benchmark* add(const std::string& name, const Input& input,
 
 void add_methods(const std::vector<Input>& inputs)
 {
-  // The variational flow takes several times as long as edge flips: fewer sources must do to compare the two.
+  // The variational flow takes several times as long as edge flips: the two are compared with fewer sources.
   constexpr std::size_t few = 500;
   for (const Input& input : inputs) {
     const std::string prefix = "method/" + input.name + '/';
@@ -266,7 +266,7 @@ void add_numbers_of_sources(const std::vector<Input>& inputs)
   }
 }
 
-/// Adds both methods on what `alter` makes of the mesh.
+/// Adds both methods on the mesh that `alter` returns.
 void add_altered(const std::string& name, Input input, const std::function<Mesh(const Mesh&)>& alter)
 {
   input.alter = alter;
@@ -300,7 +300,7 @@ void add_ring(const Input& torus)
   add_altered("ring/two holes and a break", torus, [](const Mesh& mesh) { return torus_with_holes(mesh, true); });
 }
 
-/// One thread, two, four, and so on, up to all there are.
+/// One thread, two, four, and so on, up to all threads.
 void add_threads(const Input& input)
 {
   const unsigned all = std::max(1u, std::thread::hardware_concurrency());

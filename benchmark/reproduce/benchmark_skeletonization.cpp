@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The whole skeletonization of real meshes, beside CGAL's mean curvature flow (MCF), with what the skeletons are worth;
-// and its cost from a few thousand to some million vertices. CPU time is that of the whole process, all threads.
+// The whole skeletonization of real meshes, compared with CGAL's mean curvature flow (MCF), with the quality of the
+// skeletons; and its cost from a few thousand to some million vertices. CPU time is that of the whole process, all
+// threads.
 // Meshes are some of CGAL's data, and the OFF files in the folder that the environment variable CSCD_MODELS names, if
 // there is one.
 

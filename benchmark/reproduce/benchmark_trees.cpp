@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of scans of trees, held against trees that are known exactly, of seeds by which constants were chosen and
-// of others; of the scans, XYZ files, in the folder that the environment variable CSCD_BENCHMARK_TREES names, if any;
-// and the cost of up to 100,000 points. One thread.
+// Skeletons of scans of trees, compared with trees that are known exactly, with seeds that were used to choose
+// constants and with other seeds; of the scans, XYZ files, in the folder that the environment variable
+// CSCD_BENCHMARK_TREES names, if any; and the cost of up to 100,000 points. One thread.
 
 #include "Synthetic_tree.h"
 #include "Tree_match.h"
@@ -48,7 +48,7 @@ std::vector<Triple> seen(const std::vector<Triple>& points, const Triple& scanne
   return CSCD::test::seen_from(points, scanner, 0.0015, 0.1);
 }
 
-/// The gaps are 0.5 m wide, in the trunk and in all limbs of it.
+/// The gaps are 0.5 m wide, in the trunk and in all its limbs.
 std::vector<Triple> without_pieces(const Synthetic_tree& tree, std::vector<Triple> points)
 {
   for (const CSCD::test::Tree_limb& limb : tree.limbs()) {

@@ -24,7 +24,7 @@ from markdown_tables import markdown, replace_between_markers
 from measurements import ROOT, commit, output, processor
 
 COMPILER = os.environ.get("CXX", "g++")
-# Those of the target CSCD::CSCD where oneTBB was found; -frounding-math comes from the target CGAL::CGAL.
+# The options of the target CSCD::CSCD with oneTBB; -frounding-math comes from the target CGAL::CGAL.
 FLAGS = ["-std=c++17", "-O2", "-frounding-math", "-DCGAL_LINKED_WITH_TBB"]
 EIGEN = pathlib.Path("/usr/include/eigen3")
 COMPILED = "-DCSCD_COMPILED"
@@ -32,7 +32,7 @@ CALL = "benchmark/compile_time/call.cpp"
 ONE_CALL = "one call, of a `Surface_mesh`"
 README_PROGRAM = "the program of the README"
 COMPARED = [ONE_CALL, README_PROGRAM]
-# What is compiled, by the name in the table: the file, its macros, and whether it uses the library.
+# The compiled programs, by the name in the table: the file, its macros, and whether it uses the library.
 PROGRAMS = {
     "`CGAL/Surface_mesh.h` alone": (CALL, ["NUMBER_OF_MESH_TYPES=0"], False),
     ONE_CALL: (CALL, ["NUMBER_OF_MESH_TYPES=1"], True),
@@ -69,7 +69,7 @@ def cells(result):
 
 
 def jobs_of(root, revision_root, with_parts):
-    """What is to be compiled, by the name of the row and the column."""
+    """The compilations, by the name of the row and the column."""
     jobs = {}
     for name, (source, macros, uses_library) in PROGRAMS.items():
         jobs[name, "header-only"] = (root / source, macros, root)

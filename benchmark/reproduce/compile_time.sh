@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), measures what it costs to compile programs that use the library, and writes
+# Installs missing packages (Debian, Ubuntu), measures the cost of compiling programs that use the library, and writes
 # the table to doc/performance.md. A round takes four minutes on a machine without other work, with a revision five.
 # Usage: benchmark/reproduce/compile_time.sh [--rounds N] [--revision REVISION] [--parts] [--print], see benchmark/reproduce/compile_time.py.
 

@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Prints what skeletons of graphs are worth: of the edges of meshes, and of points joined to their neighbors.
+# Prints the quality of skeletons of graphs: of the edges of meshes, and of points joined to their neighbors.
 # Usage: benchmark/reproduce/graphs.sh FOLDER [--points N] [--neighbors K], see benchmark/reproduce/graphs.py.
 
 set -euo pipefail

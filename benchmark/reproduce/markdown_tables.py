@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""What all tables in Markdown are made with."""
+"""Functions for tables in Markdown."""
 
 import math
 import re

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Reads what Google Benchmark has written, and describes the machine and the build."""
+"""Reads the output of Google Benchmark, and describes the machine and the build."""
 
 import json
 import math
@@ -53,7 +53,7 @@ def processor():
 
 
 def commit():
-    """The commit that is checked out, and whether what is measured was changed since."""
+    """The commit that is checked out, and whether the measured code was changed since."""
     name = output("git", "rev-parse", "--short", "HEAD")
     changes = output("git", "status", "--porcelain", "--", "include", "src", "benchmark", "test/support",
                      ":!benchmark/*.py", ":!benchmark/*.sh", ":!benchmark/*.md")
@@ -76,7 +76,7 @@ def compiler(build_dir):
 
 
 def circumstances(context, command, repetitions, build_dir):
-    """When, where and how the numbers were made, as a sentence."""
+    """A sentence on the time, the machine and the build of the measurements."""
     version, flags = compiler(build_dir)
     load = context.get("load_avg") or [math.nan]
     runs = "one run" if repetitions == 1 else f"medians of {repetitions} runs"

@@ -14,7 +14,7 @@ NOTHING = "–"
 METHODS = ("local", "published", "geodesic target", "flips, 500 sources", "variational, 500 sources")
 LIVE = ("local", "published", "MCF")
 QUOTED = json.loads((pathlib.Path(__file__).parent / "quoted_results.json").read_text())
-# Of what is quoted, and how its column is called.
+# The source and the method of quoted results; the method names the column.
 QUOTED_ERRORS = [("GEL", "LS"), ("GEL", "MSLS"), ("paper", "LS"), ("paper", "MSLS"), ("paper", "MCF"),
                  ("paper", "CSCD-M")]
 QUOTED_TIMES = [("GEL", "LS"), ("GEL", "MSLS"), ("paper", "LS"), ("paper", "MSLS"), ("paper", "CSCD-M")]
@@ -48,7 +48,7 @@ def method_time_table(medians):
 
 
 def quoted(source, mesh, run, key):
-    """What `source` says of one with as many vertices and faces, or of the same name and nearly as many."""
+    """The results of `source` for a mesh with as many vertices and faces, or with its name and nearly as many."""
     name = mesh.lower().replace("_", "-")
     for row in QUOTED[source]["rows"]:
         differences = [abs(row[counted] / run[counted] - 1) for counted in ("vertices", "faces")]
@@ -59,7 +59,7 @@ def quoted(source, mesh, run, key):
 
 
 def median_row(title, rows, width):
-    """The medians of the first columns, `width` many, over the meshes of which all these are known."""
+    """The medians of the first `width` columns, over the meshes that have a value in all of them."""
     whole = [numbers[:width] for _, _, numbers in rows if None not in numbers[:width]]
     medians = [statistics.median(column) for column in zip(*whole)] or [None] * width
     nothing = [None] * (len(rows[0][2]) - width)
@@ -67,7 +67,7 @@ def median_row(title, rows, width):
 
 
 def side_by_side(medians, quantity, measured, columns):
-    """One row for each mesh: what was measured, then what is quoted of others; then medians over different meshes."""
+    """One row for each mesh: measured values, then quoted values of others; then medians over different meshes."""
     rows = []
     different = {}
     for mesh, runs in runs_of(medians, "method").items():
@@ -110,7 +110,7 @@ def sources_table(medians):
 
 
 def two_methods_table(medians, kind, label):
-    """One row for each strength of what is done to the mesh: errors and topology of both methods on every mesh."""
+    """One row for each strength of the change of the mesh: errors and topology of both methods on every mesh."""
     meshes = runs_of(medians, kind)
     rows = []
     for strength in dict.fromkeys(variant.split("/")[0] for runs in meshes.values() for variant in runs):
@@ -161,7 +161,7 @@ def about(kind, table):
     return lambda medians: table(medians) if runs_of(medians, kind) else None
 
 
-# By the name of a sentence on when, where and how benchmarks were run: the kind of these benchmarks.
+# By the name of a sentence on the conditions of benchmarks: the kind of these benchmarks.
 CIRCUMSTANCES = {f"circumstances_of_{kind}": kind
                  for kind in ("method", "sources", "noise", "resolution", "holes", "ring", "threads")}
 TABLES = {

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes all tables, plots and pictures of doc and README.md anew: runs all benchmarks, then makes the
-# pictures of doc and takes those of the viewer page by Chromium. Installs what is missing (Debian, Ubuntu). Takes about an hour.
+# pictures of doc and takes those of the viewer page by Chromium. Installs missing packages (Debian, Ubuntu). Takes
+# about an hour.
 # Usage: benchmark/reproduce/run.sh [--quick] [REPETITIONS], by default 1. With --quick only small benchmarks are run, which
 # takes some minutes, and all is written to build/quick.
 # If the environment variable CSCD_MODELS names a folder of OFF files, they are measured besides CGAL's.

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Installs what is missing (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables and plots to the
-# pages of doc and to README.md. Takes three quarters of an hour.
+# Installs missing packages (Debian, Ubuntu), builds the benchmarks, runs them, and writes their tables and plots to
+# the pages of doc and to README.md. Takes three quarters of an hour.
 # Usage: benchmark/reproduce/tables.sh [--quick] [REPETITIONS [PROGRAM...]], by default 3 and all programs. With --quick only small
 # benchmarks are run, which takes some minutes, and the pages are written to build/quick.
 # If the environment variable CSCD_MODELS names a folder of OFF files, they are measured besides CGAL's.
@@ -17,7 +17,7 @@ fi
 # shellcheck source=benchmark/build_benchmarks.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../build_benchmarks.sh"
 
-# What --quick runs of each program.
+# The benchmarks of each program that --quick runs.
 declare -A small=(
   [benchmark_skeletonization]='^mesh/(elephant|knot1)/|^growing/elephant_[01]/'
   [benchmark_points]='^(cloud|published)/(knot1|elephant)/uniform, 5,000/|^growing/armadillo/(5000|20000)/'
@@ -40,7 +40,7 @@ build_benchmarks "${programs[@]}"
 results_dir=$build_dir
 pages=("$source_dir")
 if $is_quick; then
-  # Copies of the pages, with all that is not measured anew.
+  # Copies of the pages, with the parts that are not measured anew.
   results_dir=$build_dir/quick
   mkdir -p "$results_dir/doc/fig"
   cp "$source_dir/README.md" "$results_dir"

@@ -9,7 +9,7 @@ from markdown_tables import count, markdown, seconds
 
 
 def tree_table(medians):
-    """One row for each way to scan a tree, over all seeds: those by which constants were chosen, then others."""
+    """One row for each way to scan a tree, over all seeds: seeds used to choose constants, then others."""
     rows = []
     scans = dict.fromkeys(name.split("/")[2] for name in medians if name.startswith("tree/"))
     for scan in scans:
@@ -62,7 +62,7 @@ def growing_tree_table(medians):
 
 TABLES = {
     "trees": tree_table,
-    # Without a folder of scans there is no table.
+    # The table needs a folder of scans.
     "scans": lambda medians: scan_table(medians) if any(name.startswith("scan/") for name in medians) else None,
     "growing_tree": growing_tree_table,
 }

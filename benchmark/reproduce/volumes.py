@@ -116,7 +116,7 @@ def shapes():
 
 
 def euler_number(image):
-    """That of the union of the voxels: vertices less edges plus faces less voxels."""
+    """The Euler number of the union of the voxels: vertices less edges plus faces less voxels."""
     padded = np.pad(image.astype(bool), 1)
     total = 0
     for dims in np.ndindex(2, 2, 2):  # along which axes the cells extend
@@ -140,7 +140,7 @@ def run(program, arguments):
         pid, status, usage = os.wait4(process.pid, os.WNOHANG)
         if pid != 0:
             break
-        # What wait4() tells of memory is at least that of this script.
+        # wait4() reports at least the memory of this script.
         with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
             peaks = [int(line.split()[1]) for line in file if line.startswith("VmHWM")]
         memory = max([memory, *peaks])
@@ -194,7 +194,7 @@ def measure_shapes(program, folder):
             with open(report_file, encoding="utf-8") as file:
                 report = json.load(file)
             found = (report["number_of_skeleton_components"], report["betti_number"])
-            # What the voxels have, which need not be what the shape has where it is thinner than they are.
+            # The topology of the voxels may differ from that of the shape where it is thinner than a voxel.
             euler = euler_number(image)
             is_right = found == (components, handles) and found[0] - found[1] == euler
             right += is_right
@@ -221,7 +221,7 @@ def measure_vessels(program, folder):
             points, radii, parents = read_nodes(os.path.join(folder, f"{name}_{size}.swc"))
             degree = np.bincount(parents[parents > 0] - 1, minlength=len(points)) + (parents > 0)
             places = (points + 0.5) / size
-            # Within 1.5 radii of forks and tips, neither center nor radius is that of a segment.
+            # Within 1.5 radii of forks and tips, center and radius differ from those of a segment.
             ends = np.array([end for a, b, r in segments for end in (a, b)])
             to_end = np.linalg.norm(places[:, None] - ends, axis=2) / np.repeat([r for _, _, r in segments], 2)
             in_limb = (degree == 2) & (to_end.min(axis=1) > 1.5)

@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Prints how right, exact and fast skeletons of volumes are, beside the thinning of scikit-image where Debian's package
-# python3-skimage is installed.
+# Prints the topology, accuracy and time of skeletons of volumes, compared with the thinning of scikit-image where
+# Debian's package python3-skimage is installed.
 # Usage: benchmark/reproduce/volumes.sh FOLDER [SIZE]
 # FOLDER gets the volumes, about 400 MB. The volume with a hundred labels has SIZE voxels along each side, 512 by default.
 

@@ -58,7 +58,7 @@ def times_as_fast(slow, fast):
 
 
 def summary_table(medians):
-    """CSCD next to MCF and to what is quoted of MSLS, on the meshes for which there are all three."""
+    """CSCD, MCF and the quoted results of MSLS, on the meshes that have all three."""
     quoted = {row["mesh"]: row for row in QUOTED["MSLS"]["rows"]}
     rows = []
     for mesh, ours, _, mcf in meshes_of(medians):
@@ -115,7 +115,7 @@ def growth_table(medians):
 
 
 def sampling_table(medians, kind):
-    """One row for each way in which points are drawn, over all meshes; none if nothing of the kind was run."""
+    """One row for each way to draw points, over all meshes; none if nothing of the kind was run."""
     clouds = runs_of(medians, kind)
     if not clouds:
         return None
@@ -163,7 +163,7 @@ def growing_cloud_table(medians):
 
 
 # By program, the tables by name: functions of the medians, which return None if they have no rows; None in the place of
-# a function stands for the sentence on when, where and how they were measured.
+# a function stands for the sentence on the conditions of the measurement.
 TABLES_OF_PROGRAM = {
     "benchmark_skeletonization": {
         "circumstances": None,

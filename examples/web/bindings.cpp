@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the worker of the page and of the npm package calls: `cscd skeletonize` in two steps, so that one skeleton can
-// be saved in many formats. Files are those of Emscripten's memory; messages go to standard error, as those of the
+// The functions that the worker of the page and of the npm package calls: `cscd skeletonize` in two steps, so that one
+// skeleton can be saved in many formats. Files are in Emscripten's memory; messages go to standard error, as in the
 // program.
 
 #include "compute_skeleton.h"
@@ -25,13 +25,13 @@
 #include <utility>
 #include <vector>
 
-/// Tells the script of the worker how far the work is.
+/// Reports progress to the script of the worker.
 EM_JS(void, tell_progress, (const char* stage, double fraction),
       { Module.on_progress(UTF8ToString(stage), fraction); });
 
 namespace {
 
-/// A skeleton and what it was computed from.
+/// A skeleton and its input.
 struct Session
 {
   cscd::Skeletonize_options options;

@@ -117,7 +117,7 @@ class Rig:
 
 
 def make_bones(armature, rig):
-    """Adds a bone for each joint that moves something, or that others depend on. The armature is in edit mode."""
+    """Adds a bone for each joint that moves vertices, or that others depend on. The armature is in edit mode."""
     moving = {joint for row in rig.influences for joint, _ in row}
     bones = {}
     for joint, name in enumerate(rig.names):
@@ -160,7 +160,7 @@ def make_armature(source, context, options):
 
 
 class SkeletonOperator:
-    """What both operators have in common."""
+    """The common part of both operators."""
 
     bl_options = {"REGISTER", "UNDO"}
     detail: bpy.props.FloatProperty(

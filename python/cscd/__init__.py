@@ -73,7 +73,7 @@ class Branch(typing.NamedTuple):
     nodes: IndexArray
     """From end to end; one that returns to its first node has it at both ends."""
     ends: tuple[str, str]
-    """What the first and the last node are: "tip", "opening" (a tip at a border), "junction", "isolated" or "closed"."""
+    """The kinds of both end nodes: "tip", "opening" (a tip at a border), "junction", "isolated" or "closed"."""
     length: float
     """Along the edges, in the unit of the input."""
     chord: float
@@ -110,7 +110,7 @@ class Loop(typing.NamedTuple):
 
 
 class Skeleton:
-    """A curve skeleton, with what it was made of. The arrays are the library's own memory: they cannot be written."""
+    """A curve skeleton, with its input. The arrays are the library's own memory: they cannot be written."""
 
     def __init__(self, core: _core.Skeleton) -> None:
         """For `skeletonize()` and `simplify()` only."""
@@ -139,36 +139,36 @@ class Skeleton:
 
     @property
     def vertex_to_node(self) -> IndexArray:
-        """The node that each row of `V` belongs to, -1 where there is none: for vertices without a face, and those of
+        """The node that each row of `V` belongs to, -1 without a node: for vertices without a face, and for vertices of
         components that `min_component` removed. Rows that repairs merged belong to the same node."""
         return self._core.vertex_to_node
 
     @property
     def warnings(self) -> list[str]:
-        """What the user should know, a sentence each."""
+        """The warnings for the user, a sentence each."""
         return self._core.warnings
 
     @property
     def repairs(self) -> list[str]:
-        """What was repaired in `V` and `F`, a sentence each."""
+        """The repairs of `V` and `F`, a sentence each."""
         return self._core.repairs
 
     @property
     def report(self) -> dict[str, typing.Any]:
-        """Counts, times and warnings of the skeletonization: what `cscd skeletonize --report` writes. That of a
-        simplified skeleton is the report of the skeleton that it was."""
+        """Counts, times and warnings of the skeletonization, as `cscd skeletonize --report` writes them. A simplified
+        skeleton keeps the report of the original skeleton."""
         return typing.cast("dict[str, typing.Any]", json.loads(self._core.report))
 
     def shape_diameters(self) -> FloatArray:
-        """How thick the body is at each row of `V`: what `cscd diameter` writes. Raises ValueError unless `F` is a mesh
-        that needed no repair."""
+        """The thickness of the body at each row of `V`, as `cscd diameter` writes it. Raises ValueError unless `F` is a
+        mesh that needed no repair."""
         return np.array(self._core.shape_diameters())
 
     def segment(self, *, parts: int = 0) -> IndexArray:
-        """The part that each row of `F` belongs to, from 0 on: what `cscd segment` writes. Raises ValueError unless `F`
-        is a mesh that needed no repair.
+        """The part that each row of `F` belongs to, from 0 on, as `cscd segment` writes it. Raises ValueError unless
+        `F` is a mesh that needed no repair.
 
-        parts: how many there should be; 0 lets the shape decide
+        parts: the number of parts; 0 lets the shape decide
         """
         return np.array(self._core.segment(_count("parts", parts)), dtype=np.int32)
 
@@ -226,7 +226,7 @@ class Skeleton:
         return Skeleton(self._core.simplify(options, stays_inside))
 
     def evaluate(self, *, radii: str = "estimated", resolution: int = 200) -> dict[str, typing.Any]:
-        """How good the skeleton is for its input: what `cscd evaluate --json` writes; `None` for what is not defined.
+        """The quality of the skeleton for its input: the output of `cscd evaluate --json`; `None` if not defined.
 
         OPTIONS
 
@@ -376,14 +376,14 @@ def read(filename: str | os.PathLike[str]) -> Shape:
 
 
 def find_loops(V: npt.ArrayLike, F: npt.ArrayLike, *, seed: int = 0, min_depth: float = 0.3) -> list[Loop]:
-    """Closed geodesics around the handles, tunnels and constrictions of a body: what `cscd loops` writes.
+    """Closed geodesics around the handles, tunnels and constrictions of a body, as `cscd loops` writes them.
 
     V: vertices, a row of three coordinates each
-    F: faces, a row of three or more indices of vertices each; repaired where they are no oriented manifold
+    F: faces, a row of three or more indices of vertices each; repaired where they are not an oriented manifold
     seed: of the random choice of sources
     min_depth: constrictions that are less deep are left out
 
-    Raises InputError if this is no surface.
+    Raises InputError if the faces do not form a surface.
     """
     if not min_depth >= 0:
         raise ValueError(f"min_depth: is {min_depth}; depths are not negative")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays in and out: what the module gives for shapes whose skeletons are known."""
+"""Arrays in and out: the results of the module for shapes whose skeletons are known."""
 
 import gc
 import inspect

@@ -30,7 +30,7 @@ def test_the_tutorial_runs(tmp_path, monkeypatch, capsys):
     assert "F: has the shape" in capsys.readouterr().out
 
 
-# What pybind11 gives its classes beside their members, and a module that is imported for annotations only.
+# Members that pybind11 adds to its classes, and a module that is imported for annotations only.
 NOT_COMPARED = ["cscd.networkx", "cscd._core.Skeleton", "cscd._core.Skeleton.__init__"]
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The module beside the program: same skeletons, same messages. The variable CSCD_PROGRAM names the program."""
+"""The module compared with the program: same skeletons, same messages. The variable CSCD_PROGRAM names the program."""
 
 import json
 import os
@@ -52,7 +52,7 @@ def test_messages_on_data_are_the_same(tmp_path):
     with pytest.raises(cscd.InputError) as refusal:
         cscd.skeletonize(V, F)
     message = str(refusal.value).replace("mesh: ", f"cscd: {tmp_path}/bad.off: ", 1)
-    # The program adds what is an option of its own.
+    # The program adds a hint to an option of its own.
     assert outcome.stderr == message + "; or skeletonize its edges: --as graph\n"
 
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of shape diameters, on bodies of which the thickness is known everywhere.
+// Tests of shape diameters, on bodies whose thickness is known everywhere.
 
 #include "support/convert_shape.h"
 #include "support/shape_operations.h"

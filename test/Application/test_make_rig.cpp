@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of rigs: what every rig holds, and that bending a joint moves its limb smoothly and nothing else.
+// Tests of rigs: properties of every rig, and that bending a joint moves its limb smoothly and nothing else.
 
 #include "support/convert_shape.h"
 #include "support/limb_shapes.h"
@@ -40,7 +40,7 @@ struct Rigged_shape
     rig = CSCD::make_rig(mesh, skeleton, roots);
   }
 
-  /// How strongly a joint and those behind it move a vertex: by this share it is turned when the joint is.
+  /// The sum of the weights of a joint and its descendants at a vertex: a turn of the joint turns it by this share.
   double share(std::size_t joint, std::size_t vertex) const
   {
     double sum = 0;
@@ -65,7 +65,7 @@ struct Rigged_shape
     return result;
   }
 
-  /// How much the share of a joint changes along an edge at most, times the radius of the joint over the length of the
+  /// The largest change of the share of a joint along an edge, times the radius of the joint over the length of the
   /// edge, or the mean length of edges if it is shorter.
   double steepness(std::size_t joint) const
   {

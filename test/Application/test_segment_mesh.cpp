@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of segmentation: what every segmentation holds, and bodies of which the parts are beyond doubt.
+// Tests of segmentation: properties of every segmentation, and bodies whose parts are unambiguous.
 
 #include "support/convert_shape.h"
 #include "support/limb_shapes.h"
@@ -45,7 +45,7 @@ struct Segmented_shape
 
   std::set<std::size_t> labels() const { return {parts.begin(), parts.end()}; }
 
-  /// The part of most faces for which `is_chosen` is true at all corners, and which share of them it has.
+  /// The part that most faces with all corners chosen belong to, and the share of these faces that it has.
   template <class Condition>
   std::pair<std::size_t, double> main_part(const Condition& is_chosen) const
   {

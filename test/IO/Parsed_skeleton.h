@@ -18,7 +18,7 @@
 
 namespace test_support {
 
-/// What a file holds, nodes counted from 0.
+/// The content of a file, nodes counted from 0.
 struct Parsed_skeleton
 {
   std::vector<Point> points;

@@ -16,7 +16,7 @@
 
 namespace test_support {
 
-/// Points and polygons from which files are made.
+/// Points and polygons to make files from.
 struct Mesh_file_content
 {
   std::vector<std::array<double, 3>> points;
@@ -307,7 +307,7 @@ inline std::string vtp(const Mesh_file_content& mesh, const std::string& format,
     std::string result = "<DataArray " + attributes + " format=\"" + format + '"';
     if (format == "appended") {
       result += " offset=\"" + std::to_string(appended.size()) + "\"/>\n";
-      // the size may be encoded with what follows or alone
+      // the size may be encoded with the data or alone
       appended += encoding == "raw" ? size + bytes : base64(size) + base64(bytes);
       return result;
     }

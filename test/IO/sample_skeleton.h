@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A skeleton that has everything writers can stumble over, with and without radius.
+// A skeleton with all difficult cases for writers, with and without radius.
 
 #ifndef CSCD_TEST_IO_SAMPLE_SKELETON_H
 #define CSCD_TEST_IO_SAMPLE_SKELETON_H
@@ -40,7 +40,7 @@ inline std::vector<std::pair<std::size_t, std::size_t>> sample_edges()
 /// The first Betti number of the sample.
 inline constexpr std::size_t sample_betti_number = 3;
 
-/// Coordinates of which most decimal notations are not exact.
+/// A skeleton whose coordinates are mostly not exact in decimal notation.
 template <class SampleSkeleton>
 SampleSkeleton sample_skeleton()
 {

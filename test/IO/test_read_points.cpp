@@ -102,7 +102,7 @@ TEST(read_points, passes_over_comments_and_a_header)
   }
 }
 
-/// The message with which the text is refused; points stay as they were.
+/// The message that refuses the text; points stay as they were.
 std::string refusal(const std::string& text, Point_format format)
 {
   std::istringstream in(text);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of skeletons read from files: those of the writers, of other programs, and malformed ones.
+// Tests of skeletons read from files: files of the writers, of other programs, and malformed files.
 
 #include "Parsed_skeleton.h"
 #include "archetypes/Skeleton_archetype.h"
@@ -101,7 +101,7 @@ TEST(Read_skeleton, reads_back_exactly_what_is_written)
     } else {
       expect_sample<Skeleton_without_radius>(parsed);
     }
-    Skeleton skeleton(99); // from the file itself; what was there before is gone
+    Skeleton skeleton(99); // from the file itself, which replaces the old content
     EXPECT_EQ(has_radii, CSCD::read_skeleton(filename, skeleton));
     EXPECT_EQ(parsed.points.size(), num_vertices(skeleton));
     EXPECT_EQ(parsed.edges.size(), num_edges(skeleton));
@@ -182,7 +182,7 @@ TEST(Read_skeleton, lines_of_obj)
       read(".obj", "o skeleton\nv 0 0 0 1.0\nv 1 0 0\nl 1/1 2/2 3/3\nv 2 0 0\nvt 0 0\nl -1 -2\nv 9 9 9\nl 4\np 4\n");
   EXPECT_EQ(4u, s.points.size());
   EXPECT_EQ((Edges{{0, 1}, {1, 2}}), normalized(s.edges));
-  // A mesh with lines in it: its edges are what is asked for.
+  // A mesh with lines in it: its edges are read.
   EXPECT_EQ(1u, read(".obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n").edges.size());
 }
 

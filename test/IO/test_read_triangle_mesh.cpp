@@ -69,7 +69,7 @@ void expect_cube(const Mesh& mesh)
   EXPECT_DOUBLE_EQ(1, PMP::volume(mesh));
 }
 
-/// The message with which the content is refused; mesh stays as it was.
+/// The message that refuses the content; mesh stays as it was.
 std::string refusal(const std::string& content, CSCD::Mesh_format format)
 {
   std::istringstream in(content);
@@ -357,7 +357,7 @@ TEST(Read_triangle_mesh, removes_degenerate_and_duplicate_faces)
 
 TEST(Read_triangle_mesh, removes_small_flaps)
 {
-  // flaps of one face and of two, and what lies twice; a larger plate stays
+  // flaps of one face and of two, and doubled faces; a larger plate stays
   const auto add_fin = [](Mesh_file_content& mesh, double height) {
     mesh.points.push_back({0.5, -height, -height});
     mesh.polygons.push_back({0, 1, mesh.points.size() - 1});
@@ -724,7 +724,7 @@ TEST(Read_triangle_mesh, refuses_noise)
   }
 }
 
-/// Damaged files are read or refused, and what is read is a valid mesh.
+/// Damaged files are read or refused, and a mesh that is read is valid.
 TEST(Read_triangle_mesh, survives_damaged_bytes)
 {
   const std::pair<std::string, CSCD::Mesh_format> files[] = {{off(cube_of_squares()), CSCD::Mesh_format::off},
@@ -775,7 +775,7 @@ TEST(Read_triangle_mesh, refuses_files_that_cannot_be_opened)
   EXPECT_THROW(CSCD::read_triangle_mesh(folder.file("folder.off"), mesh), CSCD::File_error);
 }
 
-/// All meshes of CGAL's data are read, and those that CGAL itself reads as closed triangle meshes are read equally.
+/// All meshes of CGAL's data are read. Meshes that CGAL itself reads as closed triangle meshes are read equally.
 TEST(Read_triangle_mesh, reads_the_meshes_of_cgal)
 {
   const std::filesystem::path folder(CSCD_CGAL_DATA_DIR);

@@ -28,7 +28,7 @@ namespace {
 
 using namespace test_support;
 
-/// Each ending, and how files of that format begin.
+/// Each ending, and the begin of files of that format.
 const std::pair<const char*, const char*> beginnings[] = {
     {".graph", "n 0 "},       {".json", "{\"nodes\":["},  {".obj", "v 0 "},
     {".ply", "ply\n"},        {".polylines.txt", "3 0 "}, {".swc", "# id type x y z radius parent\n"},
@@ -61,7 +61,7 @@ Skeleton_without_radius small_skeleton()
   return skeleton;
 }
 
-/// A format by its ending, and what it makes of the small skeleton.
+/// A format by its ending, and the small skeleton in this format.
 const std::pair<const char*, const char*> texts[] = {
     {".graph", "n 0 0 1e+20\nn 1 0.10000000000000001 1e+20\nn 2 0 -1234567\nn 3 0 1e-300\nn 4 0 1e+20\n"
                "c 0 1\nc 1 2\nc 2 3\nc 3 1\n"},

@@ -133,7 +133,7 @@ TYPED_TEST(Write_swc, marks_forks_and_ends)
 }
 
 /// Reads SWC by the strictest rules of readers of neurons: identifiers 1, 2, ..., types 1 to 7, parents before
-/// children, one root for each component, of which the soma is one.
+/// children, one root for each component; one of the roots is the soma.
 Swc_file parse_strictly(const std::string& content, std::size_t number_of_components)
 {
   Swc_file file = parse(content);

@@ -39,7 +39,7 @@ private:
   std::locale m_old;
 };
 
-/// What `write(stream, skeleton)` writes; checks that it leaves the stream's format alone and fails on a bad stream.
+/// The output of `write(stream, skeleton)`; checks that it keeps the stream's format and fails on a bad stream.
 template <class Write, class SampleSkeleton>
 std::string write_in_foreign_locale(Write write, const SampleSkeleton& skeleton)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances of the front where the exact ones are known, and when it stops.
+// Distances of the front compared with known exact ones, and the end of the front.
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
@@ -51,8 +51,8 @@ struct Fixture
   {
   }
 
-  /// The largest error of the front's distances from `source`, relative to the distance `exact(vertex)`; vertices for
-  /// which that is 0 do not count.
+  /// The largest error of the front's distances from `source`, relative to the distance `exact(vertex)`; vertices where
+  /// that is 0 do not count.
   template <class Exact>
   double max_relative_error(Index source, const Exact& exact)
   {

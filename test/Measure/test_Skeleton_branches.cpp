@@ -66,7 +66,7 @@ Skeleton drawn_skeleton(const std::vector<Drawn_node>& nodes, const std::vector<
 }
 
 /// From a junction of radius 2 at the origin: limbs 0 - 1 - 2 of length 20 along x, and 0 - 3 and 0 - 4 of length 10
-/// along y and z, of which the last one is bent at 5. An isolated node 6, and a square 7 - 8 - 9 - 10.
+/// along y and z; the last one is bent at 5. An isolated node 6, and a square 7 - 8 - 9 - 10.
 Skeleton limbs_and_square()
 {
   return drawn_skeleton({{Point(0, 0, 0), 2},
@@ -198,7 +198,7 @@ TEST(Skeleton_branches, orders_count_branches_from_the_root)
 
 TEST(Skeleton_branches, cycles_have_an_order_on_both_sides_of_where_they_are_cut)
 {
-  // A tail 0 - 1, two ways from 1 to 2, of which 3 is the thin one, a direct edge, and a tail 2 - 4.
+  // A tail 0 - 1, two paths from 1 to 2 (a thin one by 3, and a direct edge), and a tail 2 - 4.
   const Skeleton skeleton = drawn_skeleton({{Point(0, 0, 0), 2},
                                             {Point(1, 0, 0), 2},
                                             {Point(3, 0, 0), 2},

@@ -307,7 +307,7 @@ Skeleton complete_graph(std::size_t number_of_nodes, unsigned seed)
 
 TEST(Compare_skeletons, refuses_complete_graphs)
 {
-  constexpr std::size_t number_of_nodes = 150; // and 11,175 branches, of which most are near each other
+  constexpr std::size_t number_of_nodes = 150; // and 11,175 branches, most of them near each other
   const Skeleton graph = complete_graph(number_of_nodes, 1);
   EXPECT_THROW(compare_skeletons(graph, graph), CSCD::Input_error);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of the measures of skeletons on shapes of which the right answers are known.
+// Tests of the measures of skeletons on shapes with known answers.
 
 #include "archetypes/Skeleton_archetype.h"
 #include "support/Shape.h"
@@ -108,7 +108,7 @@ TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
   EXPECT_LE(m.round_cones.mean * m.round_cones.mean, m.round_cones.mean_square);
   EXPECT_LT(m.round_cones.reverse_mean, 1e-3);
   EXPECT_EQ(0, m.round_cones.unresolved_fraction);
-  // Convolution takes 0.6 radii off the ends, but for which it would be as good.
+  // Convolution takes 0.6 radii off the ends and is as good elsewhere.
   EXPECT_NEAR(0.4 / m.diagonal, m.convolution.maximum, 0.03 / m.diagonal);
   EXPECT_GT(m.convolution.mean, 10 * m.round_cones.mean);
 }
@@ -241,7 +241,7 @@ TEST(Evaluate_skeleton, hubs_and_complete_graphs_are_measured)
 {
   const Mesh mesh = mesh_of(capsule(8, 1, 32));
   constexpr std::size_t number_of_nodes = 2450;
-  constexpr std::size_t number_of_complete = 60; // of which all are joined
+  constexpr std::size_t number_of_complete = 60; // all joined
   Skeleton star, complete;
   for (std::size_t v = 0; v < number_of_nodes; ++v) {
     const double angle = 2.4 * double(v); // about the golden angle: spread around the axis

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of the limbs that are found on shapes of which they are known, and of their matching with the tips of a
-// skeleton.
+// Tests of the limbs that are found on shapes with known limbs, and of their matching with the tips of a skeleton.
 
 #include "support/Shape.h"
 #include "support/convert_shape.h"

@@ -189,7 +189,7 @@ TEST(Simplify_skeleton, pruning_keeps_what_is_as_significant_as_asked)
         number_of_significant += pruned[e].significance >= threshold ? 1 : 0;
       }
       EXPECT_EQ(number_of_significant, number_of_kept) << seed << ", " << threshold;
-      // What is left besides are components that are one path each.
+      // The other remaining edges are components that are one path each.
       for (const auto e : boost::make_iterator_range(edges(pruned))) {
         if (pruned[e].significance < threshold) {
           EXPECT_LE(out_degree(source(e, pruned), pruned), 2u) << seed;
@@ -420,7 +420,7 @@ TEST(Simplify_skeleton, joined_edges_stay_marked)
 TEST(Simplify_skeleton, stays_inside_of_the_mesh)
 {
   using Mesh = CGAL::Surface_mesh<Point>;
-  // A bent tube: a ring, of which smoothing and coarse sampling leave the thin body.
+  // A bent tube: a ring. Smoothing and coarse sampling leave its thin body.
   Mesh mesh;
   constexpr int number_around = 60;
   constexpr int number_across = 12;
@@ -532,7 +532,7 @@ TEST(Simplify_skeleton, refuses_what_has_no_meaning)
   EXPECT_THROW(CSCD::simplify_skeleton(skeleton), CSCD::Input_error);
 }
 
-/// The least that a skeleton type may be: neither radii nor properties of edges, and descriptors that are no numbers.
+/// The minimal skeleton type: neither radii nor properties of edges, and descriptors that are not numbers.
 struct Plain_node
 {
   Point point;

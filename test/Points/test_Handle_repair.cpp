@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which handles are cut: those of a few edges, and no others; and the steps of the cut.
+// Only handles of a few edges are cut; and the steps of the cut.
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"
@@ -68,7 +68,7 @@ TEST(Handle_repair, cuts_handles_of_a_few_edges)
   }
 }
 
-/// A ring around the z-axis that is thin in one place: a neck or, if the rings beside it are moved there, the two ends
+/// A ring around the z-axis that is thin in one place: a neck or, if the rings next to it are moved there, the two ends
 /// of a limb that touch each other.
 Indexed_triangles ring_with_thin_place(std::size_t around, double thickness, bool is_fold)
 {

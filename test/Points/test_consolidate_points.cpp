@@ -113,7 +113,7 @@ TEST(consolidate_points, leaves_out_points_that_are_spread_in_space)
     points.emplace_back(wide(random), wide(random), high(random));
   }
   const Consolidated_cloud result = consolidated(points);
-  // What is near the torus cannot be told from it.
+  // Points near the torus cannot be distinguished from it.
   const Point_cloud& cloud = result.cloud;
   for (const Vector_3& point : cloud.points) {
     EXPECT_GT(0.25, distance_from_torus(cloud.normalization.to_input(point)));
@@ -166,7 +166,7 @@ TEST(is_scan_of_trees, does_not_take_slices_for_twigs)
     const CSCD::Point_cloud cloud = CSCD::make_point_cloud(sliced_ball(20000, ratio), {});
     EXPECT_FALSE(CSCD::internal::is_scan_of_trees(CSCD::internal::forms_of(cloud.points))) << ratio;
   }
-  // What looks like twigs, laid flat.
+  // Lines that look like twigs, laid flat.
   CSCD::internal::Cloud_forms forms;
   forms.along_curves = forms.in_space = 0.3;
   forms.steepness = 0.3;

@@ -68,7 +68,7 @@ struct Outcome
   std::size_t betti_number() const { return number_of_edges() + number_of_components() - skeleton.graph.size(); }
 };
 
-/// The skeleton of the regions of those of `separators` that are packed.
+/// The skeleton of the regions of the packed ones of `separators`.
 Outcome skeletonize(const CSCD::Triangulated_solid& solid, const std::vector<Separator>& separators)
 {
   Outcome outcome;
@@ -228,7 +228,7 @@ void expect_tree(const Surface& surface, const std::vector<unsigned>& color)
   EXPECT_EQ(number_of_regions + number_of_meetings, 1u) << "not connected";
 }
 
-/// On a sphere everything is planar: whatever the regions and the holes, the graph is a tree.
+/// On a sphere everything is planar: for any regions and holes, the graph is a tree.
 TEST(Quotient_graph, of_any_regions_of_a_sphere_is_a_tree)
 {
   const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::sphere(4));

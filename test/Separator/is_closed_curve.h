@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What every list of crossings of a closed curve has to hold.
+// Properties of every list of crossings of a closed curve.
 
 #ifndef CSCD_TEST_SEPARATOR_IS_CLOSED_CURVE_H
 #define CSCD_TEST_SEPARATOR_IS_CLOSED_CURVE_H
@@ -16,7 +16,7 @@
 
 namespace CSCD::test {
 
-/// Whether every crossing lies strictly within its edge, and the curve goes on in the face that it has entered.
+/// Whether every crossing lies strictly within its edge, and the curve continues in the face that it has entered.
 inline testing::AssertionResult is_closed_curve(const CSCD::Triangulated_surface& surface,
                                                 const std::vector<CSCD::Edge_crossing>& crossings)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Length, center, normal and planarity of polygons for which they are known.
+// Length, center, normal and planarity of polygons with known values.
 
 #include "Separator/make_separator.h"
 #include "Surface/to_surface.h"

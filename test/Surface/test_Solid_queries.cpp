@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The answers about the body are those that its known shape gives.
+// The answers about the body agree with its known shape.
 
 #include "Surface/to_surface.h"
 #include "support/shapes.h"
@@ -159,7 +159,7 @@ TEST(Solid_queries, agrees_with_every_face_asked_in_turn)
     const Vector_3 point = random_vector(random, 4);
     const double found = (queries.closest_point(point).point - point).norm();
     const Index any = Index(i) % surface.number_of_faces();
-    EXPECT_EQ(found, (queries.closest_point(point, any).point - point).norm()); // whatever is said to be near
+    EXPECT_EQ(found, (queries.closest_point(point, any).point - point).norm()); // for any hint
     // No point of a fine sample of the faces is nearer.
     for (Index f = 0; f < surface.number_of_faces(); ++f) {
       const Vector_3& a = surface.point(surface.origin(3 * f));

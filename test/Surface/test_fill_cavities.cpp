@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which components bound cavities, and what remains without them.
+// The components that bound cavities, and the rest without them.
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/shapes.h"

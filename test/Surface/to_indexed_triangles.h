@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A test shape in the form in which the library checks and completes its input.
+// A test shape in the form that the library checks and completes.
 
 #ifndef CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H
 #define CSCD_TEST_SURFACE_TO_INDEXED_TRIANGLES_H

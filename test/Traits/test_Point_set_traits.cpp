@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The published method on point clouds, end to end: topology on generated shapes, what must not change the skeleton,
-// and input that samples no surface.
+// The published method on point clouds, end to end: topology on generated shapes, invariance of the skeleton, and input
+// that does not sample a surface.
 
 #include "support/Shape.h"
 #include "support/Similarity.h"
@@ -55,7 +55,7 @@ using CSCD::test::Triple;
 
 constexpr std::size_t number_of_points = 3000;
 constexpr std::size_t number_of_sources = 160;
-/// Enough for what must hold whatever is found.
+/// Enough for properties that hold for all separators.
 constexpr std::size_t few_sources = 32;
 
 struct Outcome
@@ -64,7 +64,7 @@ struct Outcome
   CSCD::Skeletonization_report report;
 };
 
-/// Skeletonizes and checks what must hold for every point set.
+/// Skeletonizes and checks properties that hold for every point set.
 template <class ConcurrencyTag = CGAL::Sequential_tag>
 Outcome skeletonize(const std::vector<Triple>& triples, std::size_t max_sources = number_of_sources,
                     unsigned number_of_threads = 1, const CSCD::Field_search_settings& settings = {})

@@ -77,7 +77,7 @@ TEST(Tree_cylinders, limbs_begin_at_the_bark_of_their_parent)
   EXPECT_EQ(0u, cylinders[1].parent);
   EXPECT_EQ(1u, cylinders[0].extension);
   EXPECT_EQ(std::nullopt, cylinders[1].extension);
-  EXPECT_EQ(0u, cylinders[2].parent); // that which ends where the limb begins
+  EXPECT_EQ(0u, cylinders[2].parent); // the cylinder that ends where the limb begins
   EXPECT_EQ(2u, cylinders[3].parent);
   EXPECT_EQ(1u, cylinders[3].position);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons of scans of trees that are known exactly: limbs found, orders, lengths and radii; what must not change
-// them, and scans that are hardly any.
+// Skeletons of scans of trees that are known exactly: limbs found, orders, lengths and radii; their invariance, and
+// degenerate scans.
 
 #include "support/Similarity.h"
 #include "support/Skeleton_comparison.h"
@@ -53,7 +53,7 @@ struct Tree_outcome
   CSCD::Tree_report report;
 };
 
-/// What must hold for the branches of every report.
+/// Checks properties of the branches of every report.
 void expect_branches(const Tree_outcome& outcome)
 {
   std::vector<bool> is_end(num_vertices(outcome.skeleton), false); // of an edge of a branch
@@ -87,7 +87,7 @@ void expect_branches(const Tree_outcome& outcome)
   EXPECT_EQ(outcome.report.number_of_objects, number_of_trunks);
 }
 
-/// Skeletonizes and checks what must hold for every scan.
+/// Skeletonizes and checks properties that hold for every scan.
 Tree_outcome tree_of(const std::vector<Triple>& triples)
 {
   Tree_outcome outcome;
@@ -112,7 +112,7 @@ Tree_outcome tree_of(const std::vector<Triple>& triples)
   return outcome;
 }
 
-/// Held against a tree of ten meters, of which limbs from 0.3 m beyond their parent count.
+/// Compares with a tree of ten meters. Its limbs count from 0.3 m beyond their parent.
 Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
 {
   return CSCD::test::Tree_matching(tree.limbs(), CSCD::test::found_branches(outcome.skeleton, outcome.report), 0.3,
@@ -120,7 +120,7 @@ Tree_match match(const Synthetic_tree& tree, const Tree_outcome& outcome)
       .result();
 }
 
-/// The least that holds of a scan; the rest is what is typical of a good one.
+/// Expects the minimum for any scan; the other bounds are typical of a good one.
 void expect_match(const Tree_match& match, double min_found)
 {
   const auto limbs = double(match.number_of_limbs);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Surfaces of voxels are closed manifolds with the topology of the voxels, which is counted by cells here.
+// Surfaces of voxels are closed manifolds with the topology of the voxels. The tests count it by cells.
 
 #include <CSCD/Surface/Surface_components.h>
 #include <CSCD/Volume/Voxel_surface.h>
@@ -47,7 +47,7 @@ Volume make_volume(const std::array<std::size_t, 3>& size, const Label& label)
 }
 
 /// The Euler number of the voxels of a label: of the union of the closed voxels if they are joined through corners, of
-/// its interior otherwise. Cells have even coordinates 2 i along axes in which they are a corner or an edge is none.
+/// its interior otherwise. A cell has even coordinates 2 i along the axes where its extent is zero.
 int euler_number_of_voxels(const Volume& volume, std::uint32_t label, Voxel_connectivity connectivity)
 {
   const std::array<int, 3> size{int(volume.grid.size[0]), int(volume.grid.size[1]), int(volume.grid.size[2])};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A point with no more than the library asks for.
+// A point with only the members that the library requires.
 
 #ifndef CSCD_TEST_ARCHETYPES_POINT_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POINT_ARCHETYPE_H

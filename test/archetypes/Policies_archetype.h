@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationPolicies with no more than the concept asks for: one separator, and one node.
+// A minimal model of SkeletonizationPolicies: one separator, and one node.
 
 #ifndef CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_POLICIES_ARCHETYPE_H

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A CurveSkeletonGraph with no more than the concept asks for: its descriptors are no numbers, and it has no index map.
+// A minimal model of CurveSkeletonGraph: its descriptors are not numbers, and it has no index map.
 
 #ifndef CSCD_TEST_ARCHETYPES_SKELETON_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SKELETON_ARCHETYPE_H

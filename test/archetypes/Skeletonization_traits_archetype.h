@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationTraits with no more than the concept asks for, and without any type of a mesh.
+// A minimal model of SkeletonizationTraits, without any type of a mesh.
 
 #ifndef CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SKELETONIZATION_TRAITS_ARCHETYPE_H
@@ -15,7 +15,7 @@
 
 namespace CSCD::test {
 
-/// What can only be copied, and read by the test: neither a number nor comparable, and there is none by default.
+/// A type that can only be copied, and read by the test: not a number, not comparable, not default constructible.
 class Input_descriptor_archetype
 {
 public:

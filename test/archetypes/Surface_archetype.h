@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationSurface and its SurfaceTriangulation with no more than the concepts ask for.
+// Minimal models of SkeletonizationSurface and of SurfaceTriangulation.
 
 #ifndef CSCD_TEST_ARCHETYPES_SURFACE_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_SURFACE_ARCHETYPE_H
@@ -31,7 +31,7 @@ private:
   double m_value;
 };
 
-/// A range that can be gone through once, and nothing else.
+/// A range that can be traversed once, and nothing else.
 class Halfedge_range_archetype
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A FaceListGraph with no more than the library asks for: no vertex point map of its own, no order on descriptors.
+// A minimal FaceListGraph for the library: no vertex point map of its own, no order on descriptors.
 
 #ifndef CSCD_TEST_ARCHETYPES_TRIANGLE_MESH_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_TRIANGLE_MESH_ARCHETYPE_H
@@ -21,7 +21,7 @@
 
 namespace CSCD::test {
 
-/// What can be compared for equality, hashed and copied. `Kind` keeps vertices, halfedges and faces apart.
+/// A type that can be compared for equality, hashed and copied. `Kind` keeps vertices, halfedges and faces apart.
 template <class Kind>
 class Descriptor_archetype
 {
@@ -42,7 +42,7 @@ private:
 };
 
 /// The triangles of a shape; halfedge `h` runs along side `h % 3` of face `h / 3`. It has no opposites, which the
-/// library does not ask for either.
+/// library does not require.
 class Triangle_mesh_archetype
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A SkeletonizationVisitor with no more than the concept asks for; it cannot be copied.
+// A minimal model of SkeletonizationVisitor; it cannot be copied.
 
 #ifndef CSCD_TEST_ARCHETYPES_VISITOR_ARCHETYPE_H
 #define CSCD_TEST_ARCHETYPES_VISITOR_ARCHETYPE_H
@@ -15,7 +15,7 @@ namespace CSCD::test {
 class Visitor_archetype
 {
 public:
-  /// What may be used where a bool is asked for.
+  /// A type that converts to bool.
   class Answer
   {
   public:

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: test/cluster/run.sh [NUMBER_OF_SHAPES]
-# Installs what is missing (Debian, Ubuntu) and tries the recipes of doc/datasets.md on generated shapes, 10,000 by
+# Installs missing packages (Debian, Ubuntu) and tries the recipes of doc/datasets.md on generated shapes, 10,000 by
 # default: each splits the list, has a worker killed, and has to give the same files as one `cscd-batch`. Runs as root,
-# as it starts a Slurm of its own, and wants the program to be built. No part of the other tests: it takes minutes.
+# as it starts its own Slurm, and needs the built program. Not a part of the other tests, as it takes minutes.
 
 set -euo pipefail
 
@@ -20,7 +20,7 @@ work=$(mktemp -d)
 pids=()
 clean_up()
 {
-  if [[ -e slurm.conf ]]; then # what is left of an interrupted run
+  if [[ -e slurm.conf ]]; then # the remains of an interrupted run
     scancel --user root 2>/dev/null || true
     sleep 2
   fi
@@ -36,8 +36,8 @@ cd "$work"
 /usr/bin/python3 "$source_dir/test/cluster/write_shapes.py" shapes "$number"
 find shapes -name '*.off' | sort >list
 
-# run_and_kill <folder> <option of pgrep>... -- <command>... runs the command, and kills the first process for which
-# pgrep looks, a worker, when there are some results. CHILD among its options stands for the process of the command.
+# run_and_kill <folder> <option of pgrep>... -- <command>... runs the command, and kills the first process that pgrep
+# finds, a worker, when some results exist. CHILD among its options stands for the process of the command.
 run_and_kill()
 {
   local folder=$1 begin=$SECONDS
@@ -76,7 +76,7 @@ expect_same()
   echo "$1: same $(find "$1" -name '*.graph' | wc -l) files as of one machine"
 }
 
-# What is tried is how work is shared: little work for each shape.
+# The test is about how work is shared: little work for each shape.
 options=(-- --separators 8)
 
 begin=$SECONDS
@@ -100,7 +100,7 @@ source "$source_dir/test/cluster/start_slurm.sh"
 run_slurm()
 {
   sbatch --wait --array=1-8 --output slurm_task.log "$cluster/slurm_array.sh" list "$work/slurm" "${options[@]}" ||
-    [[ $? == 2 ]] # the greatest of the tasks, of which one has broken shapes
+    [[ $? == 2 ]] # the greatest status of the tasks; one task has broken shapes
 }
 run_and_kill slurm --full "cscd-batch .*--output-dir $work/slurm " -- run_slurm
 expect_same slurm

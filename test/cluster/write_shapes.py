@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Usage: write_shapes.py FOLDER NUMBER
 
-Writes so many tori of different sizes, of which one in a thousand is no mesh."""
+Writes so many tori of different sizes; one file in a thousand is not a mesh."""
 
 import pathlib
 import sys

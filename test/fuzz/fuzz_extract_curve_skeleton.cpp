@@ -34,7 +34,7 @@ enum Option : unsigned
   huge = 1,      ///< coordinates near the largest numbers
   tiny = 2,      ///< coordinates near the smallest numbers
   far_away = 4,  ///< a body much smaller than its distance from the origin
-  not_finite = 8 ///< extreme bytes stand for infinity and for what is not a number
+  not_finite = 8 ///< extreme bytes stand for infinity and NaN
 };
 
 double coordinate(std::uint8_t byte, unsigned options)

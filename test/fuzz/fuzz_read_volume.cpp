@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fuzz target: any bytes, read as the file of a volume. The result is closed surfaces, or the content is refused in one
-// line that names the file; everything else is a bug and aborts.
+// Fuzz target: any bytes, read as the file of a volume. The results are closed surfaces, or the content is refused in
+// one line that names the file; everything else is a bug and aborts.
 //
 // The bytes: the format, then the content of the file.
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fuzz target: any two graphs as skeletons, compared, simplified, and evaluated against points. Simplified, a skeleton
-// keeps its Betti number and is finite; or what is asked for is refused by an Input_error that leaves it as it was.
+// Fuzz target: any two graphs as skeletons, compared, simplified, and evaluated against points. A simplified skeleton
+// keeps its Betti number and is finite, or an Input_error refuses the request and leaves the skeleton as it was.
 //
 // The bytes: options; eight parameters of simplify_skeleton(); then for both graphs the numbers of nodes and edges,
 // four bytes for each node, three of them signed, and two for each edge.

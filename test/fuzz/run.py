@@ -54,7 +54,7 @@ def run(target, folder, build_folder, seconds):
 
 
 def earlier_rows():
-    """Executions, edges and CPU minutes of each target in the page, and what was found."""
+    """Executions, edges, CPU minutes and findings of each target in the page."""
     rows = {}
     for name, executions, edges, minutes, found in re.findall(
             r"^\| `fuzz_(\w+)` \| ([\d,]+) \| ([\d,]+) \| ([\d.,]+) \| (.*) \|$", PAGE.read_text(), re.MULTILINE):
@@ -64,7 +64,7 @@ def earlier_rows():
 
 
 def found(old, failed):
-    """What a slice with so many failing inputs leaves in the column, until someone says in words what it was."""
+    """The entry of a slice with so many failing inputs, until someone replaces it by a description."""
     if failed == 0:
         return old
     new = f"{failed} failing inputs, not looked at yet"

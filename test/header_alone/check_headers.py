@@ -15,7 +15,7 @@ import subprocess
 import sys
 import tempfile
 
-# Folders of headers that users include, besides those of the top level.
+# Folders of headers that users include, in addition to the top level.
 FOLDERS = ["Application", "IO", "Measure", "Tree"]
 
 

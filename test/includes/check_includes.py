@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: check_includes.py INCLUDE_DIR
-# Fails unless the headers of the library include each other in one direction only: a folder only those before it in the
-# order below, and no header itself by way of others, but for X.h and the X_impl.h that it ends with.
+# Fails unless the headers of the library include each other in one direction only: a folder includes only folders
+# before it in the order below. No header includes itself through others, except X.h and the X_impl.h at its end.
 
 import pathlib
 import re
 import sys
 
-# The order in which data flows; doc/architecture.md has a paragraph for each.
+# The order of the data flow; doc/architecture.md has a paragraph for each.
 FOLDERS = ["internal", "Surface", "Separator", "Packing", "Local", "Skeleton", "Points", "Volume", "Published", "Graph",
            "Traits", "", "Measure", "Tree", "Application", "IO"]
 # Headers of the top level that every folder may include. They include nothing but each other and `internal`.

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: check_manual.py SOURCE_DIR DOCUMENTATION_DIR
-# Fails unless the reference lists whatever Doxygen found to be public, by headers that exist, and all examples; what
-# pages name is there, and links of the manual lead to files; CITATION.cff and the recipes name the version of the
+# Fails unless the reference lists all names that Doxygen found to be public, by headers that exist, and all examples;
+# names in pages exist, and links of the manual lead to files; CITATION.cff and the recipes name the version of the
 # library.
 
 import pathlib
@@ -19,7 +19,7 @@ def names_of(compound):
 
 
 def public_names(tag_file):
-    """The names of the namespace CSCD, and those of them that are concepts or checks of concepts."""
+    """The names of the namespace CSCD, and the subset of concepts and checks of concepts."""
     compounds = {}
     for compound in ElementTree.parse(tag_file).getroot().findall("compound"):
         compounds[compound.findtext("name")] = compound

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the fragments of code in README.md, in the manual and in comments of headers take as given. Includes are theirs.
+// Declarations that the code fragments in README.md, in the manual and in comments of headers assume. The fragments
+// have their own includes.
 
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/Skeleton_graph.h>

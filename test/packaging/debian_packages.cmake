@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Makes the Debian packages of the build BUILD_DIR and unpacks them to the folder ROOT. Fails if a package is missing,
-# needs what is not installed here though this build needed no more, or if the unpacked program does not run.
+# needs a package that is not installed here (this build needed no more), or if the unpacked program does not run.
 
 file(REMOVE_RECURSE "${ROOT}" "${ROOT}_packages")
 execute_process(COMMAND "${CPACK}" -G DEB -B "${ROOT}_packages" --config "${BUILD_DIR}/CPackConfig.cmake"

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Headless Chromium, driven as a user would: files chosen, buttons clicked, fingers moved, downloads read from disk. It
-# is told what to do through a pipe, so that no package is needed besides Chromium.
+# Headless Chromium, driven as a user would: files chosen, buttons clicked, fingers moved, downloads read from disk.
+# Commands go through a pipe, so that Chromium is the only required package.
 
 import fcntl
 import json

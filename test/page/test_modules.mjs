@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The modules of the viewer page that need no browser. Run by `node --test`.
+// The modules of the viewer page that do not need a browser. Run by `node --test`.
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';

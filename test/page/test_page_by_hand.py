@@ -21,7 +21,7 @@ WIDTH = 320  # of the saved picture, in pixels
 
 
 def view(browser):
-    """Where the camera is, relative to its target."""
+    """The place of the camera, relative to its target."""
     browser.evaluate("document.getElementById('link').click()")
     address = urllib.parse.parse_qs(browser.evaluate("location.hash.slice(1)"))
     eye, target = ([float(x) for x in address[name][0].split(",")] for name in ["eye", "target"])

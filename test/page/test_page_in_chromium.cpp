@@ -42,7 +42,7 @@ using Separators = std::vector<std::vector<Point>>;
 using CSCD::test::box_mesh;
 using CSCD::test::fork_in_box;
 
-/// What a shell command writes to its standard output.
+/// The standard output of a shell command.
 std::string output_of(const std::string& command)
 {
   std::string output;
@@ -58,7 +58,7 @@ std::string output_of(const std::string& command)
   return output;
 }
 
-/// The command for Chromium; empty if there is none.
+/// The command for Chromium; empty without Chromium.
 std::string chromium()
 {
   const std::string path = output_of("command -v chromium || command -v chromium-browser || command -v google-chrome");
@@ -145,7 +145,7 @@ TEST_F(Page_in_chromium, draws_and_all_switches_work)
   }
 }
 
-/// What the page tells at a threshold: the counts of the skeleton that the library prunes by it.
+/// The text of the page at a threshold: the counts of the skeleton that the library prunes by it.
 template <class Report>
 std::string line_of(const std::string& slider, int threshold, const Report& report, std::size_t number_of_branches)
 {

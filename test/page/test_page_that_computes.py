@@ -44,7 +44,7 @@ def difference(first, second):
 
 
 def open_file(browser, file, by_drop=False):
-    """What the page says when it is done."""
+    """The message of the page when it is done."""
     browser.evaluate("cscd.state = 'waiting'")
     if by_drop:
         content = base64.b64encode(file.read_bytes()).decode()

@@ -44,7 +44,7 @@ inline Mesh_file_content torus(std::size_t around = 60, std::size_t across = 24)
   return mesh;
 }
 
-/// What the program did.
+/// The outcome of a run of the program.
 struct Outcome
 {
   int status = -1;
@@ -57,7 +57,7 @@ class Cscd : public testing::Test
 {
 protected:
   /// Runs the program in the test's folder, in a shell: arguments may redirect.
-  /// \param before what the shell does first, with a semicolon, or the variables that the program gets
+  /// \param before the first commands of the shell, with a semicolon, or the variables that the program gets
   Outcome run(const std::string& arguments, const std::string& before = "")
   {
     const std::string command = "cd '" + m_folder.path().string() + "' && " + before + " '" CSCD_PROGRAM "' " +

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A library that is loaded before a program: the call of `operator new` fails whose number is in the variable
-// CSCD_FAIL_AT.
+// A library that is loaded before a program: the call of `operator new` with the number in the variable CSCD_FAIL_AT
+// fails.
 
 #include <atomic>
 #include <cstddef>

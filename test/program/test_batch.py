@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tests of cscd-batch: what becomes of good and bad inputs, and what is left when it is stopped.
+"""Tests of cscd-batch: results for good and bad inputs, and the remaining files after an interruption.
 
 Usage: test_batch.py CSCD_BATCH [option of unittest...]"""
 
@@ -22,7 +22,7 @@ import unittest
 
 BATCH = os.path.abspath(sys.argv.pop(1))
 CSCD = os.path.join(os.path.dirname(BATCH), "cscd")
-SLOWLY = ["--", "--method", "published", "--separators", "100000"]  # by which a torus takes many seconds
+SLOWLY = ["--", "--method", "published", "--separators", "100000"]  # a torus takes many seconds
 
 
 def load_module():
@@ -56,7 +56,7 @@ class Test_batch(unittest.TestCase):
                               timeout=600, check=False, **options)
 
     def rows(self, manifest):
-        """By the names of their inputs, each of which has one."""
+        """The rows by the names of their inputs; each input has one."""
         with open(self.folder / manifest, newline="") as file:
             rows = list(csv.DictReader(file))
         result = {row["input"]: row for row in rows}

@@ -124,7 +124,7 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
   expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
-/// Points that are named twice, squares and faces without area change what the mesh has, not what is written.
+/// Points that are named twice, squares and faces without area change the mesh, not the output.
 TEST_F(Cscd, results_follow_the_file_although_the_mesh_was_repaired)
 {
   Mesh_file_content mesh = torus();
@@ -378,7 +378,7 @@ constexpr const char* cross = R"({"nodes": [{"point": [0, 0, 0], "radius": 2}, {
   {"point": [-20, 0, 0], "radius": 1}, {"point": [0, 6, 0], "radius": 1}, {"point": [0, 0, 1.5], "radius": 1},
   {"point": [0, 10, 0], "radius": 1}], "edges": [[0, 1], [0, 2], [0, 3], [0, 4]]})";
 
-/// Four strips of the bark of a pole of one limb, of which no surface can be made.
+/// Four strips of the bark of a pole of one limb, too few for a surface.
 std::string pole()
 {
   std::string xyz;
@@ -664,7 +664,7 @@ TEST_F(Cscd, simplifies_skeletons)
   EXPECT_LT(50u, nlohmann::json::parse(content("t.json")).at("nodes").size());
   EXPECT_EQ(4, tips_after("--spacing 2"));
 
-  // Significance is written and the same when it is computed of what was read.
+  // Significance is written, and computing it from the written file gives the same.
   const nlohmann::json branches = nlohmann::json::parse(content("t.json")).at("branches");
   EXPECT_EQ(0, run("simplify t.json -o second.json -q").status);
   EXPECT_EQ(branches, nlohmann::json::parse(content("second.json")).at("branches"));
@@ -725,7 +725,7 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
 
 TEST_F(Cscd, joins_fragments_and_leaves_out_dust)
 {
-  // A torus, a second one beside it, and a cube far away.
+  // A torus, a second one next to it, and a cube far away.
   Mesh_file_content mesh = torus();
   for (const double x : {10., 20.}) {
     const Mesh_file_content part = x == 10 ? torus() : cube();
@@ -830,7 +830,7 @@ TEST_F(Cscd, prints_a_summary)
   EXPECT_EQ(0u, outcome.out.rfind("torus.off: 1440 vertices, 1 component, genus 1\nskeleton: ", 0)) << outcome.out;
   EXPECT_NE(std::string::npos, outcome.out.find("1 component, 1 cycle, 0 tips, 0 junctions\ntime: ")) << outcome.out;
   EXPECT_EQ(3, std::count(outcome.out.begin(), outcome.out.end(), '\n'));
-  // No progress bar, as this is no terminal.
+  // No progress bar, as this is not a terminal.
   EXPECT_EQ("cscd: torus.off: the skeleton is not written; name a file by --output\n", outcome.err);
   EXPECT_EQ(1, number_of_files());
 }
@@ -1179,7 +1179,7 @@ TEST_F(Cscd, skeletonizes_each_label_of_a_volume)
   EXPECT_EQ(0, run("skeletonize v.nrrd --threshold 3 -q -o t.graph").status);
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
 
-  // What is of the first label does not appear when the second fails.
+  // Outputs of the first label do not appear when the second fails.
   std::filesystem::create_directory(m_folder.path() / "late_5.json");
   expect_refusal("skeletonize v.nrrd --all-labels -q -o late.graph --report late.json", 2, {"late_5.json", "folder"});
   EXPECT_FALSE(std::filesystem::exists(m_folder.path() / "late_2.graph"));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the program leaves when the disk is full, memory runs out, or it is killed: all of its outputs, or none.
+// The outputs of the program when the disk is full, memory runs out, or it is killed: all of them, or none.
 
 #include "IO/mesh_files.h"
 #include "program/Cscd.h"
@@ -43,7 +43,7 @@ protected:
     return result;
   }
 
-  /// The outputs that have appeared; files beside their places do not count.
+  /// The number of outputs that have appeared; temporary files next to them do not count.
   std::size_t number_of_outputs() const
   {
     std::size_t result = 0;
@@ -109,7 +109,7 @@ TEST_F(Faults, without_memory_at_any_allocation_there_is_a_message_and_nothing_e
     EXPECT_EQ(outcome.status, 3) << number << ": " << outcome.err;
     EXPECT_NE(outcome.err.find("not enough memory"), std::string::npos) << number << ": " << outcome.err;
     ASSERT_EQ(number_of_outputs(), 0u) << number;
-    remove_outputs(); // a destructor without memory ends the program, and leaves what has no name yet
+    remove_outputs(); // a destructor without memory ends the program, and leaves temporary files
   }
   EXPECT_GT(number_of_failures, 100u);
 }
@@ -147,7 +147,7 @@ TEST_F(Faults, killed_at_any_time_no_output_is_half_written)
     for (const auto& [name, text] : outputs()) {
       if (const auto expected = m_expected.find(name); expected != m_expected.end()) {
         EXPECT_EQ(expected->second, text) << name << " after " << milliseconds << " ms";
-      } // else a file beside the others that was not yet named
+      } // else a temporary file that was not yet renamed
     }
     remove_outputs();
   }

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Usage: test_rig.py PROGRAM MESH FOLDER THREE_JS_DIR | test_rig.py PROGRAM MESH FOLDER
-# Writes a rig of the mesh and lets another read it: three.js in headless Chromium, where a joint is turned, or without
-# its folder the validator of Khronos (the npm package gltf-validator, which is fetched into FOLDER if npm is there).
-# Leaves with status 77 if that is not there; in continuous integration, three.js has to be.
+# Writes a rig of the mesh and lets another program read it: three.js in headless Chromium, where a joint is turned, or
+# without its folder the validator of Khronos (the npm package gltf-validator, which npm, if installed, fetches into
+# FOLDER). Leaves with status 77 if the reader is missing; in continuous integration, three.js is required.
 
 import base64
 import json
@@ -24,7 +24,7 @@ require('gltf-validator').validateBytes(new Uint8Array(fs.readFileSync(process.a
   .then(report => console.log(JSON.stringify(report.issues)));
 """
 
-# Turns the joint that moves most of what is less than a quarter of the mesh, and tells what moves.
+# Turns the joint that moves the largest part below a quarter of the mesh, and reports the moved vertices.
 PAGE = """<!DOCTYPE html><meta charset="utf-8"><pre id="result"></pre>
 <script>THREE_JS</script><script>LOADER</script><script>
 const bytes = Uint8Array.from(atob("RIG"), c => c.charCodeAt(0)).buffer;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a skeleton is from a known centreline, and the centreline from the skeleton.
+// The distance of a skeleton from a known centerline, and of the centerline from the skeleton.
 
 #ifndef CSCD_TEST_SUPPORT_CENTRELINE_ERROR_H
 #define CSCD_TEST_SUPPORT_CENTRELINE_ERROR_H
@@ -25,7 +25,7 @@ struct Centreline_error
   double mean_of_nodes = 0; ///< distance of a node from the centreline
   double max_of_nodes = 0;  ///< the largest of these
   double max_gap = 0;       ///< distance from a point of the centreline to the skeleton
-  double max_of_radii = 0;  ///< how wrong the radius is at nodes of degree 2, relative to the true one
+  double max_of_radii = 0;  ///< error of the radius at nodes of degree 2, relative to the true one
 };
 
 namespace internal {

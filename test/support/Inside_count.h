@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much of a skeleton lies inside a closed mesh.
+// The part of a skeleton that lies inside a closed mesh.
 
 #ifndef CSCD_TEST_SUPPORT_INSIDE_COUNT_H
 #define CSCD_TEST_SUPPORT_INSIDE_COUNT_H
@@ -20,7 +20,7 @@
 
 namespace CSCD::test {
 
-/// Nodes and edges of a skeleton, and how many of them are outside the body or only partly inside.
+/// The numbers of nodes and edges of a skeleton, and the numbers that are outside the body or only partly inside.
 struct Inside_count
 {
   std::size_t number_of_nodes = 0;
@@ -37,7 +37,7 @@ struct Inside_count
   double fraction_of_length_inside() const { return length == 0 ? 1 : 1 - length_outside / length; }
 };
 
-/// How often a closed surface winds around `p`: the sum of the solid angles of its triangles (Van Oosterom and
+/// The winding number of a closed surface around `p`: the sum of the solid angles of its triangles (Van Oosterom and
 /// Strackee, "The solid angle of a plane triangle", 1983). Linear.
 inline double winding_number(const Shape& shape, const Triple& p)
 {
@@ -62,7 +62,7 @@ Inside_count count_inside(const Mesh& mesh, const Skeleton& skeleton)
   const Shape shape = to_shape(mesh);
   const Exact_mesh body = to_mesh<Exact_mesh>(shape);
   const CGAL::Side_of_triangle_mesh<Exact_mesh, Kernel> side(body);
-  // CGAL goes by the parity of crossings: a point that an even number of sheets hold may still be inside.
+  // CGAL uses the parity of crossings: a point that an even number of sheets contain may still be inside.
   const auto is_outside = [&](const Triple& p) {
     return side(Kernel::Point_3(p[0], p[1], p[2])) == CGAL::ON_UNBOUNDED_SIDE &&
            std::fabs(winding_number(shape, p)) < 0.5;

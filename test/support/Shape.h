@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// An indexed triangle mesh with what is known about it: the common currency of the tests.
+// An indexed triangle mesh with its known properties: the common currency of the tests.
 
 #ifndef CSCD_TEST_SUPPORT_SHAPE_H
 #define CSCD_TEST_SUPPORT_SHAPE_H
@@ -78,7 +78,7 @@ struct Shape
   std::size_t number_of_border_cycles = 0;
   /// Empty where the shape has no obvious centreline.
   std::vector<Centreline_segment> centreline;
-  /// What a good skeleton has, where that is beyond doubt.
+  /// Counts of a good skeleton, where they are unambiguous.
   std::optional<std::size_t> number_of_tips;
   std::optional<std::size_t> number_of_junctions;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A test shape as the body on which the pipeline runs.
+// A test shape as the body that the pipeline runs on.
 
 #ifndef CSCD_TEST_SUPPORT_SHAPE_SOLID_H
 #define CSCD_TEST_SUPPORT_SHAPE_SOLID_H
@@ -17,7 +17,7 @@
 
 namespace CSCD::test {
 
-/// The solid of the triangles of `shape`, each vertex of which has a face.
+/// The solid of the triangles of `shape`, whose vertices each have a face.
 class Shape_solid
 {
 public:

@@ -85,8 +85,8 @@ inline Plain_skeleton renamed(Plain_skeleton skeleton, const std::vector<std::si
   return skeleton;
 }
 
-/// Why `a` and `b` differ by more than the order of nodes and edges and `tolerance` in position; empty if they do not.
-/// Every node of `a` is held against the nearest of `b`.
+/// The reason why `a` and `b` differ by more than the order of nodes and edges and `tolerance` in position; empty if
+/// they do not. Every node of `a` is compared with the nearest of `b`.
 inline std::string difference(const Plain_skeleton& a, const Plain_skeleton& b, double tolerance)
 {
   if (a.points.size() != b.points.size() || a.edges.size() != b.edges.size()) {

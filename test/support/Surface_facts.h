@@ -15,7 +15,7 @@
 
 namespace CSCD::test {
 
-/// What can be counted on a mesh.
+/// Counts of a mesh.
 struct Surface_facts
 {
   std::size_t number_of_vertices = 0;          ///< vertices with a face

@@ -40,7 +40,7 @@ inline double length(const Tree_limb& limb)
   return sum;
 }
 
-/// How a tree is grown. Lengths in meters.
+/// The parameters of the growth of a tree. Lengths in meters.
 struct Tree_settings
 {
   unsigned seed = 1;
@@ -50,8 +50,8 @@ struct Tree_settings
   std::size_t limbs_of_trunk = 9; ///< each limb has about two thirds as many for its length
 };
 
-/// Limbs, parents first. Limbs taper by the pipe model: the area of a section is proportional to the length of all that
-/// it carries.
+/// Limbs, parents first. Limbs taper by the pipe model: the area of a section is proportional to the total length of
+/// the limbs that it carries.
 class Synthetic_tree
 {
 public:
@@ -221,8 +221,8 @@ private:
   std::vector<Tree_limb> m_limbs;
 };
 
-/// Those of `points` that a scanner at `scanner` sees: in every cell of its field of view, as wide as the angle `cell`,
-/// what is at most `depth` behind the nearest point.
+/// The `points` that a scanner at `scanner` sees: in every cell of its field of view, as wide as the angle `cell`, the
+/// points at most `depth` behind the nearest point.
 inline std::vector<Triple> seen_from(const std::vector<Triple>& points, const Triple& scanner, double cell,
                                      double depth)
 {

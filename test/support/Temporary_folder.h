@@ -47,7 +47,7 @@ private:
   std::filesystem::path m_path;
 };
 
-/// The content of a file; empty if there is none.
+/// The content of a file; empty if it does not exist.
 inline std::string read_file(const std::string& filename)
 {
   std::ifstream in(filename, std::ios::binary);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How well the branches of a skeleton are the limbs of a known tree.
+// The agreement of the branches of a skeleton with the limbs of a known tree.
 
 #ifndef CSCD_TEST_SUPPORT_TREE_MATCH_H
 #define CSCD_TEST_SUPPORT_TREE_MATCH_H
@@ -27,14 +27,14 @@ struct Found_branch
   std::size_t order = 0;
 };
 
-/// What of a tree was found.
+/// The result of matching a tree.
 struct Tree_match
 {
   std::size_t number_of_limbs = 0; ///< those long enough to be seen
   std::size_t number_of_branches = 0;
-  std::size_t found = 0;         ///< limbs along most of which a branch of their own runs
+  std::size_t found = 0;         ///< limbs with a branch of their own along most of their length
   std::size_t missed = 0;        ///< other limbs
-  std::size_t superfluous = 0;   ///< branches that are most of no limb
+  std::size_t superfluous = 0;   ///< branches that do not match any limb
   std::size_t right_parents = 0; ///< found limbs whose branch grows from the branch of their parent
   std::size_t right_orders = 0;  ///< found limbs whose branch has their order
   double length_error = 0;       ///< sum over the found limbs of the differences of lengths, relative to their lengths
@@ -48,7 +48,7 @@ class Tree_matching
 {
 public:
   /// \param shortest the length of the shortest limb, beyond its parent, that can be seen
-  /// \param tolerance what two curves may be apart and be the same, beside the radius
+  /// \param tolerance the distance, in addition to the radius, of two curves that count as the same
   /// \param thick the least radius of limbs where radii are compared
   Tree_matching(const std::vector<Tree_limb>& limbs, const std::vector<Found_branch>& branches, double shortest,
                 double tolerance, double thick)

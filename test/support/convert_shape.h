@@ -50,7 +50,7 @@ Triple to_triple(const Point& p)
   return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
-/// Points and triangles of `mesh`, which must have triangles only; what is known of a shape is not filled in.
+/// Points and triangles of `mesh`, which must have triangles only; known properties of a shape are not filled in.
 template <class Mesh>
 Shape to_shape(const Mesh& mesh)
 {

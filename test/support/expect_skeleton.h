@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletonizes and expects what must always hold, of an answer and of a failure.
+// Skeletonizes and expects properties of every answer and of every failure.
 
 #ifndef CSCD_TEST_SUPPORT_EXPECT_SKELETON_H
 #define CSCD_TEST_SUPPORT_EXPECT_SKELETON_H
@@ -30,7 +30,7 @@ Skeletonization_report expect_skeleton(const Mesh& mesh, Skeleton& skeleton,
   return report;
 }
 
-/// A skeleton that no mesh has, to find out whether a function that fails leaves its output alone.
+/// A skeleton that no mesh has, to check that a function that fails keeps its output.
 template <class Skeleton>
 Skeleton marked_skeleton()
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A small surface with a small skeleton, for what shows the two together.
+// A small surface with a small skeleton, for tests of outputs that show both.
 
 #ifndef CSCD_TEST_SUPPORT_FORK_IN_BOX_H
 #define CSCD_TEST_SUPPORT_FORK_IN_BOX_H

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The branches of the skeleton of a tree, to be held against the truth.
+// The branches of the skeleton of a tree, for the comparison with the known tree.
 
 #ifndef CSCD_TEST_SUPPORT_FOUND_BRANCHES_H
 #define CSCD_TEST_SUPPORT_FOUND_BRANCHES_H

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What must hold for every skeleton of every mesh. Each function returns one sentence for each violation, none if all
-// is well, so that tests, fuzz targets and programs can use them alike.
+// Invariants of every skeleton of every mesh. Each function returns one sentence for each violation, so that tests,
+// fuzz targets and programs can use them alike.
 
 #ifndef CSCD_TEST_SUPPORT_INVARIANTS_H
 #define CSCD_TEST_SUPPORT_INVARIANTS_H
@@ -30,7 +30,7 @@ namespace CSCD::test {
 /// Sentences, one for each violation.
 using Violations = std::vector<std::string>;
 
-/// What can be counted on a skeleton.
+/// Counts of a skeleton.
 struct Skeleton_facts
 {
   std::size_t number_of_nodes = 0;
@@ -142,7 +142,7 @@ Violations violations_of_partition(const Mesh& mesh, const Skeleton& skeleton)
 }
 
 /// The skeleton has the components of the surface and, if it is closed, its genus; cavities do not count.
-/// \param number_of_cavities those of the surface, which are of genus 0; if not known, the report is believed
+/// \param number_of_cavities of the surface, which are of genus 0; if not known, the report's number is used
 inline Violations violations_of_topology(const Surface_facts& surface, const Skeleton_facts& skeleton,
                                          const Skeletonization_report& report,
                                          std::optional<std::size_t> number_of_cavities)
@@ -199,7 +199,7 @@ inline Violations violations_of_report(const Surface_facts& surface, const Skele
   return violations;
 }
 
-/// No more nodes are outside of a closed body without cavities than the report says.
+/// The number of nodes outside of a closed body without cavities is at most that of the report.
 /// \pre the nodes are finite
 template <class Mesh, class Skeleton>
 Violations violations_of_inside(const Mesh& mesh, const Skeleton& skeleton, const Skeletonization_report& report)
@@ -218,7 +218,7 @@ Violations violations_of_inside(const Mesh& mesh, const Skeleton& skeleton, cons
   return violations;
 }
 
-/// All of the above except positive radii and the inside: what holds even if components have no area.
+/// All of the above except positive radii and the inside: they hold even if components have no area.
 template <class Mesh, class Skeleton>
 Violations violated_invariants_without_area(const Mesh& mesh, const Skeleton& skeleton,
                                             const Skeletonization_report& report,

@@ -37,7 +37,7 @@ inline double distance_from_limbs(const std::vector<Limb>& limbs, const Triple& 
 }
 
 /// The union of `limbs`, with fillets where they meet; triangles about `cell_size` wide.
-/// The caller says what is known of the topology.
+/// The caller sets the known topology.
 inline Shape limb_shape(const std::string& name, const std::vector<Limb>& limbs, double cell_size)
 {
   const auto function = [&](const Triple& p) { return distance_from_limbs(limbs, p); };
@@ -193,7 +193,7 @@ inline Shape double_torus(double cell_size)
   return shape;
 }
 
-/// A cup with a handle beside x = 1: a wall of thickness 0.2 around the z axis, of radius 1 and height 2.
+/// A cup with a handle at x = 1: a wall of thickness 0.2 around the z axis, of radius 1 and height 2.
 inline Shape cup(double cell_size)
 {
   const auto function = [](const Triple& p) {

@@ -14,7 +14,7 @@
 
 namespace CSCD::test {
 
-/// A mesh file and what is known of the mesh.
+/// A mesh file and the known properties of the mesh.
 struct Real_mesh
 {
   const char* name; ///< of the file, without its ending `.off`

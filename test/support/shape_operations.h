@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What makes new shapes out of others: moving, renumbering, refining, shaking, merging.
+// Operations that make new shapes of others: moving, renumbering, refining, shaking, merging.
 
 #ifndef CSCD_TEST_SUPPORT_SHAPE_OPERATIONS_H
 #define CSCD_TEST_SUPPORT_SHAPE_OPERATIONS_H
@@ -143,7 +143,7 @@ inline Shape reversed(Shape shape)
   return shape;
 }
 
-/// A renumbered shape and where each vertex went.
+/// A renumbered shape and the new number of each vertex.
 struct Renumbered_shape
 {
   Shape shape;

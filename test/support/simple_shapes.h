@@ -46,7 +46,7 @@ inline Shape cube()
   return box("cube", {1, 1, 1});
 }
 
-/// A prism of height 1 over a polygon, which is given with the triangles that fill it.
+/// A prism of height 1 over a polygon, which is given with its triangulation.
 inline Shape prism(const std::string& name, const std::vector<Triple>& polygon, const std::vector<Triangle>& fill)
 {
   const std::size_t n = polygon.size();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What tests do where the data that they need is not installed.
+// The behavior of tests if their data is not installed.
 
 #ifndef CSCD_TEST_SUPPORT_SKIP_OR_FAIL_H
 #define CSCD_TEST_SUPPORT_SKIP_OR_FAIL_H
@@ -22,7 +22,7 @@ inline bool is_continuous_integration()
 } // namespace CSCD::test
 
 /// Ends the test, which is skipped or, in continuous integration, fails.
-/// \param message names what is missing and the package that it comes with
+/// \param message names the missing file or library and its package
 #define CSCD_TEST_SKIP_OR_FAIL(message)                                                                                \
   do {                                                                                                                 \
     if (CSCD::test::is_continuous_integration()) {                                                                     \

@@ -19,7 +19,7 @@ namespace CSCD::test {
 
 inline constexpr double pi = 3.14159265358979323846;
 
-/// How the ends of a tube are closed.
+/// The closing of the ends of a tube.
 enum class Tube_end
 {
   open,  ///< a border
@@ -44,7 +44,7 @@ inline Triple any_normal(const Triple& tangent)
   return unit(cross(tangent, axis));
 }
 
-/// The angle by which `to` is turned against `from` around `axis`; all three are unit vectors.
+/// The angle of the rotation around `axis` from `from` to `to`; all three are unit vectors.
 inline double angle_around(const Triple& axis, const Triple& from, const Triple& to)
 {
   return std::atan2(dot(cross(from, to), axis), dot(from, to));
@@ -55,7 +55,7 @@ inline Triple turned_around(const Triple& axis, double angle, const Triple& v)
   return std::cos(angle) * v + std::sin(angle) * cross(axis, v);
 }
 
-/// Carries a normal along `points` with as little twist as can be; on a closed curve the rest is spread evenly.
+/// Carries a normal along `points` with minimal twist; on a closed curve the rest is spread evenly.
 inline Framed_curve framed(const std::vector<Triple>& points, bool is_closed)
 {
   Framed_curve curve{points, {}, {}};
@@ -102,7 +102,7 @@ inline void join_rings(Shape& shape, std::size_t first, std::size_t second, std:
   }
 }
 
-/// Closes the ring that begins at `ring` by a fan around `apex`; `sign` tells on which side of the ring it lies.
+/// Closes the ring that begins at `ring` by a fan around `apex`; `sign` is the side of the ring that it lies on.
 inline void add_fan(Shape& shape, std::size_t ring, const Triple& apex, bool is_front, std::size_t around)
 {
   const std::size_t a = shape.points.size();
@@ -198,7 +198,7 @@ std::vector<Triple> sampled_closed_curve(const Curve& curve, std::size_t n)
   return points;
 }
 
-/// How many rings make the triangles of a tube of this length and radius about as long as wide.
+/// The number of rings that makes the triangles of a tube of this length and radius about as long as wide.
 inline std::size_t rings_for(double length, double radius, std::size_t around)
 {
   return 2 + static_cast<std::size_t>(length * static_cast<double>(around) / (2 * pi * radius));
@@ -298,7 +298,7 @@ inline Shape chain_of_rings(std::size_t number_of_rings, std::size_t around)
   return shape;
 }
 
-/// A closed tube out of which a strip of faces is cut along its middle part: one long border.
+/// A closed tube without a strip of faces along its middle part: one long border.
 inline Shape slit_tube(double length, double radius, std::size_t around)
 {
   Shape shape = tube(length, radius, around, Tube_end::flat);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The invariants notice what they are there for: a skeleton made by hand passes, and fails once it is spoilt.
+// The invariants notice violations: a skeleton made by hand passes, and fails after each damage.
 
 #include "support/Centreline_error.h"
 #include "support/Inside_count.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The generated shapes are what they claim to be: otherwise the other tests prove nothing.
+// The generated shapes have their stated properties, which the other tests rely on.
 
 #include "support/Surface_facts.h"
 #include "support/convert_shape.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What benchmark/compile_time.py compiles. The macros choose the headers that are included and the mesh types that
-// extract_curve_skeleton() is called with, so that the cost of each can be told apart.
+// The file that benchmark/reproduce/compile_time.py compiles. The macros choose the included headers and the mesh types
+// that extract_curve_skeleton() is called with, so that the cost of each can be measured.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -19,7 +19,7 @@ class Peak_memory
 public:
   Peak_memory()
   {
-    malloc_trim(0);                                // what earlier work has freed shall not count
+    malloc_trim(0);                                // memory that earlier work has freed shall not count
     std::ofstream("/proc/self/clear_refs") << "5"; // resets the peak
   }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Generated shapes with about as many vertices as asked for.
+// Generated shapes with about a given number of vertices.
 
 #ifndef CSCD_BENCHMARK_SUPPORT_GENERATED_SHAPES_H
 #define CSCD_BENCHMARK_SUPPORT_GENERATED_SHAPES_H
@@ -16,7 +16,7 @@
 
 namespace CSCD::benchmark {
 
-/// Edges around a tube of which every `area` squared radii of surface have so many vertices.
+/// The number of edges around a tube that has so many vertices on every `area` squared radii of its surface.
 inline std::size_t edges_around(std::int64_t number_of_vertices, double area)
 {
   const double edge_length = std::sqrt(area / double(number_of_vertices));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The meshes that are measured.
+// The meshes of the benchmarks.
 
 #ifndef CSCD_BENCHMARK_SUPPORT_MESH_PATHS_H
 #define CSCD_BENCHMARK_SUPPORT_MESH_PATHS_H
@@ -34,7 +34,7 @@ inline std::map<std::string, std::string> models()
   return path_of_name;
 }
 
-/// The files of those of CGAL's meshes with `names`, then those of other names among the models.
+/// The files of CGAL's meshes with `names`, then the models with other names.
 inline std::vector<std::string> mesh_paths(const std::vector<std::string>& names)
 {
   std::vector<std::string> paths;

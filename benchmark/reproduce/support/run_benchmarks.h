@@ -13,8 +13,7 @@
 
 namespace CSCD::benchmark {
 
-/// Calls `add()`, which registers benchmarks, and runs them as the arguments of the program say. \return its exit
-/// status
+/// Calls `add()`, which registers benchmarks, and runs them by the arguments of the program. \return its exit status
 template <class Add>
 int run_benchmarks(int argc, char** argv, const Add& add)
 {
