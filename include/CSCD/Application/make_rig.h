@@ -26,8 +26,8 @@ namespace CSCD {
 struct Rig_joint
 {
   std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
-  Index node = no_index;               ///< of the skeleton, at which it is
-  Index branch = no_index;             ///< to which that node belongs
+  Index node = no_index;               ///< the node of the skeleton at its place
+  Index branch = no_index;             ///< the branch of that node
   Vector_3 point{};                    ///< of the node
   double radius = 0;                   ///< of the node
   bool is_tip = false;                 ///< whether a limb ends in it, so that it moves nothing

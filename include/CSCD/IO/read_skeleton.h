@@ -26,7 +26,7 @@ namespace CSCD {
 namespace internal {
 
 /// Reads the skeleton that a file holds.
-/// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
+/// \throw File_error if its ending is not supported, or it cannot be read, is malformed or has no nodes
 Skeleton read_indexed_skeleton(const std::string& filename);
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
 

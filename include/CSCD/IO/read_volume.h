@@ -39,9 +39,8 @@ struct Volume_file;
 /// - MetaImage, also compressed, with its data attached or not (`.mha`, `.mhd`)
 /// - TIFF with a slice a page (`.tif`, `.tiff`), if built with libtiff
 ///
-/// Raw data are read by a `.nhdr` or `.mhd` that describes them. What is compressed needs zlib. Coordinates are those
-/// of the file: its origin is the center of the first voxel, and nothing is converted from one system of axes to
-/// another.
+/// Raw data are read by a `.nhdr` or `.mhd` that describes them. Compressed data need zlib. Coordinates are those of
+/// the file: its origin is the center of the first voxel, and nothing is converted from one system of axes to another.
 class Volume_reader
 {
 public:
@@ -56,10 +55,10 @@ public:
   /// Where the voxels are.
   const Volume_grid& grid() const;
   /// Reads the next slice.
-  /// \param labels is replaced by the labels of the voxels that are selected, and 0 of all others
-  /// \throw File_error if the data end before, are damaged, or hold what is no label; a value that is not a number is
-  ///        of the background
-  /// \pre there is one
+  /// \param labels is replaced by the labels of the selected voxels, and 0 for all others
+  /// \throw File_error if the data end too early, are damaged, or hold a number that is not a label; a value that is
+  ///        not a number belongs to the background
+  /// \pre there is a next slice
   void read_slice(std::vector<std::uint32_t>& labels);
 
 private:

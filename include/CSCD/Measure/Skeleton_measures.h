@@ -125,7 +125,7 @@ struct Skeleton_distance
 {
   double mean = 0;             ///< over the length of the edges
   double maximum = 0;          ///< over edges and nodes
-  double fraction_matched = 0; ///< of the length: what is not farther away than the match distance
+  double fraction_matched = 0; ///< of the length: the part no farther away than the match distance
 };
 
 /// How many features of two skeletons are at the same place.
@@ -147,7 +147,7 @@ struct Match_count
 struct Skeleton_comparison
 {
   double diagonal = 0;                    ///< of the bounding box of both, in their unit
-  double match_distance = 0;              ///< up to which features count as the same, relative to the diagonal
+  double match_distance = 0;              ///< up to it, features count as the same; relative to the diagonal
   Skeleton_distance from_first_to_second; ///< of the points of the first from the second
   Skeleton_distance from_second_to_first; ///< of the points of the second from the first
   Match_count tips;                       ///< nodes with one edge

@@ -21,7 +21,7 @@ namespace CSCD {
 
 /// How two segmentations of the same faces differ: the measures of the Princeton segmentation benchmark (X. Chen,
 /// A. Golovinskiy, T. Funkhouser, "A benchmark for 3D mesh segmentation", 2009). Each face counts once, whatever its
-/// area. All are 0 for equal segmentations, but for the adjusted Rand index.
+/// area. All are 0 for equal segmentations, except the adjusted Rand index.
 struct Segmentation_comparison
 {
   double rand_error = 0;               ///< part of the pairs of faces that are together in one, apart in the other
@@ -64,7 +64,7 @@ std::vector<Index> numbered_labels(const TriangleMesh& mesh, const FaceLabelMap&
 ///
 /// O(n log n) for n faces.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
 /// \tparam FaceLabelMap1,FaceLabelMap2 models of `ReadablePropertyMap` with face descriptors as keys and integers as
 ///         values
 /// \param mesh an oriented manifold with or without borders
@@ -79,7 +79,7 @@ std::vector<Index> numbered_labels(const TriangleMesh& mesh, const FaceLabelMap&
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if the mesh is no oriented manifold of triangles
+/// \throw Input_error if the mesh is not an oriented manifold of triangles
 template <class TriangleMesh, class FaceLabelMap1, class FaceLabelMap2,
           class NamedParameters = parameters::Default_named_parameters>
 Segmentation_comparison compare_segmentations(const TriangleMesh& mesh, const FaceLabelMap1& first,

@@ -54,7 +54,7 @@ std::vector<Tree_measures> measure_trees(const Skeleton& skeleton, const Tree_re
 
 } // namespace internal
 
-/// writes to each branch of the skeleton of a scan of trees of which limb it is a part: that along its last edge.
+/// sets for each branch of the skeleton of a scan of trees the limb that contains it: the limb along its last edge.
 /// Linear.
 /// \param report what `extract_tree_skeleton()` returned
 /// \param branches of the same skeleton, as `measure_branches()` gives them

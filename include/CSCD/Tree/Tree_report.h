@@ -35,12 +35,12 @@ inline constexpr std::size_t no_branch = std::numeric_limits<std::size_t>::max()
 /// input.
 struct Tree_branch
 {
-  std::size_t parent = no_branch; ///< the branch from which it grows, which stands before it; `no_branch` for a trunk
+  std::size_t parent = no_branch; ///< the branch that it grows from, an earlier one; `no_branch` for a trunk
   std::size_t object = 0;         ///< the object that it belongs to
   std::size_t order = 0;          ///< centrifugal order: 0 for a trunk, one more than the parent's for any other branch
   std::size_t strahler_order = 1; ///< at the base: 1 for a branch without branches
-  /// The vertices of the skeleton along the branch, base to tip; the first is that of the parent from which it grows,
-  /// for a trunk the root.
+  /// The vertices of the skeleton along the branch, base to tip. The first is the vertex of the parent that it grows
+  /// from, or the root for a trunk.
   std::vector<std::size_t> nodes{};
   double length = 0;         ///< along the nodes
   double radius_at_base = 0; ///< at its first own node
