@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// To which handles and tunnels closed curves on a surface belong.
+// The handles and tunnels that closed curves on a surface belong to.
 
 #ifndef CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 #define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
@@ -28,7 +28,7 @@ class Independent_bits
 public:
   using Bits = boost::dynamic_bitset<>;
 
-  /// Inserts `bits` unless they are a sum of those that are there. \return whether they were inserted
+  /// Inserts `bits` unless they are a sum of inserted ones. \return whether they were inserted
   bool insert(Bits bits)
   {
     for (const Bits& row : m_rows) {

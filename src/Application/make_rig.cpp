@@ -143,10 +143,10 @@ public:
 
   const std::vector<Rig_joint>& joints() const { return m_joints; }
 
-  /// \param node to which `point` belongs
+  /// \param node the node of `point`
   Rig::Influences operator()(Index node, const Vector_3& point) const
   {
-    Index target = no_index; // of the nearest edge, of which the parent is the source
+    Index target = no_index; // the target of the nearest edge; its parent is the source
     double least = 0;
     const auto look_at = [&](Index child) {
       const double distance =
@@ -256,7 +256,7 @@ private:
   Rooted_forest m_forest;
   Joint_placement m_placement;
   std::vector<Rig_joint> m_joints;
-  std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is no tip
+  std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is not a tip
   std::vector<Index> m_next;      ///< of each node, the first joint at or behind it
   std::vector<double> m_distance; ///< of each node from its root along the skeleton
   std::vector<double> m_zone;     ///< how far from each joint the weights go over
@@ -372,7 +372,7 @@ Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const st
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const Index node = surface.node_of_vertex[v];
     if (node == no_index) {
-      rig.influences.push_back({{{0, 1.}}}); // weights have the sum 1 for what is in no face, too
+      rig.influences.push_back({{{0, 1.}}}); // weights of vertices without a face have the sum 1, too
     } else {
       rig.influences.push_back(weights(node, surface.points[v]));
       sum_of_radii += skeleton.radii[node];

@@ -126,7 +126,7 @@ private:
   std::string m_decoded; ///< and not taken
 };
 
-/// The greatest ratio of sizes to which deflate compresses: 258 bytes to 2 bits.
+/// The greatest compression ratio of deflate: 258 bytes to 2 bits.
 inline constexpr std::size_t max_deflate_ratio = 1032;
 
 /// Decompresses zlib.

@@ -142,7 +142,7 @@ Point_columns find_columns(std::string_view text)
 
 /// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
 /// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
-/// \throw File_error if a line has no coordinates, or there are no points
+/// \throw File_error if a line has no coordinates, or the table has no points
 class Point_table_parser
 {
 public:

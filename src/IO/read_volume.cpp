@@ -731,7 +731,7 @@ std::unique_ptr<Volume_file> open_volume(const std::string& filename)
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
-  open_file(filename); // libtiff would not say what is wrong with a folder or a name
+  open_file(filename); // libtiff would not report a folder or a wrong name as the cause
   return open(filename);
 }
 

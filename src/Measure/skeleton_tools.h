@@ -73,7 +73,7 @@ struct Edge_sample
 /// Samples the edges of `skeleton` evenly: they are laid end to end in their order, and every piece of length `spacing`
 /// gets a sample at its middle. So each sample stands for the same length, however the skeleton is cut into edges.
 /// O(e + l / spacing) for e edges of total length l.
-/// \param max_number of samples, for which the spacing is made greater
+/// \param max_number of samples; the spacing is made greater if there would be more
 /// \pre `spacing` is positive
 inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing,
                                              std::size_t max_number = std::numeric_limits<std::size_t>::max())
@@ -192,7 +192,7 @@ public:
   /// \throw Input_error see `Work_limit`
   Segment_point nearest(const Vector_3& point, Work_limit& work) const
   {
-    constexpr double slack = 1 - 1e-12; // far above rounding: boxes that are as near as what was found are entered
+    constexpr double slack = 1 - 1e-12; // far above rounding: boxes as near as the nearest edge so far are entered
     double least = std::numeric_limits<double>::infinity();
     Index nearest = no_index;
     std::size_t steps = 0;
