@@ -538,7 +538,7 @@ private:
     return rest.none() ? std::optional(loop) : std::nullopt;
   }
 
-  /// Inserts `inserted` into `loop` at a vertex that both have; what they have in common then goes straight back.
+  /// Inserts `inserted` into `loop` at a vertex that both have; their common part then goes straight back.
   bool insert_loop(std::vector<Index> inserted, std::vector<Index>& loop) const
   {
     const auto begins_at = [&](Index vertex) {

@@ -25,7 +25,7 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Chooses the nodes of a rooted skeleton at which joints are.
+/// Chooses the nodes of a rooted skeleton that get joints.
 class Joint_placement
 {
 public:
@@ -83,7 +83,7 @@ private:
     return m_skeleton.length({node, center}) <= m_skeleton.radii[center];
   }
 
-  /// Where the limb leaves the ball of the junction at which it begins; 0 if it does not before it enters that of the
+  /// Where the limb leaves the ball of the junction where it begins; 0 if it does not before it enters that of the
   /// next one. A limb that stays inside as far as its tip has its joint right before this.
   std::size_t exit_of_junction(const Chain& chain) const
   {
@@ -126,10 +126,10 @@ private:
   double m_bend_tolerance;
   std::vector<std::vector<Index>> m_children;
   std::vector<char> m_is_joint;
-  std::vector<Index> m_ends; ///< nodes at which chains begin or end
+  std::vector<Index> m_ends; ///< nodes where chains begin or end
 };
 
-/// Numbers joints, and finds how strongly they move what belongs to a place on the skeleton.
+/// Numbers joints, and finds how strongly they move points of a place on the skeleton.
 class Joint_weights
 {
 public:

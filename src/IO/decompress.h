@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes from Base64, and from what zlib, gzip or zstd has compressed.
+// Bytes from Base64, and from data compressed by zlib, gzip or zstd.
 
 #ifndef CSCD_SRC_IO_DECOMPRESS_H
 #define CSCD_SRC_IO_DECOMPRESS_H
@@ -89,7 +89,7 @@ private:
                                   : -1;
   }
 
-  /// Appends three bytes; fewer where `=` fills the last digits, behind which further data may follow.
+  /// Appends three bytes; fewer where `=` fills the last digits; further data may follow.
   void decode_quartet(std::string& bytes)
   {
     std::uint32_t bits = 0;

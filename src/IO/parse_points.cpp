@@ -49,7 +49,7 @@ void keep_normals_only(Shape_file& shape)
   shape.has_other_columns = has_columns && normals.empty();
 }
 
-/// Which columns of a table hold coordinates and normals, and what stands between columns.
+/// Which columns of a table hold coordinates and normals, and the separator of columns.
 struct Point_columns
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -83,7 +83,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
   }
 }
 
-/// What separates the numbers of the first line that begins with one and has several: 0 for blanks. Where a `;`
+/// The separator of the numbers of the first line that begins with one and has several: 0 for blanks. Where a `;`
 /// separates, a comma may belong to a number.
 char find_separator(std::string_view text)
 {

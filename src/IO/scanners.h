@@ -443,7 +443,7 @@ private:
   std::string m_filename;
 };
 
-/// Goes through XML tag by tag and holds nothing but the current one, so that large files take no more memory than
+/// Goes through XML tag by tag and holds only the current one, so that large files take no more memory than
 /// their text, and binary data may follow. Comments and declarations are passed over; character references are left as
 /// they are.
 class Xml_scanner

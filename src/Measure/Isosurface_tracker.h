@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulates the surface on which a field has a given value.
+// Triangulates the surface where a field has a given value.
 
 #ifndef CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 #define CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H

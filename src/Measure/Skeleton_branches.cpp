@@ -132,7 +132,7 @@ void assign_orders(const Rooted_forest& forest, std::vector<Skeleton_branch>& br
       enter(branch_before[node], parent);
     }
   }
-  // What the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
+  // The parts that the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
   for (Index b = 0; b < branches.size(); ++b) {
     if (!branches[b].order) {
       enter(b, branches[b].nodes.front());

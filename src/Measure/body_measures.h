@@ -173,7 +173,7 @@ private:
     m_result.offset_by_length = means.mean(means.offset);
   }
 
-  /// Means over more would be no better, and take minutes. Skeletons of bodies have fewer nodes and samples.
+  /// Means over more would not be better, and take minutes. Skeletons of bodies have fewer nodes and samples.
   static constexpr std::size_t max_number_of_stars = 1 << 16;
 
   const Solid_queries& m_queries;
@@ -230,9 +230,9 @@ struct Found_limb
 
 /// Finds limbs by persistence: the level of a vertex is its mean distance from the component. As the level sinks, the
 /// set of vertices above it grows; its connected parts appear at tips, and end where they meet a part with a higher
-/// tip. A part is a limb from any level on at which it is a disc, high enough, and slender enough; what reaches out
-/// with a handle is none, since a skeleton has a cycle there and no tip. The limb begins at the last of the levels at
-/// which it was one and met another part or itself.
+/// tip. A part is a limb from any level on where it is a disc, high enough, and slender enough. A part with a handle is
+/// not a limb, since a skeleton has a cycle there and no tip. The limb begins at the last of the levels where it was
+/// one and met another part or itself.
 class Surface_limbs
 {
 public:
@@ -298,7 +298,7 @@ private:
   {
     Index tip;
     Index parent = no_index; ///< the part that it has met, and that has the higher tip
-    Index limb = no_index;   ///< what it is
+    Index limb = no_index;   ///< the limb that it is
     int euler_characteristic = 0;
     float area = 0;
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances between two skeletons, what they have at the same place, and whether they are joined in the same way.
+// Distances between two skeletons, their features at the same place, and whether they are joined in the same way.
 
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/compare_skeletons.h>
@@ -287,7 +287,7 @@ struct Compared_skeleton
   Skeleton_distance distance(const Compared_skeleton& other, double match_distance) const
   {
     constexpr double spacing = 1. / 1000;
-    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would be no better
+    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would not be better
     std::vector<Vector_3> samples;                         // of the edges; the nodes if these have no length
     for (const Edge_sample& sample : sample_edges(skeleton, spacing, max_number_of_samples)) {
       samples.push_back(sample.point);

@@ -367,7 +367,7 @@ public:
                : triangulate_field(Round_cone_field(m_skeleton), m_skeleton, cell_size);
   }
 
-  /// All measures but those of the position.
+  /// All measures except those of the position.
   Skeleton_measures measure() const
   {
     Skeleton_measures result;

@@ -87,7 +87,7 @@ bool can_merge(const Branch& branch, const Neighbors& neighbors)
   return std::adjacent_find(around.begin(), around.end()) == around.end();
 }
 
-/// Between which two of the ascending `places` the given one is, and where between them.
+/// The two of the ascending `places` around the given one, and its position between them.
 std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
 {
   const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the measures of skeletons share: checks, counts, samples of edges, and the nearest edge.
+// Common parts of the measures of skeletons: checks, counts, samples of edges, and the nearest edge.
 
 #ifndef CSCD_SRC_MEASURE_SKELETON_TOOLS_H
 #define CSCD_SRC_MEASURE_SKELETON_TOOLS_H
@@ -101,7 +101,7 @@ inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double sp
   return samples;
 }
 
-/// Counts steps of searches, and refuses what would take hours: the edges of a skeleton that are all near each other,
+/// Counts steps of searches, and refuses searches of hours: the edges of a skeleton that are all near each other,
 /// as those of a complete graph.
 class Work_limit
 {

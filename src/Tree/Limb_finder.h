@@ -24,7 +24,7 @@ namespace CSCD::internal {
 /// A connected piece of a band of distances from the root.
 struct Slice
 {
-  Index parent = no_index; ///< the slice through which the shortest paths to the root go
+  Index parent = no_index; ///< the next slice on the shortest paths to the root
   float begin = 0;         ///< the band
   float end = 0;
   std::vector<Index> points;
@@ -141,7 +141,7 @@ private:
     for (Index slice = first; slice < slices.size(); ++slice) {
       measure(slices[slice], task.parent == no_index ? nullptr : &slices[task.parent]);
     }
-    // What a path reaches over the whole band belongs to the slice that it comes from.
+    // A point that a path reaches over the whole band belongs to the slice that the path comes from.
     std::vector<std::vector<Index>> starts(slices.size() - first);
     std::vector<Index> leaps;
     for (Index point : ends) {
@@ -293,7 +293,7 @@ private:
   /// The number of slices that give the direction of a limb.
   static constexpr int direction_slices = 3;
 
-  /// For every slice the distance at which the part of an object beyond it, itself included, ends.
+  /// For every slice the distance where the part of an object from it on ends.
   void find_reaches()
   {
     m_reach.assign(m_slices.size(), 0);

@@ -144,7 +144,7 @@ public:
     });
   }
 
-  /// What the shortest path to the root costs.
+  /// The cost of the shortest path to the root.
   float cost(Index point) const { return m_cost[point]; }
   /// The length of that path.
   float distance(Index point) const { return m_distance[point]; }
@@ -337,7 +337,7 @@ private:
     }
   }
 
-  /// The width of the gap across which the pieces of two points were joined, directly or over others.
+  /// The width of the gap where the pieces of two points were joined, directly or over others.
   /// \pre they are of one object
   double width_of_joint(Index a, Index b) const
   {
@@ -392,7 +392,7 @@ private:
   std::vector<Index> m_piece;       // of every point, before any gap was bridged: named by a point of it
   std::vector<Moments> m_moments;   // of every piece, at the point that represents it
   std::vector<Index> m_joined_to;   // of a piece, the one that it became part of ...
-  std::vector<double> m_join_width; // ... and across what gap
+  std::vector<double> m_join_width; // ... and the width of the gap
   std::vector<Point_gap> m_bridges;
   std::vector<Index> m_object;
   Index m_number_of_objects = 0;

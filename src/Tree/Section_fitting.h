@@ -401,7 +401,7 @@ private:
     return offset / sum;
   }
 
-  /// The scatter of the points of a slice around its center, across the limb, without what noise adds.
+  /// The scatter of the points of a slice around its center, across the limb, without the part of the noise.
   double scatter_radius(Index slice) const
   {
     const Section& section = m_sections[slice];

@@ -386,7 +386,7 @@ private:
   std::vector<Index> m_node_of_point;
 };
 
-/// What the user should know of a scan and its skeleton, one sentence each.
+/// The warnings about a scan and its skeleton, one sentence each.
 std::vector<std::string> tree_warnings(const Tree_report& report)
 {
   std::vector<std::string> result;
@@ -484,7 +484,7 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
   // If a greater part of a scan would remain, the scan is not dense, and would lose twigs: 0.79 of scans from two sides
   // remain, and 0.83 or more of trees with as much noise for the spacing, but even density.
   constexpr double largest_part = 0.8;
-  constexpr double rounding = 1e-9; // in the cube [-1, 1]^3 of the points, far above what fits leave of it
+  constexpr double rounding = 1e-9; // in the cube [-1, 1]^3 of the points, far above the residual of fits
   const double distance = min_distance * noise_of_bark(cloud.points);
   if (!(distance > rounding)) {
     return std::move(cloud);

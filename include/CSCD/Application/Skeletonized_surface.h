@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mesh and its skeleton as flat arrays: what the applications of skeletons work on.
+// A mesh and its skeleton as flat arrays: the input of the applications of skeletons.
 
 #ifndef CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H

@@ -33,7 +33,7 @@ enum class Loop_kind
 template <class Point>
 struct Surface_loop
 {
-  /// What it surrounds.
+  /// The feature that it surrounds.
   Loop_kind kind = Loop_kind::handle;
   /// Its length, in the unit of the mesh.
   double length = 0;

@@ -22,7 +22,7 @@
 
 namespace CSCD {
 
-/// A joint of a rig: it turns what comes after it about its place.
+/// A joint of a rig: it turns the joints after it about its place.
 struct Rig_joint
 {
   std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
@@ -54,7 +54,7 @@ struct Rig
   /// Of one vertex, the strongest first; the sum of their weights is 1.
   using Influences = std::array<Rig_influence, max_number_of_influences>;
 
-  std::vector<Rig_joint> joints;      ///< each after its parent, and what depends on it right after it
+  std::vector<Rig_joint> joints;      ///< each after its parent, and its descendants right after it
   std::vector<Influences> influences; ///< of the vertices of the mesh in their order
 };
 

@@ -27,7 +27,7 @@
 
 namespace CSCD {
 
-/// What `read_triangle_mesh()` did so that the polygons of a file became an oriented manifold triangle mesh.
+/// The repairs of `read_triangle_mesh()` until the polygons of a file became an oriented manifold triangle mesh.
 struct Mesh_repair_report
 {
   std::size_t number_of_triangulated_polygons = 0; ///< faces of more than three vertices, cut into triangles
@@ -82,8 +82,8 @@ struct Faces_of_file
 };
 
 /// Finds them by the places of their corners, as repairs never move a point. O(n log n).
-/// \param file what `make_manifold()` was given
-/// \param points, faces those of the mesh
+/// \param file the argument of `make_manifold()`
+/// \param points, faces of the mesh
 Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
                           const std::vector<std::array<Index, 3>>& faces);
 
@@ -226,7 +226,7 @@ Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh&
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
 /// files.
-/// \param name what to call the stream in messages
+/// \param name the name of the stream in messages
 template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, const std::string& name, TriangleMesh& mesh)
 {
@@ -237,7 +237,7 @@ Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, cons
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \tparam Point, Vector constructible from three coordinates
 /// \param format the ending of a file name, or the whole name: an ending of `Mesh_format` or `Point_format`
-/// \param name what to call the stream in messages
+/// \param name the name of the stream in messages
 /// \param mesh is replaced if there are faces
 /// \param points, normals are replaced if there are only points
 /// \return the repairs that were made, if there are faces

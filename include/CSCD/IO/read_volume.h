@@ -45,8 +45,8 @@ class Volume_reader
 {
 public:
   /// Reads the header and checks it against the size of the data.
-  /// \throw File_error if the file cannot be read, its header is malformed, tells sizes that its data cannot have, or
-  ///        axes that are not finite or do not span the space, or its format needs what this was built without
+  /// \throw File_error if the file cannot be read, its header is malformed, has sizes that its data cannot have, or
+  ///        axes that are not finite or do not span the space, or the build lacks a library for its format
   Volume_reader(const std::string& filename, const Voxel_selection& selection);
   /// Takes over the file of `other`.
   Volume_reader(Volume_reader&& other) noexcept;
@@ -67,7 +67,7 @@ private:
   std::vector<double> m_values;
 };
 
-/// Whether the ending of `filename` is that of a volume.
+/// Whether `filename` has an ending of volumes.
 bool is_volume_filename(const std::string& filename);
 
 /// reads a volume into memory. \see Volume_reader

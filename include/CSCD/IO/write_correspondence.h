@@ -29,7 +29,7 @@
 
 namespace CSCD {
 
-/// What a vertex or point of the input has to do with the skeleton.
+/// The relation of a vertex or point of the input to the skeleton.
 struct Vertex_label
 {
   Index node = no_index;                                      ///< the node of the vertex; `no_index` if none

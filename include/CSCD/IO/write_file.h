@@ -30,7 +30,7 @@ public:
   /// Writes the output of `write` into a stream next to the place of `filename`. A file that is not regular, such as a
   /// pipe, is written directly. A replaced file keeps its permissions, and a link to it stays a link.
   /// \param write called once
-  /// \throw File_error if the file cannot be written; whatever `write` throws
+  /// \throw File_error if the file cannot be written; every exception of `write`
   void write(const std::string& filename, const Write& write);
 
   /// Lets all files that have been written take their places.
@@ -48,9 +48,9 @@ private:
   std::vector<File> m_files;
 };
 
-/// creates the file `filename`, or replaces it, with what `write` puts into a stream: a `File_group` of one file.
+/// creates the file `filename`, or replaces it, with the output of `write`: a `File_group` of one file.
 /// \param write called once
-/// \throw File_error if the file cannot be written; whatever `write` throws
+/// \throw File_error if the file cannot be written; every exception of `write`
 void write_file(const std::string& filename, const File_group::Write& write);
 
 } // namespace CSCD

@@ -17,10 +17,10 @@
 
 namespace CSCD {
 
-/// What SWC files can tell besides the skeleton.
+/// The content of SWC files besides the skeleton.
 struct Swc_options
 {
-  /// The type of all nodes but the soma, from 0 to 7: 1 soma, 2 axon, 3 dendrite, 4 apical dendrite, 5 fork, 6 end,
+  /// The type of all nodes except the soma, from 0 to 7: 1 soma, 2 axon, 3 dendrite, 4 apical dendrite, 5 fork, 6 end,
   /// 7 custom. By default forks are 5, ends 6 and others 0, which some readers of neurons refuse.
   std::optional<int> type{};
   /// The thickest node is the soma, of type 1, if its radius is at least this, in the unit of the skeleton. It is the

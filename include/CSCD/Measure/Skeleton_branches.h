@@ -28,7 +28,7 @@
 
 namespace CSCD {
 
-/// What a branch ends in.
+/// The kind of an end of a branch.
 enum class Branch_end
 {
   tip,      ///< a node with one edge, inside of the body
@@ -56,7 +56,7 @@ struct Skeleton_branch
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::vector<Index> nodes;                          ///< from end to end, as `split_into_branches()` gives them
-  std::array<Branch_end, 2> ends{};                  ///< what the first and the last node are
+  std::array<Branch_end, 2> ends{};                  ///< kinds of the first and the last node
   double length = 0;                                 ///< along the edges
   double chord = 0;                                  ///< distance of both ends
   double min_radius = unknown;                       ///< over the nodes
@@ -93,7 +93,7 @@ struct Skeleton_branch
 struct Skeleton_branches
 {
   std::vector<Skeleton_branch> branches; ///< in the order of `split_into_branches()`
-  /// The branch of every node. A junction, at which several end, belongs to that of the greatest mean radius.
+  /// The branch of every node. A junction where several end belongs to the branch of the greatest mean radius.
   std::vector<Index> branch_of_node;
 };
 

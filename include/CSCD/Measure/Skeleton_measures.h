@@ -22,7 +22,7 @@ enum class Reconstruction_method
   round_cones  ///< union of the convex hulls of the two balls of each edge
 };
 
-/// What stands for a measure that is not defined for the input.
+/// The value of a measure that is not defined for the input.
 inline constexpr double undefined_measure = std::numeric_limits<double>::quiet_NaN();
 
 /// How far the input and a surface reconstructed from a skeleton are apart. Lengths are relative to the diagonal of the
@@ -32,8 +32,8 @@ struct Reconstruction_error
   double mean = undefined_measure;        ///< distance from the points of the input to the faces of the reconstruction
   double mean_square = undefined_measure; ///< of the same distances, relative to the square of the diagonal
   double maximum = undefined_measure;     ///< of the same distances
-  /// Mean distance from the reconstruction to the input, by area: what swells or hangs outside. To the faces of a mesh;
-  /// to the nearest of the points, so that their spacing counts, if the input is a point cloud.
+  /// Mean distance from the reconstruction to the input, by area: parts that swell or stick out. To the faces of a
+  /// mesh; to the nearest of the points, so that their spacing counts, if the input is a point cloud.
   double reverse_mean = undefined_measure;
   double reverse_maximum = undefined_measure;     ///< of the distances from the reconstruction to the input
   double unresolved_fraction = undefined_measure; ///< of the skeleton's length, which is too thin for the lattice

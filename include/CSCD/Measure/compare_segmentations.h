@@ -25,7 +25,7 @@ namespace CSCD {
 struct Segmentation_comparison
 {
   double rand_error = 0;               ///< part of the pairs of faces that are together in one, apart in the other
-  double adjusted_rand_index = 1;      ///< 1 for equal segmentations, about 0 for those that have nothing in common
+  double adjusted_rand_index = 1;      ///< 1 for equal segmentations, about 0 for segmentations with nothing in common
   double missing_rate = 0;             ///< part of the faces outside of the part of the first that covers theirs best
   double false_alarm_rate = 0;         ///< the same with the segmentations exchanged
   double hamming_distance = 0;         ///< mean of both rates

@@ -30,7 +30,7 @@ struct Evaluation_parameters
   std::size_t resolution = 200; ///< cells of the lattice along the diagonal of the bounding box
 };
 
-/// What a skeleton is measured against, in the coordinates of the input: a mesh, or points.
+/// The reference of the measures, in the coordinates of the input: a mesh, or points.
 struct Measured_input
 {
   Indexed_triangles triangles; ///< an oriented manifold with or without borders; empty for points

@@ -97,7 +97,7 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
   return result;
 }
 
-/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with whatever else they carry.
+/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with all other properties.
 template <class Skeleton>
 Skeleton to_simplified_graph(const Skeleton& skeleton, const CSCD::Skeleton& before,
                              const Simplified_skeleton& simplified)
@@ -204,7 +204,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_over_radius}
-///     \cgalParamDescription{those that are shorter, in mean radii of the branch, are pruned}
+///     \cgalParamDescription{branches that end in a tip and are shorter, in their mean radii, are pruned}
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the skeletonization of a tree reports.
+// The report of the skeletonization of a tree.
 
 #ifndef CSCD_TREE_TREE_REPORT_H
 #define CSCD_TREE_TREE_REPORT_H
@@ -14,7 +14,7 @@
 
 namespace CSCD {
 
-/// What became of the attempt to fit a circle to the points around a node. Without one, center and radius are given by
+/// The result of the attempt to fit a circle to the points around a node. Without one, center and radius are given by
 /// the scatter of the points, by the circles around, and by what the limb carries.
 enum class Circle_outcome
 {
@@ -75,7 +75,7 @@ struct Tree_report
   /// How the sections of the branches were found, in the order of `Circle_outcome`.
   std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
   double seconds = 0;                ///< wall-clock time
-  std::vector<std::string> warnings; ///< what the user should know, one sentence each
+  std::vector<std::string> warnings; ///< warnings for the user, one sentence each
 };
 
 } // namespace CSCD
