@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Point clouds and what is made of them, compiled once.
+// Point clouds, their bodies and their surfaces, compiled once.
 
 #include <CSCD/Graph/Spatial_graph_impl.h>
 #include <CSCD/Points/Point_cloud_impl.h>

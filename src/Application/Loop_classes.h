@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// To which handles and tunnels closed curves on a surface belong.
+// The handles and tunnels that closed curves on a surface belong to.
 
 #ifndef CSCD_SRC_APPLICATION_LOOP_CLASSES_H
 #define CSCD_SRC_APPLICATION_LOOP_CLASSES_H
@@ -28,7 +28,7 @@ class Independent_bits
 public:
   using Bits = boost::dynamic_bitset<>;
 
-  /// Inserts `bits` unless they are a sum of those that are there. \return whether they were inserted
+  /// Inserts `bits` unless they are a sum of inserted ones. \return whether they were inserted
   bool insert(Bits bits)
   {
     for (const Bits& row : m_rows) {
@@ -148,7 +148,7 @@ private:
   static constexpr double push = 1e-3;
 
   /// Grows a tree breadth first in each connected part of a graph of `size` nodes. \return the way back of each node
-  /// but the roots \param for_each_neighbor `for_each_neighbor(node, reach)` calls `reach(neighbor, way back)`
+  /// except the roots \param for_each_neighbor `for_each_neighbor(node, reach)` calls `reach(neighbor, way back)`
   template <class ForEachNeighbor>
   static std::vector<Index> grow_trees(std::size_t size, const ForEachNeighbor& for_each_neighbor)
   {
@@ -200,7 +200,7 @@ private:
     };
     std::vector<Index> first = path_to_root(from);
     std::vector<Index> second = path_to_root(to);
-    while (!first.empty() && !second.empty() && first.back() == second.back()) { // what they share
+    while (!first.empty() && !second.empty() && first.back() == second.back()) { // their common part
       first.pop_back();
       second.pop_back();
     }
@@ -222,7 +222,7 @@ private:
     return result;
   }
 
-  /// The halfedges across which the dual loop of `edge` leaves faces, in order; the first is the edge's.
+  /// The halfedges where the dual loop of `edge` leaves faces, in order; the first is the edge's.
   std::vector<Index> dual_loop(Index edge) const
   {
     const auto face_behind = [this](Index side) { return Triangulated_surface::face(m_surface.twin(side)); };
@@ -280,7 +280,7 @@ private:
 
   using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, const Segment*>;
 
-  /// Adds the sides of `polygon`, turned to a direction along which no two edges of a usual mesh are seen as one.
+  /// Adds the sides of `polygon`, turned to a direction where no two edges of a usual mesh are seen as one.
   static void add_segments(const Polygon& polygon, Index loop, std::vector<Segment>& segments)
   {
     const Vector_3 x = Vector_3(0.81, 0.37, -0.23).normalized();
@@ -322,7 +322,7 @@ private:
 
   const Triangulated_surface& m_surface;
   std::vector<Index> m_parent;                  // halfedge from each vertex to its parent in the tree
-  std::vector<Index> m_dual_parent;             // halfedge through which each face is left for its parent
+  std::vector<Index> m_dual_parent;             // halfedge where each face is left for its parent
   std::vector<Index> m_left_over;               // a halfedge of each edge in neither tree
   std::vector<Index> m_component;               // of each of these, a vertex that stands for it
   std::vector<std::vector<Index>> m_dual_loops; // that cross the edge of each smaller halfedge

@@ -50,7 +50,7 @@ struct Part_boundary
   }
 };
 
-/// Slices, the slice of each face, and what is between slices.
+/// Slices, the slice of each face, and the boundaries between slices.
 struct Slice_graph
 {
   std::vector<Surface_slice> slices;
@@ -63,7 +63,7 @@ struct Slice_graph
 /// Cuts the surface into slices. Near linear. \param diameters of the faces
 Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vector<double>& diameters);
 
-/// What is known of two neighboring parts. Of the two, the smaller one has less area.
+/// The features of two neighboring parts. Of the two, the smaller one has less area.
 enum class Merge_feature
 {
   turning,              ///< mean turning of the surface across the boundary, in radians
@@ -76,7 +76,7 @@ enum class Merge_feature
   smaller_size,        ///< logarithm of the area of the smaller part over that of the surface
   larger_size,         ///< the same of the larger part
   boundary_over_girth, ///< logarithm of the length of the boundary over the girth of a limb as thick
-  straightness,        ///< cosine of the angle by which the skeleton turns across the boundary
+  straightness,        ///< cosine of the turn of the skeleton across the boundary
   slenderness,         ///< logarithm of the area of the smaller part over its squared diameter
   share_of_smaller,    ///< of the boundary in all that the smaller part has
   share_of_larger,     ///< likewise of the larger part
@@ -187,7 +187,7 @@ private:
     bool has_junction = false;
   };
 
-  // Of the local radius: how far what is near a boundary reaches, and how far a junction there may be.
+  // Of the local radius: how far the vicinity of a boundary reaches, and how far a junction there may be.
   static constexpr double vicinity_reach = 3;
   static constexpr double junction_reach = 1.5;
 
@@ -260,7 +260,7 @@ private:
         length / larger.boundary_length,
         near_smaller.has_junction || near_larger.has_junction ? 1. : 0.,
     };
-    for (double& feature : result) { // of what has no extent
+    for (double& feature : result) { // of parts without extent
       feature = std::isfinite(feature) ? feature : 0;
     }
     return result;

@@ -527,7 +527,7 @@ private:
     std::vector<Index> loop = candidate.halfedges;
     Bits rest = candidate.loop_class ^ wanted;
     for (const Candidate* handle : handles) {
-      // Only sums of few handles come up: those that bring what is missing nearer.
+      // Only sums of few handles come up: a handle must bring the class nearer.
       if ((rest ^ handle->loop_class).count() < rest.count()) {
         if (!insert_loop(handle->halfedges, loop)) {
           return std::nullopt;
@@ -538,7 +538,7 @@ private:
     return rest.none() ? std::optional(loop) : std::nullopt;
   }
 
-  /// Inserts `inserted` into `loop` at a vertex that both have; what they have in common then goes straight back.
+  /// Inserts `inserted` into `loop` at a vertex that both have; their common part then goes straight back.
   bool insert_loop(std::vector<Index> inserted, std::vector<Index>& loop) const
   {
     const auto begins_at = [&](Index vertex) {
@@ -610,7 +610,7 @@ private:
     return is_near(first, second, radius) && is_near(second, first, radius);
   }
 
-  /// Whether all points of a polygon are no further than `distance` from `other`.
+  /// Whether all points of a polygon are within `distance` of `other`.
   static bool is_near(const std::vector<Vector_3>& polygon, const std::vector<Vector_3>& other, double distance)
   {
     return std::all_of(polygon.begin(), polygon.end(), [&](const Vector_3& point) {

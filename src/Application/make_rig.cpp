@@ -25,7 +25,7 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Chooses the nodes of a rooted skeleton at which joints are.
+/// Chooses the nodes of a rooted skeleton that get joints.
 class Joint_placement
 {
 public:
@@ -83,7 +83,7 @@ private:
     return m_skeleton.length({node, center}) <= m_skeleton.radii[center];
   }
 
-  /// Where the limb leaves the ball of the junction at which it begins; 0 if it does not before it enters that of the
+  /// Where the limb leaves the ball of the junction where it begins; 0 if it does not before it enters that of the
   /// next one. A limb that stays inside as far as its tip has its joint right before this.
   std::size_t exit_of_junction(const Chain& chain) const
   {
@@ -126,10 +126,10 @@ private:
   double m_bend_tolerance;
   std::vector<std::vector<Index>> m_children;
   std::vector<char> m_is_joint;
-  std::vector<Index> m_ends; ///< nodes at which chains begin or end
+  std::vector<Index> m_ends; ///< nodes where chains begin or end
 };
 
-/// Numbers joints, and finds how strongly they move what belongs to a place on the skeleton.
+/// Numbers joints, and finds how strongly they move points of a place on the skeleton.
 class Joint_weights
 {
 public:
@@ -143,10 +143,10 @@ public:
 
   const std::vector<Rig_joint>& joints() const { return m_joints; }
 
-  /// \param node to which `point` belongs
+  /// \param node the node of `point`
   Rig::Influences operator()(Index node, const Vector_3& point) const
   {
-    Index target = no_index; // of the nearest edge, of which the parent is the source
+    Index target = no_index; // the target of the nearest edge; its parent is the source
     double least = 0;
     const auto look_at = [&](Index child) {
       const double distance =
@@ -256,7 +256,7 @@ private:
   Rooted_forest m_forest;
   Joint_placement m_placement;
   std::vector<Rig_joint> m_joints;
-  std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is no tip
+  std::vector<Index> m_owner;     ///< of each node, the last joint at or before it that is not a tip
   std::vector<Index> m_next;      ///< of each node, the first joint at or behind it
   std::vector<double> m_distance; ///< of each node from its root along the skeleton
   std::vector<double> m_zone;     ///< how far from each joint the weights go over
@@ -372,7 +372,7 @@ Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const st
   for (std::size_t v = 0; v < surface.points.size(); ++v) {
     const Index node = surface.node_of_vertex[v];
     if (node == no_index) {
-      rig.influences.push_back({{{0, 1.}}}); // weights have the sum 1 for what is in no face, too
+      rig.influences.push_back({{{0, 1.}}}); // weights of vertices without a face have the sum 1, too
     } else {
       rig.influences.push_back(weights(node, surface.points[v]));
       sum_of_radii += skeleton.radii[node];

@@ -132,13 +132,13 @@ public:
     measure_slices(diameters);
     find_boundaries();
     add_turning_inside();
-    shorten_boundaries(); // what is measured stays as the weights of the score were fitted to it
+    shorten_boundaries(); // measures stay as the weights of the score were fitted to them
   }
 
   Slice_graph release() { return std::move(m_graph); }
 
 private:
-  /// The node to which two corners of a face belong, else the nearest of three.
+  /// The node of two corners of a face, else the nearest of three.
   Index node_of_face(Index face) const
   {
     const std::array<Index, 3>& corners = m_surface.triangles.faces[face];
@@ -245,7 +245,7 @@ private:
 
   void measure_slices(const std::vector<double>& diameters)
   {
-    // What has no area or no thickness counts as having next to none, so that all logarithms are finite.
+    // A zero area or thickness counts as a negligible one, so that all logarithms are finite.
     constexpr double negligible = 1e-9;
     const double min_area = negligible * m_geometry.area / double(diameters.size());
     const double min_diameter = negligible * std::sqrt(m_geometry.area);
@@ -303,7 +303,7 @@ private:
     });
   }
 
-  /// Shares the turning inside each slice among its boundaries: creases run beside boundaries as often as along them.
+  /// Shares the turning inside each slice among its boundaries: creases run next to boundaries as often as along them.
   void add_turning_inside()
   {
     std::vector<double> whole_length(m_graph.slices.size(), 0);
@@ -336,18 +336,18 @@ Slice_graph cut_into_slices(const Skeletonized_surface& surface, const std::vect
 
 /// \name Weights of the score of two parts
 /// Fitted by logistic regression to the segmentations by people of the odd-numbered meshes of the Princeton benchmark;
-/// `doc/applications.md` tells how.
+/// see `doc/applications.md`.
 /// @{
 
-/// What is subtracted from each feature.
+/// The value that is subtracted from each feature.
 constexpr std::array<double, number_of_merge_features> feature_means{
     -0.00663, 0.11, 0.445, 0.55, 0.163, 0.268, 0.798, -5.42, -1.61, -0.941, 0.108, -0.31, 0.392, 0.155, 0.137};
 
-/// By what the differences are divided.
+/// The divisor of each difference.
 constexpr std::array<double, number_of_merge_features> feature_deviations{
     0.118, 0.161, 0.57, 0.468, 0.362, 0.293, 1.59, 2.87, 1.62, 1.26, 0.633, 2.48, 0.25, 0.202, 0.344};
 
-/// The score of two parts that are average in all features: 0.6 more than the odds say, so that what is doubtful is one
+/// The score of two parts that are average in all features: 0.6 more than the odds say, so that doubtful parts are one
 /// part. Of -0.25 to 1.5 more, the Rand index is best between 0.5 and 0.75 on odd-numbered meshes.
 constexpr double mean_score = 0.0423;
 

@@ -56,8 +56,8 @@ public:
     ++m_number;
   }
 
-  /// Hands over the different points, in the order in which they were added first, and for each point that was added,
-  /// which of these it is. To be called once, at the end.
+  /// Hands over the different points, in the order of their first addition, and the index among them of each point that
+  /// was added. To be called once, at the end.
   void move_to(std::vector<Vector_3>& points, std::vector<Index>& indices)
   {
     for (std::size_t i = m_number - std::min(m_number, m_pending.size()); i < m_number; ++i) {

@@ -149,7 +149,7 @@ Inflating_stream::~Inflating_stream() = default;
 
 void Inflating_stream::read(char* bytes, std::size_t size)
 {
-  constexpr std::size_t max_part = std::numeric_limits<unsigned>::max(); // what zlib counts up to
+  constexpr std::size_t max_part = std::numeric_limits<unsigned>::max(); // the greatest count of zlib
   while (size > 0) {
     const std::size_t part = std::min(size, max_part);
     if (m_state->read_some(bytes, part) < part) {

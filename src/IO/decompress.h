@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes from Base64, and from what zlib, gzip or zstd has compressed.
+// Bytes from Base64, and from data compressed by zlib, gzip or zstd.
 
 #ifndef CSCD_SRC_IO_DECOMPRESS_H
 #define CSCD_SRC_IO_DECOMPRESS_H
@@ -89,7 +89,7 @@ private:
                                   : -1;
   }
 
-  /// Appends three bytes; fewer where `=` fills the last digits, behind which further data may follow.
+  /// Appends three bytes; fewer where `=` fills the last digits; further data may follow.
   void decode_quartet(std::string& bytes)
   {
     std::uint32_t bits = 0;
@@ -126,7 +126,7 @@ private:
   std::string m_decoded; ///< and not taken
 };
 
-/// The greatest ratio of sizes to which deflate compresses: 258 bytes to 2 bits.
+/// The greatest compression ratio of deflate: 258 bytes to 2 bits.
 inline constexpr std::size_t max_deflate_ratio = 1032;
 
 /// Decompresses zlib.

@@ -86,7 +86,7 @@ inline void check_corners(const Shape_file& shape, const std::string& filename)
   }
 }
 
-/// What an ending of file names stands for.
+/// The meaning of an ending of file names.
 struct File_format
 {
   const char* ending;

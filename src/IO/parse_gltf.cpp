@@ -51,7 +51,7 @@ struct Affine_map
 };
 
 /// Reads glTF 2.0: the triangles of all meshes of the scene at their places, skins at rest. The data are in the binary
-/// chunk, in the JSON in Base64, or in files next to it. Whatever the JSON says is checked before it is used.
+/// chunk, in the JSON in Base64, or in files next to it. The values in the JSON are checked before they are used.
 class Gltf_parser
 {
 public:

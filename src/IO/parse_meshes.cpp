@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char* too_few_coordinates = "a vertex has too few coordinates";
 
-/// What is wrong with a corner, in formats that count from 0.
+/// The error of a corner without a vertex, in formats that count from 0.
 std::string missing_vertex(std::size_t corner, std::size_t number_of_points)
 {
   return "names vertex " + std::to_string(corner) + ", but there are only " + std::to_string(number_of_points) +

@@ -125,7 +125,7 @@ private:
       if (encoding != "ascii" && encoding != "binary_little_endian" && encoding != "binary_big_endian") {
         m_scanner.fail("the header names an unknown encoding", remedy);
       }
-      m_scanner.skip_line(); // comments and whatever else the header holds
+      m_scanner.skip_line(); // comments and other lines of the header
       if (keyword == "end_header") {
         if (encoding != "ascii") {
           const Byte_order order = encoding == "binary_little_endian" ? Byte_order::little : Byte_order::big;

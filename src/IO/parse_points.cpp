@@ -49,7 +49,7 @@ void keep_normals_only(Shape_file& shape)
   shape.has_other_columns = has_columns && normals.empty();
 }
 
-/// Which columns of a table hold coordinates and normals, and what stands between columns.
+/// Which columns of a table hold coordinates and normals, and the separator of columns.
 struct Point_columns
 {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
@@ -83,7 +83,7 @@ void split_fields(std::string_view line, char separator, std::vector<std::string
   }
 }
 
-/// What separates the numbers of the first line that begins with one and has several: 0 for blanks. Where a `;`
+/// The separator of the numbers of the first line that begins with one and has several: 0 for blanks. Where a `;`
 /// separates, a comma may belong to a number.
 char find_separator(std::string_view text)
 {
@@ -142,7 +142,7 @@ Point_columns find_columns(std::string_view text)
 
 /// Reads a table with a point in each line. Empty lines, comments after `#` or `//`, a first line with words, the
 /// number of points before the first one and further columns are passed over. Normals are kept if every line has one.
-/// \throw File_error if a line has no coordinates, or there are no points
+/// \throw File_error if a line has no coordinates, or the table has no points
 class Point_table_parser
 {
 public:

@@ -339,7 +339,7 @@ private:
                                                    : stored_number<std::uint32_t>(number.data(), m_order);
   }
 
-  /// The header: the number of blocks, their size, that of the last one if it differs, and what each is compressed to.
+  /// The header: the number of blocks, their size, that of the last one if it differs, and the compressed size of each.
   std::string decompress(Encoded_bytes& bytes)
   {
     const std::size_t number_of_blocks = next_size(bytes);

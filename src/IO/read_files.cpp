@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The table of all formats, what file names say by it, and how files are read.
+// The table of all formats, their file names, and the reading of files.
 
 #include "IO/decompress.h"
 #include "IO/formats.h"

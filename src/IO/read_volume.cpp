@@ -44,7 +44,7 @@
 namespace CSCD {
 namespace internal {
 
-/// What the header of a volume tells.
+/// The content of the header of a volume.
 struct Volume_header
 {
   Volume_grid grid;
@@ -92,7 +92,7 @@ struct Volume_file
 class Byte_volume_file : public Volume_file
 {
 public:
-  /// \throw File_error if the data cannot be as large as the header tells
+  /// \throw File_error if the data cannot have the size in the header
   Byte_volume_file(const std::string& its_filename, const Volume_header& header)
       : m_header(header), m_in(header.data_filename, std::ios::binary)
   {
@@ -650,7 +650,7 @@ private:
     return TIFFGetFieldDefaulted(m_tiff.get(), tag, &value) == 1 ? value : Value{};
   }
 
-  /// What libtiff says of the page at which it is.
+  /// The description of libtiff's current page.
   Page read_page() const
   {
     const auto bits = field<std::uint16_t>(TIFFTAG_BITSPERSAMPLE);
@@ -713,7 +713,7 @@ constexpr std::array<std::pair<const char*, Open_volume*>, 8> volume_formats{
      {".tif", open_tiff},
      {".tiff", open_tiff}}};
 
-/// What opens a file with this ending; null if nothing does.
+/// The function that opens a file with this ending; null if none does.
 Open_volume* find_volume_format(const std::string& filename)
 {
   for (const auto& [ending, open] : volume_formats) {
@@ -731,7 +731,7 @@ std::unique_ptr<Volume_file> open_volume(const std::string& filename)
     fail_in_file(filename, "the ending names no known format of volumes",
                  "use one of .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff");
   }
-  open_file(filename); // libtiff would not say what is wrong with a folder or a name
+  open_file(filename); // libtiff would not report a folder or a wrong name as the cause
   return open(filename);
 }
 

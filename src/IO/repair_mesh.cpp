@@ -145,7 +145,7 @@ private:
     }
   }
 
-  /// Looks for a corner from which the polygon is seen whole, as it is from all corners of a convex one.
+  /// Looks for a corner that sees the whole polygon, as all corners of a convex one do.
   bool triangulate_as_fan()
   {
     Vector_3 normal = Vector_3::Zero();
@@ -190,7 +190,7 @@ private:
       return false;
     }
     for (const auto& t : triangles) {
-      // The order in which the corners stand in the polygon is their orientation.
+      // The orientation is the order of the corners in the polygon.
       std::array<int, 3> corners{t.first, t.second, t.third};
       std::sort(corners.begin(), corners.end());
       append(std::size_t(corners[0]), std::size_t(corners[1]), std::size_t(corners[2]));

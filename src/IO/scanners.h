@@ -348,8 +348,7 @@ public:
     return value;
   }
 
-  /// Reads a number without a plus; what is too small becomes 0. \return its end; null if there is none, or too large a
-  /// one
+  /// Reads a number without a plus; underflow gives 0. \return its end; null if it is missing or too large
   static const char* read_number(const char* first, const char* last, double& value)
   {
     const std::from_chars_result result = number_from_chars(first, last, value);
@@ -372,7 +371,7 @@ public:
   }
 
   /// Reads three finite numbers of this line.
-  /// \param too_few what is wrong if there are fewer
+  /// \param too_few the message if there are fewer
   /// \throw File_error if there are fewer, or one that is not finite
   Vector_3 point_in_line(const char* too_few, const char* remedy = correct_line)
   {
@@ -444,7 +443,7 @@ private:
   std::string m_filename;
 };
 
-/// Goes through XML tag by tag and holds nothing but the current one, so that large files take no more memory than
+/// Goes through XML tag by tag and holds only the current one, so that large files take no more memory than
 /// their text, and binary data may follow. Comments and declarations are passed over; character references are left as
 /// they are.
 class Xml_scanner

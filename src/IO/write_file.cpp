@@ -52,7 +52,7 @@ std::filesystem::path place_of(const std::string& filename)
   return place;
 }
 
-/// A name beside `path` that no other process uses. It does not contain the name, which may be as long as names can be.
+/// A name next to `path` that no other process uses, without the name of `path`, which may be as long as names can be.
 std::string temporary_name(const std::filesystem::path& path)
 {
   std::random_device device;

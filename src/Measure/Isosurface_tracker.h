@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangulates the surface on which a field has a given value.
+// Triangulates the surface where a field has a given value.
 
 #ifndef CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
 #define CSCD_SRC_MEASURE_ISOSURFACE_TRACKER_H
@@ -27,10 +27,10 @@ namespace CSCD::internal {
 
 /// Marching tetrahedra on those cubes of a lattice that the surface passes through, each cut into the six tetrahedra
 /// around its main diagonal. Since neighboring cubes agree on their common faces and no lattice point counts as lying
-/// on the surface, what comes out is a closed oriented manifold. Only what is reached from the seeds is visited, so the
-/// cost is that of the surface, not of the space around it.
-/// CGAL 5.5 offers `make_surface_mesh()` for implicit functions, whose refinement evaluates the function tens of times
-/// for each face and inserts one point at a time; it takes minutes for what takes a second here.
+/// on the surface, the result is a closed oriented manifold. Only cells reached from the seeds are visited, so the cost
+/// is proportional to the surface, not to the space around it.
+/// CGAL 5.5 offers `make_surface_mesh()` for implicit functions. Its refinement evaluates the function tens of times
+/// for each face and inserts one point at a time; it takes minutes where this class takes a second.
 /// \tparam Field callable with a point; negative inside, roughly linear across the surface
 template <class Field>
 class Isosurface_tracker
@@ -45,7 +45,7 @@ public:
   }
 
   /// Follows the surfaces that the lattice line along `axis` meets first on either side of `point`.
-  /// \return whether there is a lattice point inside beside `point`; if not, the field is too thin there for the lattice
+  /// \return whether a lattice point near `point` is inside; if not, the field is too thin there for the lattice
   bool track_around(const Vector_3& point, int axis)
   {
     const Cell cell = cell_of(point);
@@ -241,7 +241,7 @@ private:
     }
   }
 
-  /// The vertex on the lattice edge between the corners `a` and `b` of `cell`, of which one is inside.
+  /// The vertex on the lattice edge between the corners `a` and `b` of `cell`; one of them is inside.
   Index vertex_on(const Cell& cell, const std::array<double, 8>& values, int a, int b)
   {
     if (a > b) {
@@ -277,11 +277,11 @@ struct Field_surface
 {
   Indexed_triangles triangles;                    ///< closed and oriented, or empty
   double cell_size = 0;                           ///< of the lattice
-  double unresolved_fraction = undefined_measure; ///< of the skeleton's length: no lattice point beside it is inside
+  double unresolved_fraction = undefined_measure; ///< of the skeleton's length: no lattice point near it is inside
 };
 
-/// The greatest number of cells for a skeleton: what is built on a million of them takes a gigabyte; and the field is
-/// evaluated about twice for each cell, each time over all edges and nodes without any, which should not take minutes.
+/// The greatest number of cells for a skeleton. A million of them and their surface take a gigabyte. The field is
+/// evaluated about twice for each cell, over all edges and isolated nodes each time, which should not take minutes.
 inline std::size_t max_number_of_cells(const Skeleton& skeleton)
 {
   constexpr std::size_t max_cells = std::size_t(1) << 20;

@@ -127,7 +127,7 @@ std::vector<Index> roots_of_nodes(const Rooted_forest& forest)
   return root;
 }
 
-/// Of each component the node for which `cost(node)` is least; the first of several.
+/// Of each component, the node whose `cost(node)` is least; the first of several.
 std::vector<Index> least_nodes(const Rooted_forest& forest, const std::function<double(Index)>& cost)
 {
   const std::vector<Index> root = roots_of_nodes(forest);

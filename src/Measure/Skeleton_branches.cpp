@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures branches, the parts of a surface that belong to them, and what is around nodes.
+// Measures branches, the parts of a surface that belong to them, and the surroundings of nodes.
 
 #include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
@@ -132,7 +132,7 @@ void assign_orders(const Rooted_forest& forest, std::vector<Skeleton_branch>& br
       enter(branch_before[node], parent);
     }
   }
-  // What the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
+  // The parts that the forest does not enter: isolated nodes, and edges between two junctions where a cycle is cut.
   for (Index b = 0; b < branches.size(); ++b) {
     if (!branches[b].order) {
       enter(b, branches[b].nodes.front());
@@ -467,7 +467,7 @@ private:
   std::vector<std::vector<Index>> m_faces; ///< with a vertex of each node
   std::vector<char> m_is_near;
   std::vector<Index> m_near;
-  std::vector<Index> m_last_node; ///< for which each face was looked at
+  std::vector<Index> m_last_node; ///< the last node that each face was looked at for
 };
 
 } // namespace

@@ -31,7 +31,7 @@
 
 namespace CSCD::internal {
 
-/// What is measured by rays from a point across a skeleton.
+/// Measures of rays from a point across a skeleton.
 struct Ray_star
 {
   double deviation = 0; ///< standard deviation of the rays' lengths over their mean
@@ -80,7 +80,7 @@ public:
     m_result.max_distance_outside = 0;
   }
 
-  /// All but what is known of the surface alone.
+  /// All measures except those of the surface alone.
   Position_measures operator()()
   {
     measure_nodes();
@@ -119,7 +119,7 @@ private:
   /// The direction of the skeleton at a node of one or two edges; nothing at others and where it turns back.
   std::optional<Vector_3> tangent(Index v, const std::vector<Index>& neighbors) const
   {
-    // Of the sum of two unit vectors: the angle, in radians, by which they differ from opposite ones.
+    // Of the sum of two unit vectors: the angle between one and the opposite of the other, in radians.
     constexpr double min_norm = 1e-6;
     if (neighbors.empty() || neighbors.size() > 2) {
       return std::nullopt;
@@ -136,7 +136,7 @@ private:
     const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
     std::size_t number_inside = 0;
     Means means;
-    const std::size_t step = neighbors.size() / max_number_of_stars + 1; // between the nodes from which rays are cast
+    const std::size_t step = neighbors.size() / max_number_of_stars + 1; // between the nodes where rays begin
     for (Index v = 0; v < neighbors.size(); ++v) {
       if (!is_inside(m_skeleton.points[v])) {
         continue;
@@ -173,7 +173,7 @@ private:
     m_result.offset_by_length = means.mean(means.offset);
   }
 
-  /// Means over more would be no better, and take minutes. Skeletons of bodies have fewer nodes and samples.
+  /// Means over more would not be better, and take minutes. Skeletons of bodies have fewer nodes and samples.
   static constexpr std::size_t max_number_of_stars = 1 << 16;
 
   const Solid_queries& m_queries;
@@ -230,14 +230,14 @@ struct Found_limb
 
 /// Finds limbs by persistence: the level of a vertex is its mean distance from the component. As the level sinks, the
 /// set of vertices above it grows; its connected parts appear at tips, and end where they meet a part with a higher
-/// tip. A part is a limb from any level on at which it is a disc, high enough, and slender enough; what reaches out
-/// with a handle is none, since a skeleton has a cycle there and no tip. The limb begins at the last of the levels at
-/// which it was one and met another part or itself.
+/// tip. A part is a limb from any level on where it is a disc, high enough, and slender enough. A part with a handle is
+/// not a limb, since a skeleton has a cycle there and no tip. The limb begins at the last of the levels where it was
+/// one and met another part or itself.
 class Surface_limbs
 {
 public:
-  /// Of a limb: 2 pi length^2 / area. It is about the length over the radius for a cylinder, and 1 for a half sphere of
-  /// which the pole is a radius from the rim. On odd-numbered shapes of the Princeton benchmark and FAUST, heads of
+  /// Of a limb: 2 pi length^2 / area. It is about the length over the radius for a cylinder, and 1 for a half sphere
+  /// whose pole is a radius from the rim. On odd-numbered shapes of the Princeton benchmark and FAUST, heads of
   /// people have 1.8 to 3.5, stubs of teddies from 1.2 on, bulges of ants' bodies up to 0.8.
   static constexpr float min_slenderness = 1;
   /// Relative to the least level of the component, which is of the order of the whole body's radius or half its length:
@@ -266,8 +266,8 @@ public:
 
   const std::vector<Found_limb>& limbs() const { return m_limbs; }
 
-  /// The limb of which the highest corner of `face` is in the upper half; `no_index` if there is none. Where limbs
-  /// stand on limbs, the outermost.
+  /// The limb that has the highest corner of `face` in its upper half; `no_index` if there is none. Where limbs stand
+  /// on limbs, the outermost.
   Index limb_near_tip(Index face) const
   {
     Index vertex = m_surface.origin(3 * face);
@@ -293,12 +293,12 @@ private:
     float area = 0;
   };
 
-  /// A connected part of what is above a level.
+  /// A connected part of the surface above a level.
   struct Part
   {
     Index tip;
     Index parent = no_index; ///< the part that it has met, and that has the higher tip
-    Index limb = no_index;   ///< what it is
+    Index limb = no_index;   ///< the limb that it is
     int euler_characteristic = 0;
     float area = 0;
   };
@@ -340,7 +340,7 @@ private:
     }
   }
 
-  /// Adds `vertex` to what is above the level. \pre those that are higher have been added, no others
+  /// Adds `vertex` to the part above the level. \pre all higher vertices have been added, and no others
   void add(Index vertex)
   {
     m_met.clear();
@@ -368,7 +368,7 @@ private:
 
   bool is_added(Index vertex) const { return m_part[vertex] != no_index; }
 
-  /// Makes one part of those that `vertex` meets.
+  /// Joins the parts that `vertex` meets.
   void join_met(Index vertex)
   {
     Part& highest = m_parts[m_met.front()];
@@ -391,15 +391,15 @@ private:
   const Triangulated_surface& m_surface;
   std::vector<float> m_level;         // of every vertex
   std::vector<Component> m_component; // of every vertex
-  std::vector<Index> m_part;          // to which a vertex was added
+  std::vector<Index> m_part;          // the part that a vertex was added to
   Disjoint_sets m_sets;               // of vertices in the same part
-  std::vector<Index> m_part_of_set;   // by what represents the set
+  std::vector<Index> m_part_of_set;   // by the representative of the set
   std::vector<Index> m_met;           // working memory
   std::vector<Part> m_parts;
   std::vector<Found_limb> m_limbs;
 };
 
-/// The limbs at which the end of a branch may be, in the upper half: of what is nearest to the end, and of what the
+/// The limbs whose upper half may contain the end of a branch: the limb nearest to the end, and the limb that the
 /// branch points to unless that is more than twice as far. `no_index` where there is none.
 inline std::array<Index, 2> limbs_near_tip(const Surface_limbs& limbs, const Solid_queries& queries,
                                            const Vector_3& end, const Vector_3& direction)

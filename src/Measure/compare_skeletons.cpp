@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Distances between two skeletons, what they have at the same place, and whether they are joined in the same way.
+// Distances between two skeletons, their features at the same place, and whether they are joined in the same way.
 
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/compare_skeletons.h>
@@ -30,7 +30,7 @@
 namespace CSCD::internal {
 namespace {
 
-/// The graph of which the vertices are the nodes of a skeleton that do not have two edges, and the edges the branches
+/// A graph whose vertices are the nodes of a skeleton that do not have two edges, and whose edges are the branches
 /// between them. Closed cycles without such a node are set apart.
 struct Branch_graph
 {
@@ -69,8 +69,8 @@ struct Branch_graph
 };
 
 /// Divides the vertices of a graph into the coarsest classes such that the vertices of a class have equally many edges
-/// to each class: the color refinement of B. Weisfeiler and A. Leman. In each round, only those vertices are looked at
-/// that have a neighbor of which the class has changed.
+/// to each class: the color refinement of B. Weisfeiler and A. Leman. Each round only examines vertices with a neighbor
+/// whose class has changed.
 /// \return the class of each vertex
 std::vector<Index> refine_colors(const std::vector<std::vector<Index>>& neighbors)
 {
@@ -265,7 +265,7 @@ Match_count match(const std::vector<Object>& first, const std::vector<Object>& s
   return {first.size(), second.size(), take_nearest_pairs(std::move(pairs)).size()};
 }
 
-/// A skeleton prepared for comparison, in coordinates in which lengths are relative to the common diagonal.
+/// A skeleton prepared for comparison; lengths are relative to the common diagonal.
 struct Compared_skeleton
 {
   /// \pre the skeleton has nodes
@@ -287,8 +287,8 @@ struct Compared_skeleton
   Skeleton_distance distance(const Compared_skeleton& other, double match_distance) const
   {
     constexpr double spacing = 1. / 1000;
-    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would be no better
-    std::vector<Vector_3> samples;                         // of the edges; the nodes where there is no length
+    constexpr std::size_t max_number_of_samples = 1 << 16; // a mean over more would not be better
+    std::vector<Vector_3> samples;                         // of the edges; the nodes if these have no length
     for (const Edge_sample& sample : sample_edges(skeleton, spacing, max_number_of_samples)) {
       samples.push_back(sample.point);
     }
@@ -331,7 +331,7 @@ void check_skeleton(const Skeleton& skeleton, const std::string& name)
   }
 }
 
-/// The coordinates in which the bounding box of both skeletons has a diagonal of 1; any, where it is a point.
+/// The coordinates where the bounding box of both skeletons has a diagonal of 1; any, if it is a point.
 /// \throw Input_error if the coordinates are too large
 Normalization common_normalization(const Skeleton& a, const Skeleton& b)
 {

@@ -131,8 +131,8 @@ std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Sk
 
 namespace {
 
-/// The surface of a mesh in coordinates in which the diagonal of its bounding box is 1, and the body that it bounds.
-/// Borders are bridged, so that there is a body; components that face inwards are turned.
+/// The surface of a mesh and the body that it bounds; the diagonal of the bounding box is 1. Borders are bridged, so
+/// that there is a body; components that face inwards are turned.
 class Measured_body
 {
 public:
@@ -151,7 +151,7 @@ public:
     orient_outwards(triangles, pairing, components);
     split_two_face_components(triangles, pairing, components);
     m_number_of_components = components.number();
-    // What has near numbers should be near in space, for the queries' sake.
+    // Vertices with near numbers should be near in space, for the queries' sake.
     const std::vector<Index> order = canonical_order(triangles, pairing, components).vertices;
     m_points.reserve(number_of_points);
     for (const Index vertex : order) {
@@ -191,7 +191,7 @@ private:
   std::optional<Solid_queries> m_queries;
 };
 
-/// The angle by which the path a, b, c turns at b, from 0 to pi; 0 where two of the points are equal.
+/// The angle of the turn of the path a, b, c at b, from 0 to pi; 0 where two of the points are equal.
 double turning_angle(const Vector_3& a, const Vector_3& b, const Vector_3& c)
 {
   const Vector_3 before = b - a;
@@ -225,7 +225,7 @@ void measure_turning(const Skeleton& skeleton, Skeleton_counts& counts)
   }
 }
 
-/// What a skeleton is measured against, in coordinates in which the diagonal of the bounding box is 1.
+/// The surface that a skeleton is measured against; the diagonal of the bounding box is 1.
 struct Measured_surface
 {
   Normalization normalization;
@@ -235,7 +235,7 @@ struct Measured_surface
   std::unique_ptr<const Measured_body> body; ///< null for points
 };
 
-/// \throw Input_error if a mesh has no extent, or if there are no points, or not finite ones, or all are equal
+/// \throw Input_error if a mesh has no extent, or if points are missing, not finite, or all equal
 Measured_surface measured_surface(Measured_input&& input)
 {
   if (input.is_mesh) {
@@ -271,8 +271,8 @@ Measured_surface measured_surface(Measured_input&& input)
 }
 
 /// Measures from the reconstruction to the input, at the centers of faces, weighted by their areas. Of many faces some
-/// are chosen: one of each stretch of the numbering, at a place that goes with the golden ratio, so that the pattern in
-/// which the faces of a cell follow each other does not matter.
+/// are chosen: one of each stretch of the numbering, at a place that follows the golden ratio, so that the sequence of
+/// the faces of a cell does not matter.
 void measure_reverse(const Triangulated_surface& surface, const Measured_surface& measured, Reconstruction_error& error)
 {
   constexpr std::size_t enough_faces = 25000; // for a mean that is right to one percent
@@ -367,7 +367,7 @@ public:
                : triangulate_field(Round_cone_field(m_skeleton), m_skeleton, cell_size);
   }
 
-  /// All measures but those of the position.
+  /// All measures except those of the position.
   Skeleton_measures measure() const
   {
     Skeleton_measures result;

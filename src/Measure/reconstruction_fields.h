@@ -107,7 +107,7 @@ public:
   }
 
 private:
-  /// At most the signed distance of `point` from what lies in `box`: inside it, the distance from its nearest side.
+  /// At most the signed distance of `point` from the content of `box`: inside it, the distance from its nearest side.
   static double bound(const Bounding_box& box, const Vector_3& point)
   {
     constexpr double slack = 1e-12; // far above rounding

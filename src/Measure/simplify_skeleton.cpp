@@ -87,7 +87,7 @@ bool can_merge(const Branch& branch, const Neighbors& neighbors)
   return std::adjacent_find(around.begin(), around.end()) == around.end();
 }
 
-/// Between which two of the ascending `places` the given one is, and where between them.
+/// The two of the ascending `places` around the given one, and its position between them.
 std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
 {
   const auto next = std::upper_bound(places.begin() + 1, places.end() - 1, place);
@@ -108,7 +108,7 @@ public:
     m_result.origin = m_result.heir = numbers();
   }
 
-  /// Removes components of less than `least` vertices, but the largest.
+  /// Removes components of less than `least` vertices, except the largest.
   void remove_small_components(std::size_t least, const std::vector<std::size_t>& number_of_vertices)
   {
     const bool has_vertices =
@@ -130,13 +130,13 @@ public:
     keep(heir, std::vector<char>(skeleton().edges.size(), 1));
   }
 
-  /// Cuts limbs of which the measure is below `threshold`. Their vertices go to the nodes where they are cut.
+  /// Cuts limbs whose measure is below `threshold`. Their vertices go to the nodes where they are cut.
   void prune(Branch_measure measure, double threshold)
   {
     const Branch_levels limbs = branch_levels(skeleton(), measure);
     std::vector<char> is_kept(skeleton().edges.size());
     std::vector<char> is_node_kept(skeleton().number_of_nodes(), 1);
-    Disjoint_sets cut_off(is_node_kept.size()); // together with the only node from which all of it was cut
+    Disjoint_sets cut_off(is_node_kept.size()); // together with the only node that all of it was cut from
     for (std::size_t e = 0; e < is_kept.size(); ++e) {
       const auto& [a, b] = skeleton().edges[e];
       is_kept[e] = limbs.levels[e] >= threshold || limbs.is_last[e] != 0 ? 1 : 0;
@@ -190,7 +190,7 @@ public:
     }
     auto next = std::max_element(open.begin(), open.end(),
                                  [&](Index a, Index b) { return members[a].size() < members[b].size(); });
-    std::vector<Joint> best(component.size()); // from what is joined to each open component
+    std::vector<Joint> best(component.size()); // from the joined part to each open component
     for (double number_of_pairs = 0; !open.empty();) {
       const Index joined = *next;
       open.erase(next);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the measures of skeletons share: checks, counts, samples of edges, and the nearest edge.
+// Common parts of the measures of skeletons: checks, counts, samples of edges, and the nearest edge.
 
 #ifndef CSCD_SRC_MEASURE_SKELETON_TOOLS_H
 #define CSCD_SRC_MEASURE_SKELETON_TOOLS_H
@@ -73,7 +73,7 @@ struct Edge_sample
 /// Samples the edges of `skeleton` evenly: they are laid end to end in their order, and every piece of length `spacing`
 /// gets a sample at its middle. So each sample stands for the same length, however the skeleton is cut into edges.
 /// O(e + l / spacing) for e edges of total length l.
-/// \param max_number of samples, for which the spacing is made greater
+/// \param max_number of samples; the spacing is made greater if there would be more
 /// \pre `spacing` is positive
 inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double spacing,
                                              std::size_t max_number = std::numeric_limits<std::size_t>::max())
@@ -101,7 +101,7 @@ inline std::vector<Edge_sample> sample_edges(const Skeleton& skeleton, double sp
   return samples;
 }
 
-/// Counts steps of searches, and refuses what would take hours: the edges of a skeleton that are all near each other,
+/// Counts steps of searches, and refuses searches of hours: the edges of a skeleton that are all near each other,
 /// as those of a complete graph.
 class Work_limit
 {
@@ -192,7 +192,7 @@ public:
   /// \throw Input_error see `Work_limit`
   Segment_point nearest(const Vector_3& point, Work_limit& work) const
   {
-    constexpr double slack = 1 - 1e-12; // far above rounding: boxes that are as near as what was found are entered
+    constexpr double slack = 1 - 1e-12; // far above rounding: boxes as near as the nearest edge so far are entered
     double least = std::numeric_limits<double>::infinity();
     Index nearest = no_index;
     std::size_t steps = 0;

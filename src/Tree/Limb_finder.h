@@ -24,7 +24,7 @@ namespace CSCD::internal {
 /// A connected piece of a band of distances from the root.
 struct Slice
 {
-  Index parent = no_index; ///< the slice through which the shortest paths to the root go
+  Index parent = no_index; ///< the next slice on the shortest paths to the root
   float begin = 0;         ///< the band
   float end = 0;
   std::vector<Index> points;
@@ -50,8 +50,8 @@ struct Section
 /// A limb from its base to its tip.
 struct Tree_limb
 {
-  Index parent = no_index; ///< the limb from which it grows; none for a trunk
-  Index joint = no_index;  ///< the slice of the parent from which it grows
+  Index parent = no_index; ///< the limb that it grows from; none for a trunk
+  Index joint = no_index;  ///< the slice of the parent that it grows from
   std::vector<Index> slices;
 };
 
@@ -88,8 +88,7 @@ public:
   }
 
 private:
-  /// The width of a band, relative to the spacing of the points: wide enough for what is around a limb to hang
-  /// together.
+  /// The width of a band, relative to the spacing of the points: wide enough to connect the points around a limb.
   static constexpr double min_width = 3;
   /// And relative to the radius.
   static constexpr double width_in_radii = 1;
@@ -98,7 +97,7 @@ private:
 
   static constexpr Index unnumbered = no_index - 1;
 
-  /// Points that begin a band beyond a slice, and what is beyond them.
+  /// A part of an object beyond a slice, by the points that begin its next band.
   struct Task
   {
     Index parent;
@@ -142,7 +141,7 @@ private:
     for (Index slice = first; slice < slices.size(); ++slice) {
       measure(slices[slice], task.parent == no_index ? nullptr : &slices[task.parent]);
     }
-    // What a path reaches over the whole band belongs to the slice that it comes from.
+    // A point that a path reaches over the whole band belongs to the slice that the path comes from.
     std::vector<std::vector<Index>> starts(slices.size() - first);
     std::vector<Index> leaps;
     for (Index point : ends) {
@@ -258,9 +257,9 @@ private:
   Compressed_rows<Index> m_children; // in the tree of shortest paths
 };
 
-/// Joins slices to limbs. First, where slices fork, a limb goes on into the part that reaches farthest; what is then
-/// too short to be distinguished from a bump of the bark is given up. Of what remains, a limb goes on into the part
-/// that carries most, and that is nearly straight on.
+/// Joins slices to limbs. First, where slices fork, a limb goes on into the part that reaches farthest, and limbs too
+/// short to be distinguished from a bump of the bark are given up. Then a limb goes on into the part that carries most
+/// and is nearly straight on.
 class Limb_finder
 {
 public:
@@ -289,12 +288,12 @@ private:
   static constexpr double min_length = 6;
   /// ... and to the radius of its parent.
   static constexpr double min_length_in_radii = 1;
-  /// How much going straight on counts beside the length that is carried.
+  /// The weight of going straight on, compared with the length that is carried.
   static constexpr int straightness_exponent = 2;
-  /// The slices from which the direction of a limb is computed.
+  /// The number of slices that give the direction of a limb.
   static constexpr int direction_slices = 3;
 
-  /// For every slice the distance at which the part of an object beyond it, itself included, ends.
+  /// For every slice the distance where the part of an object from it on ends.
   void find_reaches()
   {
     m_reach.assign(m_slices.size(), 0);
@@ -307,8 +306,8 @@ private:
     }
   }
 
-  /// For every slice how likely its parent goes on into it: more, the more length of limbs it carries, to which the
-  /// area of its section is proportional, and the straighter.
+  /// For every slice how likely its parent goes on into it: more likely the straighter it is, and the greater the
+  /// length of limbs that it carries, which is proportional to the area of its section.
   void find_strengths()
   {
     std::vector<float> carried(m_slices.size(), 0);

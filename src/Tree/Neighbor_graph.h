@@ -31,7 +31,7 @@
 namespace CSCD::internal {
 
 /// An undirected graph on points, and the spacing of the points at each of them. Scans are dense on trunks and sparse
-/// on twigs: what is near is relative to the spacing there.
+/// on twigs: nearness is relative to the spacing there.
 class Neighbor_graph
 {
 public:
@@ -144,7 +144,7 @@ public:
     });
   }
 
-  /// What the shortest path to the root costs.
+  /// The cost of the shortest path to the root.
   float cost(Index point) const { return m_cost[point]; }
   /// The length of that path.
   float distance(Index point) const { return m_distance[point]; }
@@ -152,7 +152,7 @@ public:
   Index parent(Index point) const { return m_parent[point]; }
 
 private:
-  /// Shortest paths must not leap from limb to limb: what is longer than the spacing costs more than its length.
+  /// Shortest paths must not leap from limb to limb: edges longer than the spacing cost more than their length.
   double cost_of_edge(Index a, Index b) const
   {
     const double length = (m_points[a] - m_points[b]).norm();
@@ -219,8 +219,8 @@ public:
 
   /// The gaps that may be bridged, the shortest first: between two pieces there may be several.
   const std::vector<Point_gap>& bridges() const { return m_bridges; }
-  /// Of the bridges, those by which the shortest paths `distances` enter each piece first: so every piece but one hangs
-  /// on one other. The shortest first.
+  /// The bridges where the shortest paths `distances` enter each piece first, the shortest first. So every piece except
+  /// one hangs on one other.
   std::vector<Point_gap> entries(const Root_distances& distances) const
   {
     std::vector<char> has_root(m_points.size(), 0); // of every piece
@@ -265,7 +265,7 @@ private:
   static constexpr double min_object = 20;
   static constexpr double min_object_part = 0.005;
 
-  /// What is known of a piece, and adds up.
+  /// The properties of a piece that add up.
   struct Moments
   {
     double number;
@@ -337,7 +337,7 @@ private:
     }
   }
 
-  /// The width of the gap across which the pieces of two points were joined, directly or over others.
+  /// The width of the gap where the pieces of two points were joined, directly or over others.
   /// \pre they are of one object
   double width_of_joint(Index a, Index b) const
   {
@@ -392,7 +392,7 @@ private:
   std::vector<Index> m_piece;       // of every point, before any gap was bridged: named by a point of it
   std::vector<Moments> m_moments;   // of every piece, at the point that represents it
   std::vector<Index> m_joined_to;   // of a piece, the one that it became part of ...
-  std::vector<double> m_join_width; // ... and across what gap
+  std::vector<double> m_join_width; // ... and the width of the gap
   std::vector<Point_gap> m_bridges;
   std::vector<Index> m_object;
   Index m_number_of_objects = 0;

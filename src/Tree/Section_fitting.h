@@ -108,8 +108,8 @@ inline double robust_deviation(const std::vector<Eigen::Vector2d>& points, const
   return std::max(deviation_of_median * quantile(std::move(deviations), 0.5), min_deviation * circle.radius);
 }
 
-/// The step of a Gauss-Newton iteration for `circle`, two coordinates and the radius, in which points that deviate by
-/// more count less and those beyond `cutoff` do not (Tukey's biweight).
+/// The Gauss-Newton step for `circle`, two coordinates and the radius. Points that deviate by more count less, and
+/// points beyond `cutoff` do not count (Tukey's biweight).
 inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& points, const Circle_fit& circle,
                                          double cutoff)
 {
@@ -132,8 +132,8 @@ inline Eigen::Vector3d gauss_newton_step(const std::vector<Eigen::Vector2d>& poi
   return normal_matrix.ldlt().solve(right_side);
 }
 
-/// Fits a circle to `points`: algebraically first, then by least squares of the distances from it, in which points far
-/// from it, compared with the median, count less and less. O(n log n).
+/// Fits a circle to `points`: algebraically first, then by least squares of the distances from it. Points far from it,
+/// compared with the median, count less and less. O(n log n).
 /// \return nothing if the points are at one place or on a line
 inline std::optional<Circle_fit> fit_circle(const std::vector<Eigen::Vector2d>& points)
 {
@@ -237,7 +237,7 @@ private:
   static constexpr double crotch = 2;
   /// The radius of a limb relative to that of its parent.
   static constexpr double max_of_parent = 1.1;
-  /// Of the squared scatter of points, what is left at least when that of the noise is taken away.
+  /// The least part of the squared scatter of points that remains when the scatter of the noise is subtracted.
   static constexpr double min_part_of_scatter = 0.1;
   static constexpr double min_confidence = 0.02;
   /// The scatter of fewer points does not give a radius.
@@ -341,8 +341,8 @@ private:
     section.confidence = std::max(min_confidence, accuracy * coverage * number * circle->inlier_part);
   }
 
-  /// Centers of circles are averaged with those around; where there is no circle, the center is as far from the
-  /// centroid as around: limbs are seen from one side for a long way.
+  /// Centers of circles are averaged with those around. Without a circle, the offset of the center from the centroid is
+  /// taken from around: limbs are seen from one side for a long way.
   void place_centers(const Tree_limb& limb)
   {
     const std::size_t size = limb.slices.size();
@@ -401,7 +401,7 @@ private:
     return offset / sum;
   }
 
-  /// The scatter of the points of a slice around its center, across the limb, without what noise adds.
+  /// The scatter of the points of a slice around its center, across the limb, without the part of the noise.
   double scatter_radius(Index slice) const
   {
     const Section& section = m_sections[slice];

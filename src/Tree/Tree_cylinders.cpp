@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cylinders of limbs, and what foresters measure by them.
+// Cylinders of limbs, and the foresters' measures of them.
 
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>

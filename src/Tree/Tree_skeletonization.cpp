@@ -30,8 +30,8 @@ namespace CSCD::internal {
 
 namespace {
 
-/// Finds for each object the points from which distances are measured. Shortest paths from a single point would go
-/// round a thick trunk; from all around its foot, they go up.
+/// Finds for each object the points that distances start from. Shortest paths from a single point would go round a
+/// thick trunk; from all around its foot, they go up.
 class Root_search
 {
 public:
@@ -70,8 +70,8 @@ public:
 private:
   /// How high above the lowest point the foot reaches, relative to the spacing there.
   static constexpr double foot_height = 3;
-  /// How far from the lowest point it may reach, relative to the extent of the object: what is wider is no foot, but an
-  /// object that lies.
+  /// How far from the lowest point it may reach, relative to the extent of the object: a wider part is not a foot, but
+  /// belongs to an object that lies.
   static constexpr double foot_width = 0.15;
 
   /// How far from the lowest point other parts of a foot are, relative to how far the part with that point reaches: an
@@ -79,7 +79,7 @@ private:
   static constexpr double widest_foot = 1.5;
 
   /// The points that are lowest and connected with the lowest, if they can be the foot of a trunk; else the outermost
-  /// of them: an end of what lies.
+  /// of them, an end of an object that lies.
   std::vector<Index> foot(const std::vector<Index>& members)
   {
     Index lowest = members.front();
@@ -114,7 +114,7 @@ private:
     return result;
   }
 
-  /// Adds points that are as low as a foot and not far from it: other parts of it, of which no more was seen.
+  /// Adds points that are as low as a foot and not far from it: other parts of a foot that was not seen whole.
   void add_beside(const std::vector<Index>& members, Index lowest, double top, std::vector<Index>& foot)
   {
     double width = 0;
@@ -161,7 +161,7 @@ private:
   static constexpr double min_end = 0.1;
   /// How far along its parent a joint is moved, relative to the radius of the parent.
   static constexpr double farthest_move = 3;
-  /// The nodes from which the line of a branch is computed.
+  /// The number of nodes that give the line of a branch.
   static constexpr std::size_t line_nodes = 4;
 
   void add(const Tree_limb& limb)
@@ -306,7 +306,7 @@ public:
   Tree_skeleton release(const Point_cloud& cloud) &&;
 
 private:
-  /// Measures twice: the first time, to see by which bridge each piece is entered.
+  /// Measures twice: the first time, to find the bridge where each piece is entered.
   void measure_distances()
   {
     measure_over(m_bridging.bridges());
@@ -386,7 +386,7 @@ private:
   std::vector<Index> m_node_of_point;
 };
 
-/// What the user should know of a scan and its skeleton, one sentence each.
+/// The warnings about a scan and its skeleton, one sentence each.
 std::vector<std::string> tree_warnings(const Tree_report& report)
 {
   std::vector<std::string> result;
@@ -481,10 +481,10 @@ Point_cloud thin_to_noise(Point_cloud&& cloud)
   // In the unit of the noise: of four synthetic trees seen from two sides, with 1.5 there are twice as many superfluous
   // branches, with 2.5 fewer limbs.
   constexpr double min_distance = 2;
-  // A scan of which more would remain is not dense, and would lose twigs: of those from two sides 0.79 remain, of trees
-  // of as large a noise for the spacing, but of even density, 0.83 and more.
+  // If a greater part of a scan would remain, the scan is not dense, and would lose twigs: 0.79 of scans from two sides
+  // remain, and 0.83 or more of trees with as much noise for the spacing, but even density.
   constexpr double largest_part = 0.8;
-  constexpr double rounding = 1e-9; // in the cube [-1, 1]^3 of the points, far above what fits leave of it
+  constexpr double rounding = 1e-9; // in the cube [-1, 1]^3 of the points, far above the residual of fits
   const double distance = min_distance * noise_of_bark(cloud.points);
   if (!(distance > rounding)) {
     return std::move(cloud);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A mesh and its skeleton as flat arrays: what the applications of skeletons work on.
+// A mesh and its skeleton as flat arrays: the input of the applications of skeletons.
 
 #ifndef CSCD_APPLICATION_SKELETONIZED_SURFACE_H
 #define CSCD_APPLICATION_SKELETONIZED_SURFACE_H
@@ -33,9 +33,9 @@ struct Skeletonized_surface
   std::vector<Index> node; ///< for each vertex of the triangles
 };
 
-/// Copies `mesh` and `skeleton`; faces and nodes keep their order, vertices without a face are left out.
-/// Expectedly linear. \return the copy, and the vertices of the mesh in the order of the copy
-/// \throw Input_error if the mesh is no manifold of triangles, or a vertex with a face belongs to no node of `skeleton`
+/// Copies `mesh` and `skeleton`. Faces and nodes keep their order, vertices without a face are left out. Expectedly
+/// linear. \return the copy, and the vertices of the mesh in the order of the copy
+/// \throw Input_error if `mesh` is not a manifold of triangles, or a vertex with a face has no node of `skeleton`
 template <class TriangleMesh, class Skeleton, class VertexPointMap>
 auto collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton, const VertexPointMap& point_map)
 {

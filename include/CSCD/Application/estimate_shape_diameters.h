@@ -42,7 +42,7 @@ std::vector<double> face_means(const Skeletonized_surface& surface, const std::v
 /// edges of that node, averaged along the surface: in each step, every vertex takes half of its own value and half of
 /// the mean of its neighbors. Near linear. See the supplement of the method's paper, appendix I.1.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
 /// \tparam VertexDiameterMap a model of `WritablePropertyMap` with vertex descriptors as keys and `double` as value
 /// \param mesh an oriented manifold with or without borders
@@ -59,7 +59,7 @@ std::vector<double> face_means(const Skeletonized_surface& surface, const std::v
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
+/// \throw Input_error if the mesh is not an oriented manifold of triangles, or `skeleton` is not its skeleton
 template <class TriangleMesh, class Skeleton, class VertexDiameterMap,
           class NamedParameters = parameters::Default_named_parameters>
 void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& skeleton, VertexDiameterMap diameters,

@@ -21,7 +21,7 @@
 
 namespace CSCD {
 
-/// What a closed geodesic tells of a body.
+/// The feature of a body that a closed geodesic marks.
 enum class Loop_kind
 {
   handle,      ///< it bounds a surface inside the body, and cutting along it opens a handle
@@ -33,7 +33,7 @@ enum class Loop_kind
 template <class Point>
 struct Surface_loop
 {
-  /// What it surrounds.
+  /// The feature that it surrounds.
   Loop_kind kind = Loop_kind::handle;
   /// Its length, in the unit of the mesh.
   double length = 0;
@@ -65,15 +65,15 @@ std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid&
 /// Whittlesey, "Greedy optimal homotopy and homology generators", 2005). They are shortened freely, by edge flips.
 ///
 /// A loop is a handle loop if its linking number with every other curve of the surface, pushed outwards, is even, and a
-/// tunnel loop if it is with curves pushed inwards. Of either kind the shortest are taken that are independent in the
-/// homology of the surface over Z2, g where the genus is g and the candidates contain them. The shortest candidates
-/// need not be the shortest of all loops.
+/// tunnel loop if it is with curves pushed inwards. For each kind, the shortest candidates that are independent in the
+/// homology of the surface over Z2 are returned: g for a surface of genus g if the candidates contain them. They need
+/// not be the shortest of all loops.
 ///
-/// A constriction separates the surface. Of several at one place, and of those that cross, the shortest is taken.
+/// A constriction separates the surface. Of several that are at one place or cross, the shortest is returned.
 ///
 /// Near linear in the number of vertices, times 2 g for a surface of genus g.
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
-/// \param mesh an oriented manifold; what is around its borders counts as closed
+/// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
+/// \param mesh an oriented manifold; the surface counts as closed at its borders
 /// \param np an optional sequence of named parameters
 /// \param min_depth constrictions that are less deep are left out
 ///
@@ -84,14 +84,14 @@ std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid&
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{seed of the order in which sources of separators are tried}
+///     \cgalParamDescription{the seed for the order of the sources of separators}
 ///     \cgalParamType{`unsigned int`}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
 /// \return handle loops, tunnel loops, constrictions, each kind by increasing length
-/// \throw Input_error if the mesh is no oriented manifold of triangles, or has no extent or no area
+/// \throw Input_error if the mesh is not an oriented manifold of triangles, or has no extent or no area
 template <class TriangleMesh, class NamedParameters = parameters::Default_named_parameters>
 auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values(),
                         double min_depth = default_min_constriction_depth)

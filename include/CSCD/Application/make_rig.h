@@ -22,12 +22,12 @@
 
 namespace CSCD {
 
-/// A joint of a rig: it turns what comes after it about its place.
+/// A joint of a rig: it turns the joints after it about its place.
 struct Rig_joint
 {
   std::optional<std::size_t> parent{}; ///< the number of the joint before it; none for a root
-  Index node = no_index;               ///< of the skeleton, at which it is
-  Index branch = no_index;             ///< to which that node belongs
+  Index node = no_index;               ///< the node of the skeleton at its place
+  Index branch = no_index;             ///< the branch of that node
   Vector_3 point{};                    ///< of the node
   double radius = 0;                   ///< of the node
   bool is_tip = false;                 ///< whether a limb ends in it, so that it moves nothing
@@ -54,7 +54,7 @@ struct Rig
   /// Of one vertex, the strongest first; the sum of their weights is 1.
   using Influences = std::array<Rig_influence, max_number_of_influences>;
 
-  std::vector<Rig_joint> joints;      ///< each after its parent, and what depends on it right after it
+  std::vector<Rig_joint> joints;      ///< each after its parent, and its descendants right after it
   std::vector<Influences> influences; ///< of the vertices of the mesh in their order
 };
 

@@ -29,12 +29,12 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
 /// segments a mesh into the parts that people would see, by its skeleton.
 ///
 /// The surface is first cut into slices, one for each node of the skeleton. Then neighboring parts are merged, pair by
-/// pair, beginning with those that most probably belong together. How probable this is follows from their boundary, its
-/// length and concavity, from what thicknesses and sizes are on both sides, and from how the skeleton goes on across
-/// it, by a logistic function that was fitted to segmentations by people; see `doc/applications.md`. Expectedly near
-/// linear in the number of faces, and O(s^2 log s) in the number s of nodes.
+/// pair, the most probable pair first. The probability depends on the length and concavity of their boundary, the
+/// thicknesses and sizes on both sides, and the course of the skeleton across it. It is a logistic function that was
+/// fitted to segmentations by people; see `doc/applications.md`. Expectedly near linear in the number of faces, and
+/// O(s^2 log s) in the number s of nodes.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes list vertex descriptors of the mesh
 /// \tparam FaceLabelMap a model of `WritablePropertyMap` with face descriptors as keys and `std::size_t` as value
 /// \param mesh an oriented manifold with or without borders
@@ -53,7 +53,7 @@ std::vector<Index> segment_surface(const Skeletonized_surface& surface, std::siz
 /// \cgalNamedParamsEnd
 ///
 /// \return the number of parts
-/// \throw Input_error if the mesh is no oriented manifold of triangles, or `skeleton` is not its skeleton
+/// \throw Input_error if the mesh is not an oriented manifold of triangles, or `skeleton` is not its skeleton
 template <class TriangleMesh, class Skeleton, class FaceLabelMap,
           class NamedParameters = parameters::Default_named_parameters>
 std::size_t segment_mesh(const TriangleMesh& mesh, const Skeleton& skeleton, FaceLabelMap labels,

@@ -55,7 +55,7 @@ void read_points(const std::string& filename, std::vector<Point>& points, std::v
 }
 
 /// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
-/// \param name what to call the stream in messages
+/// \param name the name of the stream in messages
 template <class Point, class Vector>
 void read_points(std::istream& in, Point_format format, const std::string& name, std::vector<Point>& points,
                  std::vector<Vector>& normals)

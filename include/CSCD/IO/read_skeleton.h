@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Skeletons from files, by whatever program.
+// Skeletons from files of any program.
 
 #ifndef CSCD_IO_READ_SKELETON_H
 #define CSCD_IO_READ_SKELETON_H
@@ -26,11 +26,11 @@ namespace CSCD {
 namespace internal {
 
 /// Reads the skeleton that a file holds.
-/// \throw File_error if its ending is not one of those that are read, or it cannot be read, is malformed or has no nodes
+/// \throw File_error if its ending is not supported, or it cannot be read, is malformed or has no nodes
 Skeleton read_indexed_skeleton(const std::string& filename);
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name);
 
-/// Whether `filename` ends as that of a format for graphs alone.
+/// Whether `filename` has an ending of a format for graphs alone.
 bool is_graph_filename(const std::string& filename);
 
 /// Reads points, polygons and lines, and the radii of points with lines, of a mesh, of points, of a skeleton or graph.
@@ -77,12 +77,12 @@ Skeleton to_skeleton_graph(const CSCD::Skeleton& indexed)
 /// - `.polylines.txt`, as CGAL's examples write it: points with equal coordinates are one node;
 /// - `.swc`: a node and its parent a line; the comments `# loop i j` of `write_swc()` are edges;
 /// - `.vtp`: points and poly-lines of VTK's PolyData, and perhaps the point arrays `Radius` and `IsOpening`, of any
-///   encoding; what zlib has compressed only if CSCD was built with zlib.
+///   encoding; data compressed by zlib only if CSCD was built with zlib.
 ///
 /// Edges from a node to itself and repeated edges are left out. No vertices of an input belong to the nodes, and radii
-/// are 0 where the file holds none. Significances are computed; which edges are `is_joined`, only `.json` tells, and
-/// which nodes `is_opening`, `.json` and `.vtp`. What `write_skeleton()` writes of nodes and edges is read back
-/// exactly; nodes and edges keep their order in `.graph`, `.json` and `.ply`, nodes also in `.vtp`. Expectedly linear.
+/// are 0 where the file holds none. Significances are computed; only `.json` holds `is_joined`, and only `.json` and
+/// `.vtp` hold `is_opening`. The properties of nodes and edges from `write_skeleton()` are read back exactly; nodes and
+/// edges keep their order in `.graph`, `.json` and `.ply`, nodes also in `.vtp`. Expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose points can be made of three coordinates
 /// \param skeleton is replaced; when an exception is thrown it is as it was
 /// \return whether the file holds radii
@@ -97,7 +97,7 @@ bool read_skeleton(const std::string& filename, Skeleton& skeleton)
 
 /// reads a skeleton from a stream, which for binary PLY must not translate line ends; see the function for files.
 /// \param ending of the format, such as `.graph`
-/// \param name what to call the stream in messages
+/// \param name the name of the stream in messages
 template <class Skeleton>
 bool read_skeleton(std::istream& in, const std::string& ending, const std::string& name, Skeleton& skeleton)
 {

@@ -27,7 +27,7 @@
 
 namespace CSCD {
 
-/// What `read_triangle_mesh()` did so that the polygons of a file became an oriented manifold triangle mesh.
+/// The repairs of `read_triangle_mesh()` until the polygons of a file became an oriented manifold triangle mesh.
 struct Mesh_repair_report
 {
   std::size_t number_of_triangulated_polygons = 0; ///< faces of more than three vertices, cut into triangles
@@ -38,12 +38,12 @@ struct Mesh_repair_report
   std::size_t number_of_removed_points = 0;    ///< points left without any face by the repair
   std::size_t number_of_turned_faces = 0;      ///< triangles turned to agree with their neighbors
   std::size_t number_of_duplicated_points = 0; ///< points doubled where the surface was not a manifold
-  std::size_t number_of_turned_components = 0; ///< closed components turned outwards, but for cavities
+  std::size_t number_of_turned_components = 0; ///< closed components turned outwards, except cavities
 
   /// Whether the mesh is the file's, face by face.
   bool is_empty() const { return sentences().empty(); }
 
-  /// What was done, a sentence each, without a full stop.
+  /// The repairs that were made, a sentence each, without a full stop.
   std::vector<std::string> sentences() const;
 };
 
@@ -72,7 +72,7 @@ Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, 
 /// \throw Input_error if they are too many or cannot be made a surface
 Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filename, unsigned number_of_threads = 1);
 
-/// Which faces of a mesh come from which polygons of the file that it was made of.
+/// The correspondence between the faces of a mesh and the polygons of its file.
 struct Faces_of_file
 {
   std::vector<Index> polygon_of_face; ///< for each face of the mesh
@@ -82,8 +82,8 @@ struct Faces_of_file
 };
 
 /// Finds them by the places of their corners, as repairs never move a point. O(n log n).
-/// \param file what `make_manifold()` was given
-/// \param points, faces those of the mesh
+/// \param file the argument of `make_manifold()`
+/// \param points, faces of the mesh
 Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
                           const std::vector<std::array<Index, 3>>& faces);
 
@@ -207,15 +207,15 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
 } // namespace internal
 
 /// reads the triangle mesh that the file `filename` holds, in the `Mesh_format` that its ending names, and repairs it.
-/// With a further ending ".gz" or ".zst" it is decompressed by zlib or zstd first.
-/// Polygons are cut into triangles; if the triangles do not form an oriented closed manifold, points of equal
-/// coordinates are merged; if they still form no manifold, degenerate and duplicate faces and small flaps are removed,
-/// faces turned to agree with their neighbors, and points duplicated where the surface is no manifold. If it is closed,
-/// components that face inwards are turned, but for cavities. Vertices and faces are numbered as in the file, as far as
-/// nothing had to be repaired; vertices without a face are kept then. Near linear.
+/// With a further ending ".gz" or ".zst" it is decompressed by zlib or zstd first. Polygons are cut into triangles. If
+/// these do not form an oriented closed manifold, points of equal coordinates are merged. If they still do not form a
+/// manifold, degenerate and duplicate faces and small flaps are removed, faces turned to agree with their neighbors,
+/// and points duplicated where the surface is not a manifold. If it is closed, components that face inwards are turned,
+/// except cavities. Vertices and faces are numbered as in the file, as far as nothing had to be repaired; vertices
+/// without a face are kept then. Near linear.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
-/// \return what was repaired
+/// \return the repairs that were made
 /// \throw File_error if the file cannot be read, is malformed, or has no faces
 /// \throw Input_error if the faces cannot be made a surface
 template <class TriangleMesh>
@@ -226,7 +226,7 @@ Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh&
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
 /// files.
-/// \param name what to call the stream in messages
+/// \param name the name of the stream in messages
 template <class TriangleMesh>
 Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, const std::string& name, TriangleMesh& mesh)
 {
@@ -236,12 +236,11 @@ Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, cons
 /// reads a stream that holds a triangle mesh, or points, if it has no faces.
 /// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \tparam Point, Vector constructible from three coordinates
-/// \param format the ending of a file name, with or without what stands before it: one of those of `Mesh_format` and
-///        `Point_format`
-/// \param name what to call the stream in messages
+/// \param format the ending of a file name, or the whole name: an ending of `Mesh_format` or `Point_format`
+/// \param name the name of the stream in messages
 /// \param mesh is replaced if there are faces
-/// \param points, normals are replaced if there are none
-/// \return what was repaired, if there are faces
+/// \param points, normals are replaced if there are only points
+/// \return the repairs that were made, if there are faces
 /// \throw File_error if the stream cannot be read, is malformed, or has neither faces nor points
 /// \throw Input_error if the faces cannot be made a surface
 template <class TriangleMesh, class Point, class Vector>

@@ -39,15 +39,14 @@ struct Volume_file;
 /// - MetaImage, also compressed, with its data attached or not (`.mha`, `.mhd`)
 /// - TIFF with a slice a page (`.tif`, `.tiff`), if built with libtiff
 ///
-/// Raw data are read by a `.nhdr` or `.mhd` that describes them. What is compressed needs zlib. Coordinates are those
-/// of the file: its origin is the center of the first voxel, and nothing is converted from one system of axes to
-/// another.
+/// Raw data are read by a `.nhdr` or `.mhd` that describes them. Compressed data need zlib. Coordinates are those of
+/// the file: its origin is the center of the first voxel, and nothing is converted from one system of axes to another.
 class Volume_reader
 {
 public:
   /// Reads the header and checks it against the size of the data.
-  /// \throw File_error if the file cannot be read, its header is malformed, tells sizes that its data cannot have, or
-  ///        axes that are not finite or do not span the space, or its format needs what this was built without
+  /// \throw File_error if the file cannot be read, its header is malformed, has sizes that its data cannot have, or
+  ///        axes that are not finite or do not span the space, or the build lacks a library for its format
   Volume_reader(const std::string& filename, const Voxel_selection& selection);
   /// Takes over the file of `other`.
   Volume_reader(Volume_reader&& other) noexcept;
@@ -56,10 +55,10 @@ public:
   /// Where the voxels are.
   const Volume_grid& grid() const;
   /// Reads the next slice.
-  /// \param labels is replaced by the labels of the voxels that are selected, and 0 of all others
-  /// \throw File_error if the data end before, are damaged, or hold what is no label; a value that is not a number is
-  ///        of the background
-  /// \pre there is one
+  /// \param labels is replaced by the labels of the selected voxels, and 0 for all others
+  /// \throw File_error if the data end too early, are damaged, or hold a number that is not a label; a value that is
+  ///        not a number belongs to the background
+  /// \pre there is a next slice
   void read_slice(std::vector<std::uint32_t>& labels);
 
 private:
@@ -68,7 +67,7 @@ private:
   std::vector<double> m_values;
 };
 
-/// Whether the ending of `filename` is that of a volume.
+/// Whether `filename` has an ending of volumes.
 bool is_volume_filename(const std::string& filename);
 
 /// reads a volume into memory. \see Volume_reader

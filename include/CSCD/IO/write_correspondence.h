@@ -29,11 +29,11 @@
 
 namespace CSCD {
 
-/// What a vertex or point of the input has to do with the skeleton.
+/// The relation of a vertex or point of the input to the skeleton.
 struct Vertex_label
 {
-  Index node = no_index;                                      ///< to which it belongs; `no_index` if to none
-  Index branch = no_index;                                    ///< to which that node belongs
+  Index node = no_index;                                      ///< the node of the vertex; `no_index` if none
+  Index branch = no_index;                                    ///< the branch of that node
   double radius = std::numeric_limits<double>::quiet_NaN();   ///< of the node
   double distance = std::numeric_limits<double>::quiet_NaN(); ///< to the edges at the node, in the unit of the input
 };
@@ -44,9 +44,9 @@ namespace internal {
 std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
                                          const Skeleton& skeleton, const Skeleton_branches& branches);
 
-/// For each point of a file of which a mesh was made, the vertex of the mesh at its place; `no_index` if there is none.
+/// For each point of a file, the vertex at its place of the mesh that was made from the file; `no_index` if none.
 /// Repairs merge, double and drop points, but never move one. Linear.
-/// \param is_known of several vertices at a place, the first one that is known counts
+/// \param is_known of several vertices at a place, the first known one counts
 std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
                                     const std::vector<Vector_3>& points_of_mesh, const std::vector<char>& is_known);
 
@@ -70,7 +70,7 @@ std::vector<Vector_3> to_vectors(const PointRange& points)
 
 } // namespace internal
 
-/// tells of every vertex of `mesh`, in their order, to which node and branch of `skeleton` it belongs.
+/// returns the node and branch of `skeleton` that every vertex of `mesh` belongs to, in the order of the vertices.
 /// Expectedly linear.
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh
@@ -83,7 +83,7 @@ std::vector<Vertex_label> label_vertices(const TriangleMesh& mesh, const Skeleto
   return internal::label_vertices(surface.points, surface.node_of_vertex, internal::index_skeleton(skeleton), branches);
 }
 
-/// tells of every point, in their order, to which node and branch of `skeleton` it belongs. Expectedly linear.
+/// returns the node and branch of `skeleton` of every point, in the order of the points. Expectedly linear.
 /// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
 /// \tparam Skeleton a model of `CurveSkeletonGraph` that holds the numbers of the points
 /// \param branches of `skeleton`, as `measure_branches()` gives them

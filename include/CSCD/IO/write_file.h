@@ -14,8 +14,8 @@
 
 namespace CSCD {
 
-/// Files that appear together: each is written beside its place, and takes it when all are complete. When anything
-/// fails, there is no new file, and old ones are as they were.
+/// Files that appear together: each is written next to its place, and moved there when all are complete. If anything
+/// fails, no file is created or changed.
 class File_group
 {
 public:
@@ -24,13 +24,13 @@ public:
 
   File_group() = default;
   File_group(File_group&&) = delete;
-  /// Removes what has been written and not published.
+  /// Removes the files that have been written and not published.
   ~File_group();
 
-  /// Writes what `write` puts into a stream beside the place of `filename`; what is not a regular file, such as a pipe,
-  /// is written to directly. A file that is replaced keeps its permissions, and a link to it stays a link.
+  /// Writes the output of `write` into a stream next to the place of `filename`. A file that is not regular, such as a
+  /// pipe, is written directly. A replaced file keeps its permissions, and a link to it stays a link.
   /// \param write called once
-  /// \throw File_error if the file cannot be written; whatever `write` throws
+  /// \throw File_error if the file cannot be written; every exception of `write`
   void write(const std::string& filename, const Write& write);
 
   /// Lets all files that have been written take their places.
@@ -48,9 +48,9 @@ private:
   std::vector<File> m_files;
 };
 
-/// creates the file `filename`, or replaces it, with what `write` puts into a stream: a `File_group` of one file.
+/// creates the file `filename`, or replaces it, with the output of `write`: a `File_group` of one file.
 /// \param write called once
-/// \throw File_error if the file cannot be written; whatever `write` throws
+/// \throw File_error if the file cannot be written; every exception of `write`
 void write_file(const std::string& filename, const File_group::Write& write);
 
 } // namespace CSCD

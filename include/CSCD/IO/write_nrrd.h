@@ -19,11 +19,11 @@ namespace CSCD {
 /// \pre there is a label for each voxel
 void write_nrrd(std::ostream& out, const Volume& volume);
 
-/// writes as NRRD what node each voxel of a volume belongs to: that of the nearest vertex of the surface of its label.
-/// The segment to this vertex is inside the body, so that a voxel gets no node of another limb beside its own. The
-/// volume is read and written slice by slice. Expectedly O(n log m) for n voxels in bodies and m vertices.
-/// \param reader of which no slice has been read
-/// \param surfaces those of the labels; voxels of labels that have none get 0
+/// writes as NRRD the node of each voxel of a volume: the node of the nearest vertex of the surface of its label. The
+/// segment to this vertex is inside the body, so that a voxel never gets a node of a neighboring limb. The volume is
+/// read and written slice by slice. Expectedly O(n log m) for n voxels in bodies and m vertices.
+/// \param reader before its first slice
+/// \param surfaces of the labels; voxels of labels without a surface get 0
 /// \param node_of_vertex for each surface and each of its points, the number that its voxels get
 /// \throw File_error if the volume cannot be read to its end
 void write_node_volume(std::ostream& out, Volume_reader& reader, const std::vector<Voxel_surface>& surfaces,

@@ -34,8 +34,8 @@ void write_glb(std::ostream& out, const Assigned_surface& surface, const Rig& ri
 /// \param rig of this mesh, as `make_rig()` gives it
 /// \param name of the mesh
 /// \pre all faces of `mesh` are triangles
-/// \throw Input_error if there is no face, a coordinate is too large for single precision, there are more than 65,535
-///        joints, or the file would be larger than 4 GB
+/// \throw Input_error if the mesh has no faces, a coordinate is too large for single precision, there are more than
+///        65,535 joints, or the file would be larger than 4 GB
 /// \throw File_error if `out` fails
 template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
 void write_glb(std::ostream& out, const TriangleMesh& mesh, const Rig& rig, const std::string& name = "mesh")

@@ -17,16 +17,16 @@
 
 namespace CSCD {
 
-/// What SWC files can tell besides the skeleton.
+/// The content of SWC files besides the skeleton.
 struct Swc_options
 {
-  /// The type of all nodes but the soma, from 0 to 7: 1 soma, 2 axon, 3 dendrite, 4 apical dendrite, 5 fork, 6 end,
+  /// The type of all nodes except the soma, from 0 to 7: 1 soma, 2 axon, 3 dendrite, 4 apical dendrite, 5 fork, 6 end,
   /// 7 custom. By default forks are 5, ends 6 and others 0, which some readers of neurons refuse.
   std::optional<int> type{};
   /// The thickest node is the soma, of type 1, if its radius is at least this, in the unit of the skeleton. It is the
   /// root of its component then.
   double min_soma_radius = std::numeric_limits<double>::infinity();
-  /// By which coordinates and radii are multiplied, as 0.001 from nanometers to micrometers.
+  /// The factor of coordinates and radii, such as 0.001 from nanometers to micrometers.
   double scale = 1;
   /// Nodes, counted from 0; of a component without any the first one is the root. See `find_roots()`.
   std::vector<Index> roots{};
@@ -37,7 +37,7 @@ struct Swc_options
 void check_skeleton_filename(const std::string& filename);
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
-/// `.polylines.txt`, `.swc`, `.vtp` or `.graphml`. When it fails there is no new file. Linear.
+/// `.polylines.txt`, `.swc`, `.vtp` or `.graphml`. A failure leaves no new file. Linear.
 /// \param skeleton a `Skeleton_graph`, the skeleton type of CGAL's `Mean_curvature_flow_skeletonization`, or another
 ///        model of `CurveSkeletonGraph`, as for all writers
 /// \throw File_error if the ending is unknown or the file cannot be written
@@ -53,15 +53,15 @@ void write_skeleton(std::ostream& out, const std::string& filename, const intern
 void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` as GraphML: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they have one,
-/// `radius`; edges then have `significance`, the greatest double for what is never cut. O(n log n).
+/// `radius`; edges then have `significance`, the greatest double if they are never cut. O(n log n).
 /// \throw File_error if `out` fails
 void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` as a JSON object of arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
 /// have one), `degree` and `number_of_sites`, the number of vertices or points of the input that belong to the node;
 /// `edges`, each an array of two nodes counted from 0; `branches` (if the nodes have radii), each with the members of
-/// `Skeleton_branch` that need no surface and no root, null for what is infinite; and `joined_edges`, if there are any,
-/// those of the edges that were added to join components. O(n log n). \throw File_error if `out` fails
+/// `Skeleton_branch` that need no surface and no root, null for infinite ones; and `joined_edges`, the edges that were
+/// added to join components, if any. O(n log n). \throw File_error if `out` fails
 void write_json(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in OBJ format: a line `v x y z` for each node, then a line `l i j k ...` for each branch, with
@@ -70,8 +70,8 @@ void write_json(std::ostream& out, const internal::Skeleton_content& skeleton);
 void write_obj(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` in ASCII PLY: elements `vertex` with `x y z` and, if the nodes have one, `radius`, and elements
-/// `edge` with `vertex1 vertex2` and, if the nodes have radii, `significance`, the greatest double for what is never
-/// cut. O(n log n).
+/// `edge` with `vertex1 vertex2` and, if the nodes have radii, `significance`, the greatest double for edges that are
+/// never cut. O(n log n).
 /// \throw File_error if `out` fails
 void write_ply(std::ostream& out, const internal::Skeleton_content& skeleton);
 

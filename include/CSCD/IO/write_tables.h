@@ -16,14 +16,14 @@
 
 namespace CSCD {
 
-/// writes the table of branches as CSV, a line for each branch under a line of names: the number of the branch, its
-/// end nodes and their kinds, the number of its nodes, and the members of `Skeleton_branch`. What is not known is
-/// empty, what is infinite is `inf`. Linear.
+/// writes the table of branches as CSV, a line for each branch under a line of names: the number of the branch, its end
+/// nodes and their kinds, the number of its nodes, and the members of `Skeleton_branch`. Unknown values are empty,
+/// infinite ones are `inf`. Linear.
 /// \throw File_error if `out` fails
 void write_branch_table(std::ostream& out, const Skeleton_branches& branches);
 
 /// writes the table of nodes as CSV, a line for each node under a line of names: number, coordinates, degree, branch,
-/// radius, how many vertices or points belong to it, and the members of `Node_measures`. What is not known is empty.
+/// radius, how many vertices or points belong to it, and the members of `Node_measures`. Unknown values are empty.
 /// Linear.
 /// \param skeleton a model of `CurveSkeletonGraph`
 /// \param branches of `skeleton`, as `measure_branches()` gives them
@@ -34,7 +34,7 @@ void write_node_table(std::ostream& out, const internal::Skeleton_content& skele
 
 /// writes cylinders as CSV in the columns of TreeQSM's text files (`save_model_text`, version 2.4): indices are counted
 /// from 1, 0 is none. The columns on the fit of TreeQSM (`mad`, `SurfCov`) are `NaN`. Linear.
-/// \param report of the skeleton of which the cylinders were made
+/// \param report of the skeleton that the cylinders were made from
 /// \throw File_error if `out` fails
 void write_cylinders(std::ostream& out, const std::vector<Tree_cylinder>& cylinders, const Tree_report& report);
 

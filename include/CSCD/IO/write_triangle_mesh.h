@@ -21,9 +21,9 @@
 
 namespace CSCD {
 
-/// writes `mesh` by CGAL's functions, as ASCII OFF, OBJ, PLY or STL by the ending of `filename`. When it fails there is
-/// no new file. Linear.
-/// \tparam TriangleMesh a model of `FaceListGraph` with an internal vertex point map, of which all faces are triangles
+/// writes `mesh` by CGAL's functions, as ASCII OFF, OBJ, PLY or STL by the ending of `filename`. A failure leaves no
+/// new file. Linear.
+/// \tparam TriangleMesh a model of `FaceListGraph` with triangular faces and an internal vertex point map
 /// \throw File_error if the ending is unknown or the file cannot be written
 template <class TriangleMesh>
 void write_triangle_mesh(const std::string& filename, const TriangleMesh& mesh)

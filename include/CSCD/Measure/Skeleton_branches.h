@@ -28,7 +28,7 @@
 
 namespace CSCD {
 
-/// What a branch ends in.
+/// The kind of an end of a branch.
 enum class Branch_end
 {
   tip,      ///< a node with one edge, inside of the body
@@ -48,15 +48,15 @@ constexpr const char* name(Branch_end end)
                                        : "closed";
 }
 
-/// A branch of a skeleton and its measures, in the unit of the skeleton. What is not known, as radii of a skeleton
-/// without any, is not a number.
+/// A branch of a skeleton and its measures, in the unit of the skeleton. Unknown values, such as radii of a skeleton
+/// without any, are not a number.
 struct Skeleton_branch
 {
-  /// What is not known.
+  /// The value of unknown measures.
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
   std::vector<Index> nodes;                          ///< from end to end, as `split_into_branches()` gives them
-  std::array<Branch_end, 2> ends{};                  ///< what the first and the last node are
+  std::array<Branch_end, 2> ends{};                  ///< kinds of the first and the last node
   double length = 0;                                 ///< along the edges
   double chord = 0;                                  ///< distance of both ends
   double min_radius = unknown;                       ///< over the nodes
@@ -72,13 +72,13 @@ struct Skeleton_branch
   /// Volume of that part, closed by cones to the junctions where it meets other parts, and over borders to their
   /// middle: the volumes of all branches have the volume of the body as their sum.
   double volume = unknown;
-  /// How far the limb reaches beyond its body, in radii; infinite for what is never cut. See `compute_significance()`.
+  /// How far the limb reaches beyond its body, in radii; infinite if it is never cut. See `compute_significance()`.
   double significance = std::numeric_limits<double>::infinity();
-  /// The branch before it on the way from the root; none if it contains the root, or if there is no root.
+  /// The branch before it on the way from the root; none if it contains the root, or without a root.
   std::optional<std::size_t> parent{};
-  /// The number of branches before it on that way; none if there is no root.
+  /// The number of branches before it on that way; none without a root.
   std::optional<std::size_t> order{};
-  /// Of a scan of trees the `Tree_branch`, a limb from its base to its tip, of which the branch is a part.
+  /// In a scan of trees, the `Tree_branch`, a limb from its base to its tip, that contains the branch.
   std::optional<std::size_t> limb{};
 
   /// The length over the chord: 1 if the branch is straight, infinite if it returns to its first node, not a number for
@@ -89,15 +89,15 @@ struct Skeleton_branch
   }
 };
 
-/// The branches of a skeleton; the index in `branches` is the number by which all outputs name them.
+/// The branches of a skeleton; all outputs name them by their index in `branches`.
 struct Skeleton_branches
 {
   std::vector<Skeleton_branch> branches; ///< in the order of `split_into_branches()`
-  /// The branch of every node. A junction, at which several end, belongs to that of the greatest mean radius.
+  /// The branch of every node. A junction where several end belongs to the branch of the greatest mean radius.
   std::vector<Index> branch_of_node;
 };
 
-/// What the surface around a node measures, in the unit of the skeleton. What is not known is not a number.
+/// Measures of the surface around a node, in the unit of the skeleton. Unknown values are not a number.
 struct Node_measures
 {
   /// Distance to the surface, to the faces with vertices of nodes that are up to two radii away along the skeleton.
@@ -109,7 +109,7 @@ struct Node_measures
 
 namespace internal {
 
-/// Triangles and the node to which each vertex belongs.
+/// Triangles and the node of each vertex.
 struct Assigned_surface
 {
   std::vector<Vector_3> points;
@@ -117,7 +117,7 @@ struct Assigned_surface
   std::vector<Index> node_of_vertex; ///< `no_index` for vertices of no node
 };
 
-/// Copies a triangle mesh and what `skeleton` tells of its vertices; expectedly linear.
+/// Copies a triangle mesh and the nodes of its vertices in `skeleton`; expectedly linear.
 template <class TriangleMesh, class Skeleton>
 Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skeleton)
 {
@@ -149,7 +149,7 @@ Assigned_surface assigned_surface(const TriangleMesh& mesh, const Skeleton& skel
   return result;
 }
 
-/// The significance of every edge; nothing if there are no radii.
+/// The significance of every edge; empty if the skeleton has no radii.
 std::vector<double> edge_significances(const Skeleton& skeleton);
 
 /// \param roots nodes, at most one of each component; parents and orders are left out if there is none
@@ -175,8 +175,8 @@ Skeleton_branches measure_branches(const Skeleton& skeleton, const std::vector<I
 }
 
 /// measures the branches of the skeleton of a mesh, and the parts of its surface that belong to them. A face belongs to
-/// the branch of the node to which two of its vertices, or else the first of their nodes, belong; one of whose vertices
-/// none belongs to a node is left out. O(n log n + m) for n nodes and m faces.
+/// the branch of the node that two of its vertices share, else of the first of their nodes. A face whose vertices
+/// belong to no node is left out. O(n log n + m) for n nodes and m faces.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \param roots as of the function without a mesh

@@ -22,7 +22,7 @@ enum class Reconstruction_method
   round_cones  ///< union of the convex hulls of the two balls of each edge
 };
 
-/// What stands for a measure that is not defined for the input.
+/// The value of a measure that is not defined for the input.
 inline constexpr double undefined_measure = std::numeric_limits<double>::quiet_NaN();
 
 /// How far the input and a surface reconstructed from a skeleton are apart. Lengths are relative to the diagonal of the
@@ -32,8 +32,8 @@ struct Reconstruction_error
   double mean = undefined_measure;        ///< distance from the points of the input to the faces of the reconstruction
   double mean_square = undefined_measure; ///< of the same distances, relative to the square of the diagonal
   double maximum = undefined_measure;     ///< of the same distances
-  /// Mean distance from the reconstruction to the input, by area: what swells or hangs outside. To the faces of a mesh;
-  /// to the nearest of the points, so that their spacing counts, if the input is a point cloud.
+  /// Mean distance from the reconstruction to the input, by area: parts that swell or stick out. To the faces of a
+  /// mesh; to the nearest of the points, so that their spacing counts, if the input is a point cloud.
   double reverse_mean = undefined_measure;
   double reverse_maximum = undefined_measure;     ///< of the distances from the reconstruction to the input
   double unresolved_fraction = undefined_measure; ///< of the skeleton's length, which is too thin for the lattice
@@ -125,7 +125,7 @@ struct Skeleton_distance
 {
   double mean = 0;             ///< over the length of the edges
   double maximum = 0;          ///< over edges and nodes
-  double fraction_matched = 0; ///< of the length: what is not farther away than the match distance
+  double fraction_matched = 0; ///< of the length: the part no farther away than the match distance
 };
 
 /// How many features of two skeletons are at the same place.
@@ -147,7 +147,7 @@ struct Match_count
 struct Skeleton_comparison
 {
   double diagonal = 0;                    ///< of the bounding box of both, in their unit
-  double match_distance = 0;              ///< up to which features count as the same, relative to the diagonal
+  double match_distance = 0;              ///< up to it, features count as the same; relative to the diagonal
   Skeleton_distance from_first_to_second; ///< of the points of the first from the second
   Skeleton_distance from_second_to_first; ///< of the points of the second from the first
   Match_count tips;                       ///< nodes with one edge

@@ -21,11 +21,11 @@ namespace CSCD {
 
 /// How two segmentations of the same faces differ: the measures of the Princeton segmentation benchmark (X. Chen,
 /// A. Golovinskiy, T. Funkhouser, "A benchmark for 3D mesh segmentation", 2009). Each face counts once, whatever its
-/// area. All are 0 for equal segmentations, but for the adjusted Rand index.
+/// area. All are 0 for equal segmentations, except the adjusted Rand index.
 struct Segmentation_comparison
 {
   double rand_error = 0;               ///< part of the pairs of faces that are together in one, apart in the other
-  double adjusted_rand_index = 1;      ///< 1 for equal segmentations, about 0 for those that have nothing in common
+  double adjusted_rand_index = 1;      ///< 1 for equal segmentations, about 0 for segmentations with nothing in common
   double missing_rate = 0;             ///< part of the faces outside of the part of the first that covers theirs best
   double false_alarm_rate = 0;         ///< the same with the segmentations exchanged
   double hamming_distance = 0;         ///< mean of both rates
@@ -64,7 +64,7 @@ std::vector<Index> numbered_labels(const TriangleMesh& mesh, const FaceLabelMap&
 ///
 /// O(n log n) for n faces.
 ///
-/// \tparam TriangleMesh a model of `FaceListGraph` of which all faces are triangles
+/// \tparam TriangleMesh a model of `FaceListGraph` whose faces are all triangles
 /// \tparam FaceLabelMap1,FaceLabelMap2 models of `ReadablePropertyMap` with face descriptors as keys and integers as
 ///         values
 /// \param mesh an oriented manifold with or without borders
@@ -79,7 +79,7 @@ std::vector<Index> numbered_labels(const TriangleMesh& mesh, const FaceLabelMap&
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if the mesh is no oriented manifold of triangles
+/// \throw Input_error if the mesh is not an oriented manifold of triangles
 template <class TriangleMesh, class FaceLabelMap1, class FaceLabelMap2,
           class NamedParameters = parameters::Default_named_parameters>
 Segmentation_comparison compare_segmentations(const TriangleMesh& mesh, const FaceLabelMap1& first,

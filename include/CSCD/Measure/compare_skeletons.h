@@ -32,8 +32,8 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{match_distance}
-///     \cgalParamDescription{up to which features count as the same, relative to the diagonal of the bounding box of
-///     both skeletons}
+///     \cgalParamDescription{the greatest distance between features that count as the same, relative to the diagonal of
+///     the bounding box of both skeletons}
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.02}
 ///   \cgalParamNEnd

@@ -30,7 +30,7 @@ struct Evaluation_parameters
   std::size_t resolution = 200; ///< cells of the lattice along the diagonal of the bounding box
 };
 
-/// What a skeleton is measured against, in the coordinates of the input: a mesh, or points.
+/// The reference of the measures, in the coordinates of the input: a mesh, or points.
 struct Measured_input
 {
   Indexed_triangles triangles; ///< an oriented manifold with or without borders; empty for points
@@ -82,12 +82,12 @@ Measured_input measured_input(const Surface& surface, const NamedParameters& np)
   return result;
 }
 
-/// Estimates the radius of each node from points of the surface, and nothing else.
-/// Each point is assigned to the nearest point of the skeleton, at distance d and at parameter t of an edge; it counts
-/// for the source of the edge with weight 1 - t and for the target with weight t. The radius of a node is the weighted
-/// mean of the distances; nodes to which no point was assigned are interpolated from their neighbors.
-/// O(p log e) for p points and e edges, where those are well spread.
-/// \throw Input_error if the edges are too many near each other, or make too many cycles
+/// Estimates the radius of each node from points of the surface alone. Each point is assigned to the nearest point of
+/// the skeleton, at distance d and at parameter t of an edge; it counts for the source of the edge with weight 1 - t
+/// and for the target with weight t. The radius of a node is the weighted mean of the distances; nodes without points
+/// are interpolated from their neighbors.
+/// O(p log e) for p points and e well-spread edges.
+/// \throw Input_error if too many edges are near each other, or they make too many cycles
 /// \pre there are points and nodes
 std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Skeleton& skeleton);
 
@@ -103,13 +103,13 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleto
 /// measures how good a skeleton is for a surface.
 ///
 /// The measures are those of `Skeleton_measures`; `doc/measures.md` gives their formulas. Two surfaces are
-/// reconstructed from the skeleton: the convolution surface, by which the method's paper measures (supplement, appendix
-/// D), and the union of round cones. By default, radii are estimated from the surface in the same way for
-/// every skeleton, so that skeletons of all makers compete on geometry alone. O((n + f) log(n + f) + f e) for n points
-/// or faces of the input, f faces of the reconstructions and e edges.
+/// reconstructed from the skeleton: the convolution surface, as in the method's paper (supplement, appendix D), and the
+/// union of round cones. By default, radii are estimated from the surface in the same way for every skeleton, so that
+/// skeletons of all makers compete on geometry alone. O((n + f) log(n + f) + f e) for n points or faces of the input, f
+/// faces of the reconstructions and e edges.
 ///
-/// \tparam Surface a model of `FaceListGraph` of which all faces are triangles; or a range of points, or of what
-///         `point_map` gives points for, a `CGAL::Point_set_3` included: then there are no measures of the position
+/// \tparam Surface a model of `FaceListGraph` whose faces are all triangles; or a range of points or of elements that
+///         `point_map` maps to points, a `CGAL::Point_set_3` included, without measures of the position
 /// \tparam Skeleton a model of `CurveSkeletonGraph`: `Skeleton_graph`, or CGAL's
 ///         `Mean_curvature_flow_skeletonization<TriangleMesh>::Skeleton`
 /// \param surface an oriented manifold with or without borders, or points
@@ -128,8 +128,8 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleto
 ///     \cgalParamDefault{`surface.point_map()` for a `CGAL::Point_set_3`, else `CGAL::Identity_property_map`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{resolution}
-///     \cgalParamDescription{the number of cells along the diagonal of the bounding box, by which the reconstructed
-///     surfaces are triangulated}
+///     \cgalParamDescription{the number of cells along the diagonal of the bounding box, for the triangulation of the
+///     reconstructed surfaces}
 ///     \cgalParamType{std::size_t in [1, 10000]}
 ///     \cgalParamDefault{200}
 ///   \cgalParamNEnd
@@ -140,10 +140,10 @@ Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleto
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return the measures; what is not defined for the input is `undefined_measure`
-/// \throw Input_error if there is no surface or skeleton, they are far from each other, a coordinate is not finite, the
-///        mesh is not an oriented manifold of triangles, the skeleton's radii are to be used and there are none, or the
-///        skeleton is too large: more than 2^18 nodes and edges, or 2048 cycles where radii are estimated
+/// \return the measures; those not defined for the input are `undefined_measure`
+/// \throw Input_error if the surface or the skeleton is empty, they are far from each other, a coordinate is not
+///        finite, the mesh is not an oriented manifold of triangles, the skeleton's radii are to be used and it has
+///        none, or the skeleton is too large: more than 2^18 nodes and edges, or 2048 cycles where radii are estimated
 template <class Surface, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_measures evaluate_skeleton(const Surface& surface, const Skeleton& skeleton,
                                     const NamedParameters& np = parameters::default_values())

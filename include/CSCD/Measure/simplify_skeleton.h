@@ -25,7 +25,7 @@
 
 namespace CSCD {
 
-/// What a simplification did, and what is left.
+/// The changes of a simplification, and the counts of its result.
 struct Simplification_report
 {
   std::size_t number_of_removed_components = 0; ///< components that were too small
@@ -43,7 +43,7 @@ struct Simplification_report
 
 namespace internal {
 
-/// What to do; a length of 0, and a number of 0, is for what is not to be done.
+/// The steps to take; a length or a number of 0 turns its step off.
 struct Simplification_parameters
 {
   std::size_t min_component_size = 0; ///< in vertices of the input, or in nodes if these have none
@@ -97,7 +97,7 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
   return result;
 }
 
-/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with whatever else they carry.
+/// Makes the graph of `simplified`: nodes that are left are copied from `skeleton`, with all other properties.
 template <class Skeleton>
 Skeleton to_simplified_graph(const Skeleton& skeleton, const CSCD::Skeleton& before,
                              const Simplified_skeleton& simplified)
@@ -165,8 +165,8 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 
 /// simplifies a finished skeleton of any origin.
 ///
-/// What is asked for is done in this order; without parameters nothing changes.
-/// -# Small components are removed, but for the largest.
+/// The requested steps are taken in this order; without parameters nothing changes.
+/// -# Small components are removed, except the largest.
 /// -# Branches are pruned that are less significant than asked, then short ones, then short ones in radii: the least
 ///    first, and where two branches are then alone at a junction they count as one. See `compute_significance()`. The
 ///    last branch of a tree stays.
@@ -188,8 +188,8 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///
 /// \cgalNamedParamsBegin
 ///   \cgalParamNBegin{minimum_component_size}
-///     \cgalParamDescription{components to which fewer vertices or points of the input belong are removed; if none
-///       belong to the skeleton at all, those of fewer nodes}
+///     \cgalParamDescription{components with fewer vertices or points of the input are removed; if the whole skeleton
+///     has none, components with fewer nodes}
 ///     \cgalParamType{std::size_t}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
@@ -204,7 +204,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{minimum_length_over_radius}
-///     \cgalParamDescription{those that are shorter, in mean radii of the branch, are pruned}
+///     \cgalParamDescription{branches that end in a tip and are shorter, in their mean radii, are pruned}
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
@@ -235,7 +235,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \return what was done, and counts of what is left
+/// \return the changes, and counts of the result
 /// \throw Input_error if a coordinate, radius or parameter is not finite or negative where it must not be; if radii are
 ///        needed and the skeleton has none; if a spacing asks for more nodes than there can be; or if there are too
 ///        many nodes to join: 2^34 pairs of an end and a node of another component
@@ -246,7 +246,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const NamedParameter
   return internal::simplify_skeleton(skeleton, nullptr, np);
 }
 
-/// simplifies the skeleton of a mesh; what is inside of the mesh stays inside. See the function without a mesh.
+/// simplifies the skeleton of a mesh; parts inside of the mesh stay inside. See the function without a mesh.
 ///
 /// A junction is only merged and a node only smoothed if the edges there that are inside stay inside, and where an edge
 /// of a branch that is sampled anew would leave the mesh, the branch is sampled more closely.

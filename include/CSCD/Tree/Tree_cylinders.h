@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The skeleton of a scan of trees as cylinders, and what foresters measure.
+// The skeleton of a scan of trees as cylinders, and the measures of foresters.
 
 #ifndef CSCD_TREE_TREE_CYLINDERS_H
 #define CSCD_TREE_TREE_CYLINDERS_H
@@ -33,7 +33,7 @@ struct Tree_cylinder
   std::size_t position = 0;               ///< in its limb
 };
 
-/// What foresters measure of one object of a scan, in the unit of the skeleton. The third coordinate is the height.
+/// The foresters' measures of one object of a scan, in the unit of the skeleton. The third coordinate is the height.
 struct Tree_measures
 {
   double height = 0;       ///< of the highest node above the root
@@ -44,7 +44,7 @@ struct Tree_measures
   double diameter_at_breast_height = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The height above the root at which the diameter of a trunk is measured in most countries, in meters.
+/// The height above the root where the diameter of a trunk is measured in most countries, in meters.
 inline constexpr double default_breast_height = 1.3;
 
 namespace internal {
@@ -54,16 +54,16 @@ std::vector<Tree_measures> measure_trees(const Skeleton& skeleton, const Tree_re
 
 } // namespace internal
 
-/// writes to each branch of the skeleton of a scan of trees of which limb it is a part: that along its last edge.
+/// sets for each branch of the skeleton of a scan of trees the limb that contains it: the limb along its last edge.
 /// Linear.
-/// \param report what `extract_tree_skeleton()` returned
+/// \param report the result of `extract_tree_skeleton()`
 /// \param branches of the same skeleton, as `measure_branches()` gives them
 void assign_limbs(const Tree_report& report, Skeleton_branches& branches);
 
 /// makes cylinders of the limbs of a scan of trees, those of a limb one after the other, parents before children. A
 /// limb begins at the bark of its parent. Linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes have a radius, as `extract_tree_skeleton()` wrote it
-/// \param report what `extract_tree_skeleton()` returned
+/// \param report the result of `extract_tree_skeleton()`
 template <class Skeleton>
 std::vector<Tree_cylinder> make_tree_cylinders(const Skeleton& skeleton, const Tree_report& report)
 {
@@ -72,7 +72,7 @@ std::vector<Tree_cylinder> make_tree_cylinders(const Skeleton& skeleton, const T
 
 /// measures each object of a scan of trees, in the order of their numbers. Linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph` whose nodes have a radius, as `extract_tree_skeleton()` wrote it
-/// \param report what `extract_tree_skeleton()` returned
+/// \param report the result of `extract_tree_skeleton()`
 /// \param breast_height in the unit of the skeleton
 template <class Skeleton>
 std::vector<Tree_measures> measure_trees(const Skeleton& skeleton, const Tree_report& report,

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the skeletonization of a tree reports.
+// The report of the skeletonization of a tree.
 
 #ifndef CSCD_TREE_TREE_REPORT_H
 #define CSCD_TREE_TREE_REPORT_H
@@ -14,7 +14,7 @@
 
 namespace CSCD {
 
-/// What became of the attempt to fit a circle to the points around a node. Without one, center and radius are given by
+/// The result of the attempt to fit a circle to the points around a node. Without one, center and radius are given by
 /// the scatter of the points, by the circles around, and by what the limb carries.
 enum class Circle_outcome
 {
@@ -35,12 +35,12 @@ inline constexpr std::size_t no_branch = std::numeric_limits<std::size_t>::max()
 /// input.
 struct Tree_branch
 {
-  std::size_t parent = no_branch; ///< the branch from which it grows, which stands before it; `no_branch` for a trunk
+  std::size_t parent = no_branch; ///< the branch that it grows from, an earlier one; `no_branch` for a trunk
   std::size_t object = 0;         ///< the object that it belongs to
   std::size_t order = 0;          ///< centrifugal order: 0 for a trunk, one more than the parent's for any other branch
   std::size_t strahler_order = 1; ///< at the base: 1 for a branch without branches
-  /// The vertices of the skeleton along the branch, base to tip; the first is that of the parent from which it grows,
-  /// for a trunk the root.
+  /// The vertices of the skeleton along the branch, base to tip. The first is the vertex of the parent that it grows
+  /// from, or the root for a trunk.
   std::vector<std::size_t> nodes{};
   double length = 0;         ///< along the nodes
   double radius_at_base = 0; ///< at its first own node
@@ -75,7 +75,7 @@ struct Tree_report
   /// How the sections of the branches were found, in the order of `Circle_outcome`.
   std::array<std::size_t, number_of_circle_outcomes> number_of_sections{};
   double seconds = 0;                ///< wall-clock time
-  std::vector<std::string> warnings; ///< what the user should know, one sentence each
+  std::vector<std::string> warnings; ///< warnings for the user, one sentence each
 };
 
 } // namespace CSCD

@@ -80,10 +80,10 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
 
 } // namespace internal
 
-/// tells whether dense points are a scan of trees, or of other branching thin things, by the form of their
-/// neighborhoods: in more than 8 % of them the points lie along curves, and not on a surface. Fewer than 20,000
-/// points show too little of their form for that: the answer is no. Linear, and fast: a sample of 50,000 points is
-/// looked at. Does not depend on the order of the points.
+/// returns whether dense points are a scan of trees, or of other branching thin things, by the form of their
+/// neighborhoods: in more than 8 % of them the points lie along curves, not on a surface. Fewer than 20,000 points show
+/// too little of their form: the answer is no. Linear, and fast: a sample of 50,000 points is examined. Does not depend
+/// on the order of the points.
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
 /// \param points at least one point
 /// \param np an optional sequence of named parameters
@@ -96,7 +96,7 @@ Skeleton make_tree_graph(const PointRange& points, const Point_cloud& cloud, con
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if there are no points
+/// \throw Input_error if `points` is empty
 /// \pre all coordinates are finite
 template <class PointRange, class NamedParameters = parameters::Default_named_parameters>
 bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = parameters::default_values())
@@ -114,11 +114,11 @@ bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = para
 
 /// extracts the skeletons of trees, or of other branching thin things, from a scan of them.
 ///
-/// Scans of trees are no surfaces: twigs are hit by few points, limbs are seen from one side, and what is behind others
-/// is missing. So no surface is made. Points that are near each other for the spacing around are joined to a graph; its
-/// pieces are joined across gaps; the shortest paths from the root cut it into slices, of which limbs are made; circles
-/// are fitted across the limbs. Every object becomes a tree of the skeleton, with radii that do not increase from base
-/// to tip. What stands on the ground apart from the rest is an object of its own: the third coordinate is the height.
+/// Scans of trees are not surfaces: twigs are hit by few points, limbs are seen from one side, and parts behind others
+/// are missing. So no surface is made. Points near each other for the spacing around are joined to a graph; its pieces
+/// are joined across gaps; the shortest paths from the root cut it into slices, and these form limbs; circles are
+/// fitted across the limbs. Every object becomes a tree of the skeleton, with radii that do not increase from base to
+/// tip. A part that stands apart on the ground is an object of its own: the third coordinate is the height.
 ///
 /// Nodes stand in the order of the branches that the report names, parents before children; the first of each object is
 /// its root. Every point of the input belongs to exactly one node. The skeleton is the same, to the last bit, from call
@@ -145,7 +145,7 @@ bool is_scan_of_trees(const PointRange& points, const NamedParameters& np = para
 /// \cgalNamedParamsEnd
 ///
 /// \return branches with parent, order, length and radii; the gaps that were bridged; counts and warnings
-/// \throw Input_error if there is no point, too many, or one with a coordinate that is not finite, as that of the root;
+/// \throw Input_error if there are too many points or none, or a coordinate of a point or of the root is not finite;
 ///        the message names the point and the remedy
 template <class PointRange, class Skeleton, class NamedParameters = parameters::Default_named_parameters>
 Tree_report extract_tree_skeleton(const PointRange& points, Skeleton& skeleton,

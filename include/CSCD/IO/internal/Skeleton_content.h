@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the writers of skeletons share.
+// The common parts of the writers of skeletons.
 
 #ifndef CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 #define CSCD_IO_INTERNAL_SKELETON_CONTENT_H
@@ -66,13 +66,13 @@ std::vector<std::size_t> numbers_of_vertices([[maybe_unused]] const Graph& graph
   return has_any ? result : std::vector<std::size_t>();
 }
 
-/// What files hold of a skeleton: writers take it, and it is made of whatever they are called with.
+/// The content of skeleton files: writers take it, and it is made from any argument of theirs.
 struct Skeleton_content : Skeleton
 {
   bool has_radius;                             ///< whether the type of the nodes has a radius, even if there are none
   std::vector<std::size_t> number_of_vertices; ///< see `numbers_of_vertices()`
 
-  /// Copies what files hold of `graph`, a model of `CurveSkeletonGraph` or a graph of points, such as a
+  /// Copies the content of files from `graph`, a model of `CurveSkeletonGraph` or a graph of points, such as a
   /// `Cut_locus_graph`; expectedly linear.
   template <class Graph>
   Skeleton_content(const Graph& graph)
@@ -80,7 +80,7 @@ struct Skeleton_content : Skeleton
   {
   }
 
-  /// Writers then write what they write of nodes without a radius.
+  /// Makes writers treat the nodes as nodes without a radius.
   void remove_radii()
   {
     has_radius = false;
