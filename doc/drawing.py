@@ -11,7 +11,7 @@ import numpy as np
 
 SAMPLES = 2  # a pixel has so many samples in each direction
 BODY = np.array([0.80, 0.82, 0.85])
-OUTSIDE = np.array([0.86, 0.05, 0.05])  # of what is drawn as a fault
+OUTSIDE = np.array([0.86, 0.05, 0.05])  # of faults
 # Colors of branches: Okabe and Ito's, told apart by the color-blind, and darker ones of the same hues.
 BRANCHES = np.array([[0, 114, 178], [213, 94, 0], [0, 158, 115], [204, 121, 167], [230, 159, 0], [86, 180, 233],
                      [120, 60, 150], [150, 70, 0], [0, 100, 80], [90, 90, 90]]) / 255
@@ -101,7 +101,7 @@ def ball(rows=8, columns=SIDES_OF_TUBE):
 
 
 class Layer:
-    """What is in front at each sample: depth (greater is nearer), normal and color."""
+    """The front of the scene at each sample: depth (greater is nearer), normal and color."""
 
     def __init__(self, height, width):
         self.depth = np.full(height * width, -np.inf)
@@ -281,7 +281,7 @@ def colors_of_radii(values, low=None, high=None):
 
 
 class Picture:
-    """A white picture in which scenes and words are placed, in pixels."""
+    """A white picture that holds scenes and words, in pixels."""
 
     def __init__(self, width, height):
         self.pixels = np.ones((height, width, 3))

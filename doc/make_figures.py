@@ -219,7 +219,7 @@ def hero(options, shapes):
 
 
 def thick(skeleton):
-    """Colors by radius, and the radii of tubes as of nodes, relative to the height; what is thin is drawn thicker."""
+    """Colors by radius, and the radii of tubes as of nodes, relative to the height; thin tubes are drawn thicker."""
     height = np.ptp(skeleton.points[:, 2])
     return skeleton.colors_of_radii(), np.maximum(skeleton.radii / height, 0.003)
 
@@ -262,7 +262,7 @@ def inputs(options, shapes):
 
 
 def comparison(options, shapes):
-    """CSCD, MCF and MSLS on three meshes; red is what lies outside of the body, and a part is enlarged."""
+    """CSCD, MCF and MSLS on three meshes; parts outside of the body are red, and a part is enlarged."""
     methods = [("CSCD", lambda path: skeletonize(options.program, path)), ("MCF", lambda path: skeleton_of([options.mcf], path))]
     if options.msls:
         methods.append(("MSLS", lambda path: skeleton_of([options.msls], path)))
