@@ -25,7 +25,7 @@
 
 namespace CSCD::internal {
 
-/// The surface cut along its packed separators. What it refers to outlives it.
+/// The surface cut along its packed separators. The objects that it refers to outlive it.
 struct Cut_solid
 {
   const Triangulated_solid& solid;

@@ -119,7 +119,7 @@ public:
   /// Whether `node` has three edges or more.
   bool is_junction(Index node) const { return degree(node) >= 3; }
 
-  /// The neighbor across the regular `node` from its `neighbor`, by which branches are followed.
+  /// The neighbor across the regular `node` from its `neighbor`, to follow branches.
   Index other_neighbor(Index node, Index neighbor) const
   {
     const std::vector<Index>& neighbors = m_nodes[node].neighbors;
@@ -174,7 +174,7 @@ public:
   }
 
 private:
-  /// Marks `node`, to which no neighbor refers any more, as removed; what it represented goes to `heir`.
+  /// Marks `node` as removed; no neighbor refers to it any more. `heir` gets its separators and pieces.
   void remove(Index node, Index heir)
   {
     append(m_nodes[heir].separators, m_nodes[node].separators);
@@ -196,12 +196,12 @@ private:
   std::vector<Node> m_nodes;
 };
 
-/// Nodes and edges in the normalized frame of the traits object, and what of the surface belongs to each node.
+/// Nodes and edges in the normalized frame of the traits object, and the part of the surface that belongs to each node.
 struct Embedded_skeleton
 {
   /// Nodes and edges; none is removed.
   Skeleton_builder graph;
-  /// For each vertex of the surface, the node to which it belongs.
+  /// For each vertex of the surface, the node that it belongs to.
   std::vector<Index> node_of_vertex;
   /// For each node, the radius of the body around it.
   std::vector<double> radius;
@@ -211,7 +211,7 @@ struct Embedded_skeleton
 /// A divided edge is bent aside, since its two ends may lie in one place or be joined by a straight edge already.
 void make_simple(Skeleton_builder& builder);
 
-/// Writes the counts of `skeleton`, of which no node is removed, to `report`, and warnings of what is wrong with it.
+/// Writes the counts of `skeleton` to `report`, and warnings of its faults. \pre no node is removed
 void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report);
 
 } // namespace CSCD
