@@ -95,7 +95,7 @@ struct Skeletonization_report
   /// Of the (bridged) surface, summed over its components: a sheet of genus g with b wide borders has 2 g + b - 1. Of
   /// points without a surface it is not known.
   std::optional<std::size_t> genus;
-  /// The making of a surface from points; nothing for a mesh.
+  /// The reconstruction of a surface from points; nothing for a mesh.
   std::optional<Reconstruction_report> reconstruction;
   /// @}
 

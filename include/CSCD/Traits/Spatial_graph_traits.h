@@ -40,8 +40,8 @@ namespace CSCD {
 /// parallel edges, and edges from a vertex to itself. Edges have no direction here. Every vertex of the input belongs
 /// to one vertex of the graph: its own, or that of the vertices at the same place.
 /// \tparam Graph a model of Boost's `VertexListGraph` and `EdgeListGraph`
-/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
-///         from three coordinates
+/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`,
+///         constructible from three coordinates
 template <class Graph, class VertexPointMap>
 class Spatial_graph_traits
 {
