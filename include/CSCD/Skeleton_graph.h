@@ -113,19 +113,19 @@ struct Has_is_joined<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_r
 
 } // namespace internal
 
-/// Whether the nodes of `Skeleton` carry a `radius`; those of CGAL's own skeleton type do not.
+/// Whether the nodes of `Skeleton` carry a `radius`; CGAL's own skeleton type has none.
 template <class Skeleton>
 inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
 
-/// Whether the nodes of `Skeleton` tell by `is_opening` which are in the middle of a border at which a limb ends.
+/// Whether the nodes of `Skeleton` have a flag `is_opening`: the node is in the middle of a border where a limb ends.
 template <class Skeleton>
 inline constexpr bool has_is_opening_v = internal::Has_is_opening<typename Skeleton::vertex_bundled>::value;
 
-/// Whether the edges of `Skeleton` carry a `significance`; those of CGAL's own skeleton type do not.
+/// Whether the edges of `Skeleton` carry a `significance`; CGAL's own skeleton type has none.
 template <class Skeleton>
 inline constexpr bool has_significance_v = internal::Has_significance<Skeleton>::value;
 
-/// Whether the edges of `Skeleton` tell by `is_joined` which were added to join components.
+/// Whether the edges of `Skeleton` have a flag `is_joined`: the edge was added to join components.
 template <class Skeleton>
 inline constexpr bool has_is_joined_v = internal::Has_is_joined<Skeleton>::value;
 

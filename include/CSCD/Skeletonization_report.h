@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a skeletonization reports.
+// The report of a skeletonization.
 
 #ifndef CSCD_SKELETONIZATION_REPORT_H
 #define CSCD_SKELETONIZATION_REPORT_H
@@ -87,8 +87,8 @@ struct Skeletonization_report
   std::size_t number_of_surface_components = 0; ///< connected components of the surface, cavities not counted
   std::size_t number_of_cavities = 0;           ///< components within bodies that face inwards: they are filled
   std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
-  std::size_t number_of_sheets = 0;             ///< components that are sheets, on which separators may be open
-  std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets, at which open separators end
+  std::size_t number_of_sheets = 0;             ///< components that are sheets, where separators may be open
+  std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets where open separators end
   std::size_t number_of_inserted_vertices = 0;  ///< vertices inserted where faces were too large to sample
   std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
   std::size_t number_of_levels = 0;             ///< levels of detail, the input included

@@ -59,7 +59,7 @@ struct Default_skeletonization_visitor
 /// Is informed of the progress of a skeletonization and can stop it. All calls come from the thread that runs the
 /// pipeline.
 ///
-/// | expression | when, and what it means |
+/// | expression | time and meaning |
 /// |---|---|
 /// | `v.on_stage_begin(stage)`, `v.on_stage_end(stage)` | a `Skeletonization_stage` begins, and is done |
 /// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |

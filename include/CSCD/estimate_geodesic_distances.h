@@ -52,8 +52,8 @@ public:
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   /// The faces of the mesh.
   using Face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  /// A point of a face by barycentric coordinates, as in CGAL's package Polygon Mesh Processing: those of the source
-  /// and the target of `halfedge(face, mesh)`, and of the third vertex.
+  /// A point of a face by barycentric coordinates, as in CGAL's package Polygon Mesh Processing: the coordinates of the
+  /// source and the target of `halfedge(face, mesh)`, and of the third vertex.
   using Face_location = std::pair<Face_descriptor, std::array<double, 3>>;
   /// @}
 
@@ -104,7 +104,7 @@ public:
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
-  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
+  /// exactly the values that one call of `estimate()` for each of them writes, in about a third of the time.
   /// \param source_sets a range of ranges of vertices or of `Face_location`s
   /// \param distance_maps a range of maps
   /// \pre there are as many maps as sets

@@ -96,7 +96,7 @@ public:
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
-  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
+  /// exactly the values that one call of `estimate()` for each of them writes, in about a third of the time.
   /// \param source_sets a range of ranges of descriptors of points
   /// \param distance_maps a range of maps
   /// \pre there are as many maps as sets

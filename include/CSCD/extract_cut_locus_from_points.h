@@ -28,7 +28,7 @@ namespace CSCD {
 /// shortest path to the nearest source, and the ends of such curves.
 ///
 /// As the supplement adapts its practical method to clouds (appendix G.2): no surface is made. Points are joined by the
-/// triangles on which their neighborhoods agree; distances are those of the heat method on the tufted cover of these;
+/// triangles that their neighborhoods agree on; the heat method on the tufted cover of these gives the distances;
 /// points are sought where the Laplacian of the distance is strongly negative and the gradients around run against each
 /// other, each the mean of its immediate neighborhood. They are joined along the ORG tree, branches are made one point
 /// wide, and short ones dropped. It runs from point to point; on a sphere it is a point. Unlike on a mesh, loops around

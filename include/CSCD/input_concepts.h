@@ -67,7 +67,7 @@ template <class T>
 inline constexpr bool is_spatial_graph_v = CSCD_IS_VALID(const T&, vertices(t)) && CSCD_IS_VALID(const T&, edges(t)) &&
                                            !is_triangle_mesh_v<T> && !is_point_range_v<T>;
 
-/// refuses at compile time a type that is no `FaceListGraph`.
+/// refuses at compile time a type that is not a `FaceListGraph`.
 template <class T>
 constexpr void check_triangle_mesh()
 {

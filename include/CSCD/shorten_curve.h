@@ -58,7 +58,7 @@ inline std::vector<Index> halfedges_between(const Triangulated_surface& surface,
 /// Shortens curves along the edges of a triangle mesh to geodesics that run over its faces. The mesh is converted once;
 /// then a curve takes time in proportion to the number of faces that it sweeps.
 ///
-/// The geodesic is one into which the curve can be moved without getting longer: locally, it is the shortest path. It
+/// The geodesic is one that the curve can be moved into without getting longer: locally, it is the shortest path. It
 /// passes straight over edges, may turn at saddle vertices, and goes along borders where these are in the way. A closed
 /// curve that nothing holds shrinks to a point.
 /// \tparam TriangleMesh a model of `FaceListGraph`

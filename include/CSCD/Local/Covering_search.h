@@ -40,7 +40,7 @@
 namespace CSCD::internal {
 
 /// The part of a surface that a source explores: a band around the separator that was found, or the surroundings of the
-/// source. Grown on the level on which the separator was found. One object serves one thread.
+/// source. Grown on the level of the separator. One object serves one thread.
 class Coverage_band
 {
 public:
@@ -155,7 +155,7 @@ public:
   /// From now on, a source is covered only when `factor` times as many bands as before hold it.
   void require_more(unsigned factor) { m_required_count *= factor; }
 
-  /// The level on which the front of `source` should start: that of the last separator found nearby.
+  /// The level where the front of `source` should start: the level of the last separator found nearby.
   Index level_hint(Index source) const
   {
     const std::uint8_t hint = m_hint[m_levels.coarsest().from_finest(source)];

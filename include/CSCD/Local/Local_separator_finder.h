@@ -28,7 +28,7 @@ namespace CSCD {
 /// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
 ///
 /// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
-/// source; the work for a source is a few hundred visited vertices, whatever the size of the surface.
+/// source; the work for a source is a few hundred visited vertices on a surface of any size.
 class Local_separator_finder
 {
 public:
@@ -265,7 +265,7 @@ private:
   }
 
   /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
-  /// meets both at about a right angle. The normals of a flat sheet tell no axis.
+  /// meets both at about a right angle. The normals of a flat sheet do not determine an axis.
   Vector_3 border_axis() const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How separators cross, and the pieces into which disjoint ones cut a surface.
+// The crossings of separators, and the pieces of a surface cut by disjoint ones.
 
 #ifndef CSCD_PACKING_CUT_GRAPH_H
 #define CSCD_PACKING_CUT_GRAPH_H
@@ -94,7 +94,7 @@ public:
 
   const std::vector<Edge_point>& points() const { return m_points; }
   const std::vector<Chord>& chords() const { return m_chords; }
-  /// The first of the chords in `face`, `no_index` if there is none.
+  /// The first of the chords in `face`, `no_index` without a chord.
   Index first_chord(Index face) const { return m_first_chord[face]; }
 
   /// The total order of the crossings of one edge, along its smaller halfedge.
@@ -287,7 +287,7 @@ private:
     }
   }
 
-  /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
+  /// Gives every part of a crossed edge its set: the outer parts the sets of the ends, the inner ones new sets.
   void split_edges(const Separator_arrangement& arrangement)
   {
     m_is_cut.assign(m_crossable_edges.size(), 0);

@@ -383,8 +383,8 @@ private:
   std::optional<Cut_graph> m_cut_graph;
 };
 
-/// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once).
-/// Runs on a level on which separators are several vertices apart.
+/// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once). Runs
+/// on a level where separators are several vertices apart.
 class Surface_regions
 {
 public:
@@ -420,7 +420,7 @@ public:
   const Surface_level& level() const { return m_level; }
   /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
   Index separator(Index vertex) const { return m_front.label(vertex); }
-  /// The distance from it, infinite where there is none.
+  /// The distance from it, infinite without one.
   float distance(Index vertex) const { return m_front.distance(vertex); }
 
 private:

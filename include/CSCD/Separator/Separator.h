@@ -47,7 +47,7 @@ struct Separator
   bool is_open = false;
   /// Its source, a vertex of the finest surface.
   Index source = no_index;
-  /// The level of detail on which it was found.
+  /// The level of detail where it was found.
   Index level = 0;
 
   /// Radius of the circle of the same length.

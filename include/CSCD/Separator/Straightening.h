@@ -229,7 +229,7 @@ private:
     return crossing.position >= 1 - stuck_margin ? m_surface.target(crossing.halfedge) : no_index;
   }
 
-  /// Finds the runs of crossings around a vertex at which one of them is stuck, and tries to pass each over it.
+  /// Finds the runs of crossings around a vertex where one of them is stuck, and tries to pass each over it.
   void pass_over_vertices(std::vector<Edge_crossing>& crossings)
   {
     const std::size_t size = crossings.size();

@@ -90,7 +90,7 @@ private:
     return length <= 0 ? 0 : radius > 0 ? length / radius : std::numeric_limits<double>::infinity();
   }
 
-  /// The mean over the first stretch of this length; the radius of the tip if there is none.
+  /// The mean over the first stretch of this length; the radius of the tip if `length` is not positive.
   double mean_radius(double length, const Skeleton& skeleton) const
   {
     if (!(length > 0)) {
@@ -256,7 +256,7 @@ private:
   std::vector<char> m_is_last;
 };
 
-/// Cuts the limbs of `skeleton` in thought, the least first.
+/// Simulates the cutting of the limbs of `skeleton`, the least first.
 inline Branch_levels branch_levels(const Skeleton& skeleton, Branch_measure measure)
 {
   return Branch_hierarchy(skeleton, measure).release();
@@ -276,10 +276,10 @@ inline std::vector<double> significance_levels(const Skeleton& skeleton)
 ///
 /// For a branch of length *l* from a tip of radius *t* to a junction of radius *j*, with the mean radius *m* over the
 /// part farther than *j* from the junction along the branch (*t* if nothing is), it is max(0, *l* + *t* - *j*) / *m*: a
-/// cylinder that stands out by *h* has about *h* over its radius, a bump 0. Branches are cut in thought, the least
-/// first; two that are then alone at a junction are one from then on, at least as significant as a branch that was cut
-/// there. All edges get the value that their branch has when it falls. The last branch of a tree, from tip to tip, has
-/// (*l* + the radii of both tips) / (2 *m*) - 1, at least 0. Edges on cycles and between cycles are infinitely
+/// cylinder that stands out by *h* has about *h* over its radius, a bump 0. The cutting of branches is simulated, the
+/// least first; two that are then alone at a junction are one from then on, at least as significant as a branch that
+/// was cut there. All edges get the value that their branch has when it falls. The last branch of a tree, from tip to
+/// tip, has (*l* + the radii of both tips) / (2 *m*) - 1, at least 0. Edges on cycles and between cycles are infinitely
 /// significant, and so is all that has no radius. So pruning leaves the edges of at least a given significance, and the
 /// last branch of each tree, which always stays; and the figures do not change when the skeleton is moved, turned,
 /// scaled or renumbered, or pruned. O(n log n) for n nodes.

@@ -53,7 +53,7 @@ public:
 private:
   /// The length of the parts of an edge, relative to R, if they own enough vertices, ...
   static constexpr double part_length = 0.5;
-  /// ... and whatever they own: longer edges look broken in thick bodies.
+  /// ... and for any number of owned vertices: longer edges look broken in thick bodies.
   static constexpr double max_part_length = 1;
   /// The number of parts of an edge: bounds the work on long, thin ones.
   static constexpr double max_parts = 30;

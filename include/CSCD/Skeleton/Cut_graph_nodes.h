@@ -118,7 +118,7 @@ public:
     }
   }
 
-  /// The node in the middle of `piece` or, if there is none, that of its first separator.
+  /// The node in the middle of `piece` or, without one, the node of its first separator.
   Index node_of_piece(Index piece) const
   {
     const Index own = m_node_of_piece[piece];

@@ -106,7 +106,7 @@ inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& s
   return Bridged_border_search(surface, cut_graph)();
 }
 
-/// Finds the borders at which limbs end, and leads the skeleton there.
+/// Finds the borders where limbs end, and leads the skeleton there.
 class Limb_openings
 {
 public:
@@ -122,7 +122,7 @@ public:
     }
   }
 
-  /// The borders at which `piece` is open.
+  /// The borders where `piece` is open.
   const std::vector<Bridged_border>& of(Index piece) const { return m_openings[piece]; }
 
   /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.

@@ -43,8 +43,7 @@ public:
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
-    /// Whether the node is in the middle of a border of the input, at which a limb ends; its radius is that of the
-    /// border.
+    /// Whether the node is in the middle of a border of the input where a limb ends; its radius is that of the border.
     bool is_opening = false;
     /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
     bool is_on_sheet = false;
@@ -52,7 +51,7 @@ public:
     std::optional<double> number_of_vertices = {};
     /// Whether the node was merged into another one.
     bool is_removed = false;
-    /// The node into which it was merged.
+    /// The node that it was merged into.
     Index heir = no_index;
   };
 
@@ -103,7 +102,7 @@ public:
   Node& operator[](Index node) { return m_nodes[node]; }
   /// The node of number `node`.
   const Node& operator[](Index node) const { return m_nodes[node]; }
-  /// The node that stands for `node` now: itself, or the one into which it was merged.
+  /// The node that stands for `node` now: itself, or the one that it was merged into.
   Index last_heir(Index node) const
   {
     while (m_nodes[node].is_removed) {

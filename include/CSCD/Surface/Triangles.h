@@ -381,7 +381,7 @@ bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& 
   std::size_t at = 0;
   for (std::size_t i = 0; i < degree; ++i) {
     ordered[i] = row.begin()[at];
-    // All are compared, without a branch; the sum tells the place of one, and that there are none or several.
+    // All are compared, without a branch; the sum gives the place of one, and shows if none or several match.
     std::size_t sum = 0;
     for (std::size_t j = 0; j < max_degree; ++j) {
       sum += target[j] == apex[at] ? max_degree + j : 0;

@@ -263,7 +263,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
     point = is_renumbered ? result.cavities.old_number[point] : point < number_of_input_points ? point : no_index;
   }
   result.component_begin = std::move(order.component_begin);
-  // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
+  // Summed in canonical order, the area and the centroid are the same for any order of the input.
   const Normalization to_unit_area = normalize_area(triangles);
   result.normalization = to_unit_box.then(to_unit_area);
   for (Vector_3& place : result.cavities.places) {

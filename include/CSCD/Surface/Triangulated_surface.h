@@ -158,7 +158,7 @@ public:
 
   /// The vertex where `halfedge` starts.
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
-  /// The vertex at which `halfedge` ends.
+  /// The vertex where `halfedge` ends.
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
   /// The corner of the halfedge's face that the halfedge does not touch.
   Index opposite_vertex(Index halfedge) const { return m_origin[previous(halfedge)]; }

@@ -247,7 +247,7 @@ public:
   }
 
 private:
-  /// Of a component, this many faces are asked whether they are within bodies, ...
+  /// This many faces of a component are tested for being within bodies, ...
   static constexpr std::size_t max_samples = 1024;
   /// ... and of their area this part has to be: a body moved inwards along its normals comes out of thin limbs.
   static constexpr double min_area_within = 0.8;

@@ -100,7 +100,7 @@ public:
   /// The bound of a component that is left as it is.
   static constexpr double no_bound = std::numeric_limits<double>::max();
 
-  /// \param squared_bound the square of the longest allowed edge of each component; none with hole-filling faces
+  /// \param squared_bound the square of the longest allowed edge of each component; `no_bound` with hole-filling faces
   Flat_refinement(Indexed_triangles& triangles, const Halfedge_pairing& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound)
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
@@ -349,7 +349,7 @@ inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& 
   const std::vector<double> limbs =
       numbers_of_limbs(triangles, components, genus_of_components(triangles, pairing, components));
   std::vector<double> squared_bound = bounds_for_limbs(triangles, components, limbs);
-  // Of a noisy body corners tell nothing.
+  // The corners of a noisy body carry no information.
   const std::vector<std::size_t> flat_faces = numbers_of_flat_faces(triangles, pairing, components);
   for (Index i = 0; i < components.number(); ++i) {
     if (2 * flat_faces[i] < components.measures[i].number_of_faces) {
@@ -507,7 +507,7 @@ private:
     return result;
   }
 
-  /// Appends the midpoints of all long edges; false if there are none.
+  /// Appends the midpoints of all long edges; false without any.
   bool insert_midpoints()
   {
     std::size_t number = count_long_edges();

@@ -29,7 +29,7 @@
 namespace CSCD {
 namespace internal {
 
-/// The elements over which a range iterates.
+/// The elements of a range.
 template <class Range>
 using Range_value =
     typename std::iterator_traits<std::decay_t<decltype(std::begin(std::declval<const Range&>()))>>::value_type;
@@ -158,7 +158,7 @@ auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]]
   }
 }
 
-/// In the place of a map to normals where there are none.
+/// The replacement of a map to normals for points without normals.
 struct No_normals
 {
 };

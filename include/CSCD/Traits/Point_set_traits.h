@@ -45,7 +45,7 @@ public:
   /// The identifier of a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
   using Input_descriptor = internal::Point_descriptor<PointRange>;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Point_solid;
   /// @}
 

@@ -53,7 +53,7 @@ public:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   /// The identifier of a vertex of the input.
   using Input_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  /// The surface of the pipeline.
+  /// The surface that the pipeline runs on.
   using Surface = Spatial_graph;
   /// @}
 

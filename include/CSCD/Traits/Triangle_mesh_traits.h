@@ -46,7 +46,7 @@ public:
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
   /// The identifier of a vertex of the input.
   using Input_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Triangulated_solid;
   /// @}
 

@@ -38,7 +38,7 @@ public:
   using Point = OutputPoint;
   /// The identifier of a vertex of the input: its number among the points of the voxel surface.
   using Input_descriptor = std::size_t;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Triangulated_solid;
   /// @}
 

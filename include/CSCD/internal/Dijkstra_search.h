@@ -187,7 +187,7 @@ public:
   }
 
   /// Goes on until no vertex is left that can be reached; `for_each_neighbor(vertex, visit)` calls
-  /// `visit(neighbor, length)`, which returns what `reach()` does, for the edges of a vertex. O(n log n).
+  /// `visit(neighbor, length)`, which returns the result of `reach()`, for the edges of a vertex. O(n log n).
   template <class ForEachNeighbor>
   void spread(const ForEachNeighbor& for_each_neighbor)
   {
