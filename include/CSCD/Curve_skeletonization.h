@@ -55,7 +55,7 @@ public:
 
   /// The points of the input.
   using Point = typename Traits::Point;
-  /// What identifies a vertex of the input mesh or a point of the input.
+  /// The identifier of a vertex of the input mesh or of a point of the input.
   using Input_descriptor = typename Traits::Input_descriptor;
   /// The skeleton type that holds everything the pipeline computes.
   using Skeleton = Skeleton_graph<Point, Input_descriptor>;
@@ -79,9 +79,9 @@ public:
   /// Each setter returns the object, so that calls chain.
   /// @{
 
-  /// The seed of the order in which sources are tried.
+  /// The seed for the order of trying sources.
   unsigned random_seed() const { return m_settings.random_seed; }
-  /// Sets the seed of the order in which sources are tried. Default 0.
+  /// Sets the seed for the order of trying sources. Default 0.
   Curve_skeletonization& set_random_seed(unsigned seed)
   {
     m_settings.random_seed = seed;
@@ -89,7 +89,7 @@ public:
   }
   /// The bound on the number of sources.
   std::size_t maximum_number_of_sources() const { return m_settings.maximum_number_of_sources; }
-  /// Bounds the number of sources. By default there is no bound: the shape decides.
+  /// Bounds the number of sources. By default, the shape decides.
   Curve_skeletonization& set_maximum_number_of_sources(std::size_t number)
   {
     m_settings.maximum_number_of_sources = number;
@@ -137,7 +137,7 @@ public:
     return m_report.number_of_separators;
   }
 
-  /// Weighs, packs and prunes the separators, and cuts the surface along those that remain.
+  /// Weighs, packs and prunes the separators, and cuts the surface along the remaining ones.
   /// \return the number of packed separators
   /// \throw Cancelled_error if the visitor stops the work
   std::size_t pack_separators()
@@ -184,9 +184,9 @@ public:
   /// \name Inspection
   /// @{
 
-  /// What is known by now: counts, times and warnings of the stages that have been run.
+  /// The counts, times and warnings of the stages that have been run.
   const Skeletonization_report& report() const { return m_report; }
-  /// All separators that were found, and those added around handles that no source had found.
+  /// All separators that were found, and separators added around handles that no source had found.
   const std::vector<Separator>& separators() const { return m_separators; }
   /// The packed separators, as positions in `separators()`.
   /// \pre `pack_separators()` has been called

@@ -26,8 +26,8 @@ public:
   /// The packed separators, and the regions of the graph around them.
   using Packing = internal::Region_packing;
 
-  /// Seeks separators from vertices in random order; the more separators a vertex is part of already, the rarer it is
-  /// taken for a source. Near O(n log n) where limbs are thin, O(n^2) for a body without any.
+  /// Seeks separators from vertices in random order; a vertex is a source the more rarely, the more separators it is
+  /// part of. Near O(n log n) where limbs are thin, O(n^2) for a body without limbs.
   std::vector<Separator> find_separators(const Spatial_graph& graph, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 

@@ -30,7 +30,7 @@ namespace CSCD::internal {
 
 /// The first stage for graphs: separators of vertices in random order. A vertex that is part of x separators already is
 /// taken with probability 4^-x: half as often as Baerentzen and Rotenberg do, which costs no detail. Sources are drawn
-/// in rounds, of which each knows all earlier ones; so the answer does not depend on the number of threads.
+/// in rounds, and each round knows all earlier ones; so the answer does not depend on the number of threads.
 class Graph_search
 {
 public:
@@ -70,7 +70,7 @@ public:
 private:
   /// Sources of a round: enough for a few threads, and few against the number of all.
   static constexpr std::size_t round_size = 32;
-  /// From so many separators on, a vertex is not taken for a source any more.
+  /// A vertex of this many separators is not a source any more.
   static constexpr unsigned max_touches = 8;
 
   bool draw_round(std::size_t limit)

@@ -64,7 +64,7 @@ public:
   }
 
   /// Seeks separators until they cover the surface, or the bound of `settings` on the number of sources is reached.
-  /// Those that lead around something hollow are not returned.
+  /// Separators around a hollow are not returned.
   std::vector<Separator> find_separators(const Triangulated_solid& solid, const Options& settings,
                                          Skeletonization_report& report, const Progress& progress) const;
 

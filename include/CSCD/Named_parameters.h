@@ -24,7 +24,7 @@
 
 namespace CSCD {
 
-/// The tags of the library's own named parameters; those of CGAL's are in `CGAL::internal_np`.
+/// The tags of the library's own named parameters; CGAL's are in `CGAL::internal_np`.
 namespace internal_np {
 
 #ifndef DOXYGEN_RUNNING
@@ -45,7 +45,7 @@ namespace internal_np {
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Named_parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {
-  /// What CGAL's macros call this type.
+  /// The name of this type in CGAL's macros.
   using self = Named_parameters;
 
   using CGAL::Named_function_parameters<T, Tag, Base>::Named_function_parameters;
@@ -139,12 +139,12 @@ struct Assert_named_parameter_is_used
   static constexpr bool value = true;
 };
 
-/// Whether a parameter is among `UsedTags`, or is the one with which a chain without parameters begins.
+/// Whether a parameter is among `UsedTags`, or is the first one of a chain without parameters.
 template <class Tag, class... UsedTags>
 inline constexpr bool is_used_v = std::is_same_v<Tag, CGAL::internal_np::all_default_t> ||
                                   (std::is_same_v<Tag, UsedTags> || ...);
 
-/// Refuses those parameters of the chain with the implementation `Node` that are not among `UsedTags`.
+/// Refuses parameters of the chain with the implementation `Node` that are not among `UsedTags`.
 template <class Node, class... UsedTags>
 struct Assert_named_parameters_are_used;
 
@@ -172,7 +172,7 @@ constexpr void check_named_parameters()
 
 } // namespace internal
 
-/// Functions that begin a chain of named parameters: those of CGAL and of CSCD; and what reads them.
+/// Functions of CGAL and CSCD that begin a chain of named parameters, and functions that read one.
 namespace parameters {
 
 using CGAL::parameters::choose_parameter;

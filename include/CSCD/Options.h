@@ -22,11 +22,11 @@ enum class Border_treatment
 /// The options of a skeletonization by the local method. None has a unit: lengths are relative to the shape.
 struct Options
 {
-  /// The seed of the order in which vertices are tried as sources.
+  /// The seed for the order of trying vertices as sources.
   unsigned random_seed = 0;
   /// The number of threads; 0 means as many as TBB allows. The skeleton is the same for any number.
   unsigned number_of_threads = 1;
-  /// The bound on the number of sources from which separators are sought. By default, the shape decides.
+  /// The bound on the number of sources that start a search for a separator. By default, the shape decides.
   std::size_t maximum_number_of_sources = std::numeric_limits<std::size_t>::max();
   /// How small a limb may be to get a branch, from 0 (no limb) to 1 (every bump). See `Detail`.
   double detail = 0.5;

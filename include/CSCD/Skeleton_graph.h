@@ -32,7 +32,8 @@ namespace CSCD {
 /// The members `point` and `vertices` are spelled as in CGAL's `Mean_curvature_flow_skeletonization`, so that code
 /// written for its skeletons reads ours.
 /// \tparam Point the point type of the input
-/// \tparam InputDescriptor what identifies a vertex or point of the input: a `vertex_descriptor` of the mesh, or the index of a point
+/// \tparam InputDescriptor the identifier of a vertex or point of the input: a `vertex_descriptor` of the mesh, or the
+///         index of a point
 template <class Point, class InputDescriptor>
 struct Skeleton_vertex
 {
@@ -112,27 +113,27 @@ struct Has_is_joined<Skeleton, std::void_t<decltype(std::declval<Skeleton_edge_r
 
 } // namespace internal
 
-/// Whether the nodes of `Skeleton` carry a `radius`; those of CGAL's own skeleton type do not.
+/// Whether the nodes of `Skeleton` carry a `radius`; CGAL's own skeleton type has none.
 template <class Skeleton>
 inline constexpr bool has_radius_v = internal::Has_radius<typename Skeleton::vertex_bundled>::value;
 
-/// Whether the nodes of `Skeleton` tell by `is_opening` which are in the middle of a border at which a limb ends.
+/// Whether the nodes of `Skeleton` have a flag `is_opening`: the node is in the middle of a border where a limb ends.
 template <class Skeleton>
 inline constexpr bool has_is_opening_v = internal::Has_is_opening<typename Skeleton::vertex_bundled>::value;
 
-/// Whether the edges of `Skeleton` carry a `significance`; those of CGAL's own skeleton type do not.
+/// Whether the edges of `Skeleton` carry a `significance`; CGAL's own skeleton type has none.
 template <class Skeleton>
 inline constexpr bool has_significance_v = internal::Has_significance<Skeleton>::value;
 
-/// Whether the edges of `Skeleton` tell by `is_joined` which were added to join components.
+/// Whether the edges of `Skeleton` have a flag `is_joined`: the edge was added to join components.
 template <class Skeleton>
 inline constexpr bool has_is_joined_v = internal::Has_is_joined<Skeleton>::value;
 
 #ifdef DOXYGEN_RUNNING
 /// A Boost `VertexListGraph`, `EdgeListGraph` and `MutableGraph` that can be default constructed and moved; the bundles
-/// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of what identifies
-/// the vertices or points of the input, which is appended by `push_back()`, and perhaps a `radius` and a flag
-/// `is_opening`. The bundles of its edges may have a `significance` and a flag `is_joined`.
+/// of its vertices have a `point`, assignable from the points of the input, the container `vertices` of the identifiers
+/// of vertices or points of the input, appended by `push_back()`, and perhaps a `radius` and a flag `is_opening`. The
+/// bundles of its edges may have a `significance` and a flag `is_joined`.
 ///
 /// \cgalRefines{Boost's `VertexListGraph`, `EdgeListGraph`, `MutableGraph`}
 /// \cgalHasModels{`Skeleton_graph`, `CGAL::Mean_curvature_flow_skeletonization<Mesh>::Skeleton`}
@@ -143,7 +144,7 @@ class CurveSkeletonGraph
 };
 #endif
 
-/// refuses at compile time a type that is no model of `CurveSkeletonGraph`.
+/// refuses at compile time a type that is not a model of `CurveSkeletonGraph`.
 /// \ingroup PkgCSCDConceptChecks
 template <class T>
 constexpr void check_curve_skeleton_graph()
@@ -175,7 +176,7 @@ inline std::vector<std::vector<Index>> node_neighbors(const Skeleton& skeleton)
   return neighbors;
 }
 
-/// Copies `skeleton`, nodes and edges in the order in which the graph iterates them; expectedly linear.
+/// Copies `skeleton`, nodes and edges in iteration order; expectedly linear.
 /// \tparam Skeleton a model of `CurveSkeletonGraph`; radii are copied if its nodes have any
 template <class Skeleton>
 CSCD::Skeleton index_skeleton(const Skeleton& skeleton)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a skeletonization reports.
+// The report of a skeletonization.
 
 #ifndef CSCD_SKELETONIZATION_REPORT_H
 #define CSCD_SKELETONIZATION_REPORT_H
@@ -16,7 +16,7 @@
 
 namespace CSCD::internal {
 
-/// `count` and what is counted: `one` after 1, else `many`.
+/// `count` and its noun: `one` after 1, else `many`.
 inline std::string counted(std::size_t count, const std::string& one, const std::string& many)
 {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
@@ -32,7 +32,7 @@ inline std::string counted(std::size_t count, const std::string& noun)
 
 namespace CSCD {
 
-/// What became of a source or of one of its cut points.
+/// The outcome for a source or for one of its cut points.
 enum class Cut_loop_outcome
 {
   found,                ///< a closed curve
@@ -67,7 +67,7 @@ struct Reconstruction_report
   double noise = 0;                         ///< lower quartile of the deviations from quadrics, relative to the spacing
   bool is_smoothed = false;                 ///< whether the points were moved to the quadrics
   std::size_t number_of_outliers = 0;       ///< points far from all others: left out of the surface
-  std::size_t number_of_unused_points = 0;  ///< points that are no vertices: they belong to the node of the nearest
+  std::size_t number_of_unused_points = 0;  ///< points that are not vertices: they belong to the node of the nearest
   std::size_t number_of_border_edges = 0;   ///< edges at holes of the surface
   std::size_t number_of_holes = 0;          ///< holes that were closed
   std::vector<Reconstruction_repair> cut_handles; ///< handles that are too small for the sampling to prove them
@@ -87,21 +87,21 @@ struct Skeletonization_report
   std::size_t number_of_surface_components = 0; ///< connected components of the surface, cavities not counted
   std::size_t number_of_cavities = 0;           ///< components within bodies that face inwards: they are filled
   std::size_t number_of_bridged_borders = 0;    ///< border cycles that were closed by faces without weight
-  std::size_t number_of_sheets = 0;             ///< components that are sheets, on which separators may be open
-  std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets, at which open separators end
+  std::size_t number_of_sheets = 0;             ///< components that are sheets, where separators may be open
+  std::size_t number_of_wide_borders = 0;       ///< border cycles of sheets where open separators end
   std::size_t number_of_inserted_vertices = 0;  ///< vertices inserted where faces were too large to sample
   std::size_t number_of_degenerate_faces = 0;   ///< faces of (nearly) no area; kept, they carry no weight
   std::size_t number_of_levels = 0;             ///< levels of detail, the input included
   /// Of the (bridged) surface, summed over its components: a sheet of genus g with b wide borders has 2 g + b - 1. Of
   /// points without a surface it is not known.
   std::optional<std::size_t> genus;
-  /// What was done to make a surface of points; nothing for a mesh.
+  /// The reconstruction of a surface from points; nothing for a mesh.
   std::optional<Reconstruction_report> reconstruction;
   /// @}
 
   /// \name Separators
   /// @{
-  std::size_t number_of_sources = 0;             ///< sources from which a separator was sought
+  std::size_t number_of_sources = 0;             ///< sources that started a search for a separator
   std::size_t number_of_sources_without_cut = 0; ///< no acceptable cut point was met
   /// Why sources have no cut point that is accepted, in the order of `Cut_loop_outcome`; published only.
   std::array<std::size_t, number_of_cut_loop_outcomes> number_of_rejections{};
@@ -114,7 +114,7 @@ struct Skeletonization_report
   std::size_t number_of_plane_sections = 0;     ///< of these, shortened by the section plane
   std::size_t number_of_straightened_loops = 0; ///< of these, shortened by straightening
   std::size_t number_of_packed_separators = 0;  ///< separators that cut the surface
-  std::size_t number_of_open_separators = 0;    ///< of these, those of sheets that lead from border to border
+  std::size_t number_of_open_separators = 0;    ///< of these, separators of sheets from border to border
   std::size_t number_of_handle_cuts = 0;        ///< of these, added for handles that no source had found
   /// @}
 
@@ -128,7 +128,7 @@ struct Skeletonization_report
   std::size_t number_of_junctions = 0;           ///< nodes of degree 3 or more
   std::size_t number_of_openings = 0;            ///< nodes at borders of the input, where limbs end
   std::size_t number_of_nodes_outside = 0;       ///< nodes that are not inside the (bridged) surface
-  std::size_t number_of_edges_outside = 0;       ///< edges of which a sample is not inside
+  std::size_t number_of_edges_outside = 0;       ///< edges with a sample that is not inside
   /// @}
 
   /// Number of threads that the parallel part may have used.

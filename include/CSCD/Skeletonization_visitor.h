@@ -17,7 +17,7 @@
 
 namespace CSCD {
 
-/// The stages of the pipeline, in the order in which they run.
+/// The stages of the pipeline, in the order of their run.
 enum class Skeletonization_stage
 {
   compile_surface, ///< input checked and compiled into flat arrays and coarse levels
@@ -49,22 +49,23 @@ struct Default_skeletonization_visitor
   void on_stage_begin(Skeletonization_stage /* stage */) {}
   /// `stage` has ended.
   void on_stage_end(Skeletonization_stage /* stage */) {}
-  /// The running stage has done the part `fraction` of its work, in [0, 1], never less than what was told before.
+  /// The running stage has done the part `fraction` of its work, in [0, 1]. A stage never reports less than before.
   void progress(double /* fraction */) {}
   /// Whether to continue: `false` makes the computation throw `Cancelled_error` at once. Called between batches.
   bool go_further() { return true; }
 };
 
 #ifdef DOXYGEN_RUNNING
-/// Is told the progress of a skeletonization and can stop it. All calls come from the thread that runs the pipeline.
+/// Is informed of the progress of a skeletonization and can stop it. All calls come from the thread that runs the
+/// pipeline.
 ///
-/// | expression | when, and what it means |
+/// | expression | time and meaning |
 /// |---|---|
 /// | `v.on_stage_begin(stage)`, `v.on_stage_end(stage)` | a `Skeletonization_stage` begins, and is done |
 /// | `v.progress(fraction)` | often: the part of the stage that is done, in [0, 1] |
 /// | `v.go_further()` | after each call of `progress()`: false stops the work by a `Cancelled_error` |
 ///
-/// What it throws is passed on.
+/// Exceptions that it throws are passed on.
 ///
 /// \cgalHasModels{`Default_skeletonization_visitor`}
 /// \cgalArchetype{Visitor_archetype.h}
@@ -77,7 +78,7 @@ class SkeletonizationVisitor
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// refuses at compile time a type that is no model of `SkeletonizationVisitor`.
+/// refuses at compile time a type that is not a model of `SkeletonizationVisitor`.
 template <class T>
 constexpr void check_skeletonization_visitor()
 {

@@ -31,7 +31,7 @@ public:
   /// The vector of these coordinates.
   constexpr Vector_3(double x, double y, double z) : m_coordinates{x, y, z} {}
 
-  /// The vector of which all coordinates are `value`.
+  /// The vector whose coordinates are all `value`.
   static constexpr Vector_3 Constant(double value) { return {value, value, value}; }
   /// The zero vector.
   static constexpr Vector_3 Zero() { return {}; }
@@ -127,7 +127,7 @@ public:
   constexpr double squaredNorm() const { return dot(*this); }
   /// The length.
   double norm() const { return std::sqrt(squaredNorm()); }
-  /// Of unit length; what is too short to tell its direction is returned as it is.
+  /// This vector scaled to unit length; unchanged if it is too short to have a direction.
   Vector_3 normalized() const
   {
     const double squared_norm = squaredNorm();
@@ -145,7 +145,7 @@ public:
   /// A vector of unit length perpendicular to this one.
   Vector_3 unitOrthogonal() const
   {
-    constexpr double negligible = 1e-12; // beside the third coordinate
+    constexpr double negligible = 1e-12; // relative to the third coordinate
     if (std::abs(x()) > std::abs(z()) * negligible || std::abs(y()) > std::abs(z()) * negligible) {
       const double inverse = 1 / std::sqrt(x() * x() + y() * y());
       return {-y() * inverse, x() * inverse, 0};

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The concepts of the library: what each asks for, and functions that refuse at compile time what is no model, with one
-// sentence for each missing expression.
+// The concepts of the library: their requirements, and functions that refuse at compile time a type that is not a
+// model, with one sentence for each missing expression.
 
 #ifndef CSCD_CONCEPTS_H
 #define CSCD_CONCEPTS_H
@@ -52,7 +52,7 @@ class SkeletonizationTraits
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// refuses at compile time a type that is no model of `SkeletonizationTraits`.
+/// refuses at compile time a type that is not a model of `SkeletonizationTraits`.
 template <class T>
 constexpr void check_skeletonization_traits()
 {
@@ -77,7 +77,7 @@ constexpr void check_skeletonization_traits()
 /// @}
 
 #ifdef DOXYGEN_RUNNING
-/// A closed, oriented 2-manifold of triangles: vertices `0` to `n - 1`, and halfedges of which `h` is side `h % 3` of
+/// A closed, oriented 2-manifold of triangles: vertices `0` to `n - 1`, and halfedges `h`, each the side `h % 3` of
 /// face `h / 3`, counterclockwise seen from outside. No edge joins a vertex to itself, no two edges have the same ends.
 /// All functions are const, take constant time, and may be called by several threads at once.
 ///
@@ -92,7 +92,7 @@ constexpr void check_skeletonization_traits()
 /// | `t.length(h)` | the length of halfedge `h` |
 /// | `t.vertex_area(v)` | the area of the surface that belongs to vertex `v` |
 ///
-/// There may be a function `t.is_hole_filling(f)`: faces for which it is true are no part of the surface.
+/// There may be a function `t.is_hole_filling(f)`: faces where it is true are not part of the surface.
 ///
 /// \cgalHasModels{`Triangulated_surface`}
 /// \cgalArchetype{Surface_archetype.h}
@@ -105,7 +105,7 @@ class SurfaceTriangulation
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// refuses at compile time a type that is no model of `SurfaceTriangulation`.
+/// refuses at compile time a type that is not a model of `SurfaceTriangulation`.
 template <class T>
 constexpr void check_surface_triangulation()
 {
@@ -154,7 +154,7 @@ class SkeletonizationSurface
 /// \addtogroup PkgCSCDConceptChecks
 /// @{
 
-/// refuses at compile time a type that is no model of `SkeletonizationSurface`.
+/// refuses at compile time a type that is not a model of `SkeletonizationSurface`.
 template <class T>
 constexpr void check_skeletonization_surface()
 {
@@ -181,16 +181,16 @@ constexpr void check_skeletonization_surface()
 ///
 /// | expression | value |
 /// |---|---|
-/// | `P::Packing` | which separators are packed, and what else follows from them; can be moved |
+/// | `P::Packing` | the packed separators and results derived from them; can be moved |
 /// | `packing.packed()` | the packed ones, as positions in the list: a `const std::vector<Index>&` |
 /// | `p.find_separators(s, settings, report, progress)` | a `std::vector<Separator>` |
-/// | `p.pack_separators(s, separators, report)` | a `P::Packing` of `separators`, to which more may be appended |
+/// | `p.pack_separators(s, separators, report)` | a `P::Packing` of `separators`; more may be appended to these |
 /// | `p.build_skeleton(s, separators, packing, report)` | an `Embedded_skeleton` |
 ///
-/// Separators are sought by the `Options`, with frequent calls of `progress(fraction)`, a `Progress`, which may
-/// throw. The answer must not depend on the number of threads. In the `Skeletonization_report` each function fills in
-/// what it knows: the numbers of sources and of separators that were not taken, of handle cuts, of nodes and edges
-/// outside. Policies can be copied.
+/// Separators are sought by the `Options`, with frequent calls of `progress(fraction)`, a `Progress`, which may throw.
+/// The answer must not depend on the number of threads. Each function fills in its part of the
+/// `Skeletonization_report`: the numbers of sources and of separators that were not taken, of handle cuts, of nodes and
+/// edges outside. Policies can be copied.
 ///
 /// \cgalHasModels{`Local_policies`, `Published_policies`, `Graph_policies`}
 /// \cgalArchetype{Policies_archetype.h}
@@ -210,7 +210,7 @@ inline constexpr bool is_skeletonization_policies_v =
                t.find_separators(std::declval<const S&>(), std::declval<const Options&>(),
                                  std::declval<Skeletonization_report&>(), std::declval<const Progress&>()));
 
-/// refuses at compile time a type that is no model of `SkeletonizationPolicies` for surfaces of type `S`.
+/// refuses at compile time a type that is not a model of `SkeletonizationPolicies` for surfaces of type `S`.
 template <class P, class S>
 constexpr void check_skeletonization_policies()
 {

@@ -52,8 +52,8 @@ public:
   using Vertex_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   /// The faces of the mesh.
   using Face_descriptor = typename boost::graph_traits<TriangleMesh>::face_descriptor;
-  /// A point of a face by barycentric coordinates, as in CGAL's package Polygon Mesh Processing: those of the source
-  /// and the target of `halfedge(face, mesh)`, and of the third vertex.
+  /// A point of a face by barycentric coordinates, as in CGAL's package Polygon Mesh Processing: the coordinates of the
+  /// source and the target of `halfedge(face, mesh)`, and of the third vertex.
   using Face_location = std::pair<Face_descriptor, std::array<double, 3>>;
   /// @}
 
@@ -68,15 +68,15 @@ public:
   ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{time_step_factor}
-  ///     \cgalParamDescription{for how long heat flows, in squared mean edge lengths: longer is smoother and less exact}
+  ///     \cgalParamDescription{the time of heat flow in squared mean edge lengths: longer is smoother and less exact}
   ///     \cgalParamType{double, positive}
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges
-  ///        or vertices where it is no oriented manifold, or coordinates that are not finite, or if its triangles are
-  ///        too uneven to be computed with
+  /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are not triangles, edges
+  ///        or vertices where it is not an oriented manifold, or coordinates that are not finite, or if its triangles
+  ///        are too uneven for the computation
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Geodesic_distance_estimator(const TriangleMesh& mesh,
                                        const NamedParameters& np = parameters::default_values())
@@ -90,11 +90,11 @@ public:
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Geodesic_distance_estimator(TriangleMesh&&, const NamedParameters& = parameters::default_values()) = delete;
 
-  /// Writes the distance of every vertex from the nearest one of `sources` to `distances`: 0 for vertices that are
-  /// sources, infinity for those that no path joins to a source.
+  /// Writes the distance of every vertex from the nearest one of `sources` to `distances`: 0 for sources, infinity for
+  /// vertices that no path joins to a source.
   /// \param sources a range of vertices or of `Face_location`s
-  /// \param distances a model of `WritablePropertyMap` with the vertex descriptor as key, to which `double` can be
-  ///        written
+  /// \param distances a model of `WritablePropertyMap` with the vertex descriptor as key and a value assignable from
+  ///        `double`
   /// \throw Input_error if a `Face_location` has coordinates that are not finite, are negative, or have not the sum 1
   template <class SourceRange, class VertexDistanceMap>
   void estimate(const SourceRange& sources, VertexDistanceMap distances) const
@@ -104,7 +104,7 @@ public:
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
-  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
+  /// exactly the values that one call of `estimate()` for each of them writes, in about a third of the time.
   /// \param source_sets a range of ranges of vertices or of `Face_location`s
   /// \param distance_maps a range of maps
   /// \pre there are as many maps as sets
@@ -210,18 +210,18 @@ namespace CSCD {
 
 /// estimates the geodesic distance of every vertex of a triangle mesh from the nearest one of some sources.
 ///
-/// What is said of accuracy in `Geodesic_distance_estimator` holds; to ask for distances from other sources too, use
-/// that class: nearly all the time of this function goes into preparing the mesh.
+/// The accuracy is that of `Geodesic_distance_estimator`. Use that class for distances from several sets of sources:
+/// nearly all the time of this function goes into preparing the mesh.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam Sources a vertex descriptor, a `Geodesic_distance_estimator<TriangleMesh>::Face_location`, or a range of
 ///         either
-/// \tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor as key, to which `double` can
-///         be written
+/// \tparam VertexDistanceMap a model of `WritablePropertyMap` with the vertex descriptor as key and a value assignable
+///         from `double`
 /// \param mesh a triangle mesh, open or closed, of any number of components
-/// \param sources what distance is measured from
-/// \param distances gets 0 for vertices that are sources, infinity for those that no path joins to a source; if the
-///        function throws, it is left as it was
+/// \param sources the vertices or points of faces at distance 0
+/// \param distances gets 0 for sources, infinity for vertices that no path joins to a source; if the function throws,
+///        it is left as it was
 /// \param np an optional sequence of named parameters: `vertex_point_map` and `time_step_factor`, as
 ///        `Geodesic_distance_estimator` has them
 /// \throw Input_error if `mesh` cannot be computed with, or a source is not in its face; the message names the element

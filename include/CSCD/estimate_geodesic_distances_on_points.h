@@ -42,7 +42,7 @@ public:
   /// \name Types
   /// @{
 
-  /// What identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of iteration, as
+  /// The identifier of a point: its index in a `CGAL::Point_set_3`, else its number in the order of iteration, as
   /// `std::size_t`.
   using Point_descriptor = CSCD::Point_descriptor<PointRange>;
   /// @}
@@ -63,7 +63,7 @@ public:
   ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
   ///   \cgalParamNEnd
   ///   \cgalParamNBegin{time_step_factor}
-  ///     \cgalParamDescription{for how long heat flows, in squared mean edge lengths: longer is smoother and less exact}
+  ///     \cgalParamDescription{the time of heat flow in squared mean edge lengths: longer is smoother and less exact}
   ///     \cgalParamType{double, positive}
   ///     \cgalParamDefault{1}
   ///   \cgalParamNEnd
@@ -83,10 +83,10 @@ public:
   }
 
   /// Writes the distance of every point from the nearest one of `sources` to `distances`: 0 for sources and duplicates
-  /// of them, infinity for those that no path joins to a source, outliers among them.
+  /// of them, infinity for points that no path joins to a source, outliers among them.
   /// \param sources a range of descriptors of points
-  /// \param distances a model of `WritablePropertyMap` with the descriptor of a point as key, to which `double` can be
-  ///        written
+  /// \param distances a model of `WritablePropertyMap` with the descriptor of a point as key and a value assignable
+  ///        from `double`
   /// \pre the sources are descriptors of points
   template <class SourceRange, class PointDistanceMap>
   void estimate(const SourceRange& sources, PointDistanceMap distances) const
@@ -96,7 +96,7 @@ public:
   }
 
   /// Writes the distances from each of `source_sets` by itself to the one of `distance_maps` with the same number:
-  /// exactly what one call of `estimate()` for each of them writes, in about a third of the time.
+  /// exactly the values that one call of `estimate()` for each of them writes, in about a third of the time.
   /// \param source_sets a range of ranges of descriptors of points
   /// \param distance_maps a range of maps
   /// \pre there are as many maps as sets
@@ -155,16 +155,16 @@ namespace CSCD {
 /// estimates the geodesic distance of every point of a set from the nearest one of some sources, along the surface that
 /// the points sample.
 ///
-/// What is said in `Point_set_distance_estimator` holds; to ask for distances from other sources too, use that class:
-/// nearly all the time of this function goes into preparing the points.
+/// See `Point_set_distance_estimator` for the accuracy and the cost. Use that class for distances from several sets of
+/// sources: nearly all the time of this function goes into preparing the points.
 ///
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
 /// \tparam Sources the descriptor of a point, or a range of them: its index in a `CGAL::Point_set_3`, for other ranges
 ///         its number in the order of iteration
-/// \tparam PointDistanceMap a model of `WritablePropertyMap` with the descriptor of a point as key, to which `double`
-///         can be written
+/// \tparam PointDistanceMap a model of `WritablePropertyMap` with the descriptor of a point as key and a value
+///         assignable from `double`
 /// \param points at least four points, not all on a line
-/// \param sources what distance is measured from
+/// \param sources the points at distance 0
 /// \param distances gets 0 for sources, infinity for points that no path joins to a source; if the function throws, it
 ///        is left as it was
 /// \param np an optional sequence of named parameters: `point_map`, `normal_map` and `time_step_factor`, as

@@ -23,7 +23,8 @@ struct Surface_error : Input_error
   using Input_error::Input_error;
 };
 
-/// A file cannot be read or written, or is not what its name promises. The message names the file and the place in it.
+/// A file cannot be read or written, or its content does not match its name. The message names the file and the place
+/// in it.
 struct File_error : std::runtime_error
 {
   using std::runtime_error::runtime_error;

@@ -56,9 +56,9 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, const Ve
 ///
 /// Every connected component of the mesh gets a connected skeleton; the first Betti number of the skeleton is the genus
 /// of the surface. Borders are bridged first, by faces without weight; but a component that is a sheet, and not the
-/// surface of a body with openings, is doubled along its wide borders, of which b give a Betti number of 2 g + b - 1,
-/// and its skeleton runs along its middle. The result is the same for any number of threads. The cost is near linear in
-/// the number of vertices.
+/// surface of a body with openings, is doubled along its wide borders. Its skeleton runs along its middle, and b wide
+/// borders give it the Betti number 2 g + b - 1. The result is the same for any number of threads. The cost is near
+/// linear in the number of vertices.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -75,12 +75,12 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, const Ve
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed of the order in which vertices are tried as sources}
+///     \cgalParamDescription{the seed for the order of trying vertices as sources}
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_sources}
-///     \cgalParamDescription{bounds the number of sources from which separators are sought}
+///     \cgalParamDescription{bounds the number of sources that start a search for a separator}
 ///     \cgalParamType{std::size_t}
 ///     \cgalParamDefault{no bound: the shape decides}
 ///   \cgalParamNEnd

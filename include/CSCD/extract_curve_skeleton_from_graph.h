@@ -52,15 +52,15 @@ auto graph_point_map([[maybe_unused]] const Graph& graph, [[maybe_unused]] const
 
 } // namespace internal
 
-/// extracts the curve skeleton of a graph with positions: a wire frame, a k-NN graph, the edges of triangles that are
-/// no surface. No manifold and no orientation are needed.
+/// extracts the curve skeleton of a graph with positions: a wire frame, a k-NN graph, the edges of triangles that do
+/// not form a surface. No manifold and no orientation are needed.
 ///
 /// Every connected component gets a connected skeleton. Thin parts are curves; a cycle of the graph is one of the
 /// skeleton unless it goes around a limb or has less than five edges. A curve is its own skeleton: a path keeps all of
 /// its vertices. The result is the same for any number of threads. See `Graph_policies` for the cost.
 ///
-/// Edges are as long as the members `weight` of edges tell, or else as they are in space; where vertices have a member
-/// `radius`, as in `Skeleton_graph`, the radii of nodes are by so much larger.
+/// The length of an edge is its member `weight`, or else its length in space. Where vertices have a member `radius`, as
+/// in `Skeleton_graph`, the radii of nodes are larger by it.
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam Graph a model of Boost's `VertexListGraph` and `EdgeListGraph` without faces; directions do not count
@@ -76,12 +76,12 @@ auto graph_point_map([[maybe_unused]] const Graph& graph, [[maybe_unused]] const
 ///     \cgalParamDefault{the member `point` of the vertices, as in `Skeleton_graph`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed of the order in which vertices are tried as sources}
+///     \cgalParamDescription{the seed for the order of trying vertices as sources}
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_sources}
-///     \cgalParamDescription{bounds the number of sources from which separators are sought}
+///     \cgalParamDescription{bounds the number of sources that start a search for a separator}
 ///     \cgalParamType{std::size_t}
 ///     \cgalParamDefault{no bound: the shape decides}
 ///   \cgalParamNEnd

@@ -23,10 +23,10 @@
 namespace CSCD {
 /// extracts the curve skeleton of a point set that samples the surface of one or several bodies.
 ///
-/// A closed surface is made of the points first: see `Reconstructed_surface_traits`; what was mended is in the report.
-/// The skeleton is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same,
-/// and points off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to
-/// call, for any number of threads and any order of the points. O(n log n).
+/// A closed surface is made of the points first: see `Reconstructed_surface_traits`; the report lists the repairs. The
+/// skeleton is that of this surface. Every point of the input belongs to exactly one node: duplicates to the same, and
+/// points off the surface to that of the nearest point. The skeleton is the same, to the last bit, from call to call,
+/// for any number of threads and any order of the points. O(n log n).
 ///
 /// \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag` or `CGAL::Parallel_if_available_tag`
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
@@ -48,12 +48,12 @@ namespace CSCD {
 ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
-///     \cgalParamDescription{the seed of the order in which points are tried as sources}
+///     \cgalParamDescription{the seed for the order of trying points as sources}
 ///     \cgalParamType{unsigned int}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{maximum_number_of_sources}
-///     \cgalParamDescription{bounds the number of sources from which separators are sought}
+///     \cgalParamDescription{bounds the number of sources that start a search for a separator}
 ///     \cgalParamType{std::size_t}
 ///     \cgalParamDefault{no bound: the shape decides}
 ///   \cgalParamNEnd
@@ -63,8 +63,8 @@ namespace CSCD {
 ///     \cgalParamDefault{0: one a core}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{policies}
-///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published. Those that
-///       can work on a `Point_solid` get the points as they are, without a surface made of them}
+///     \cgalParamDescription{the algorithms of the stages; `Published_policies` for the method as published. Policies
+///       that work on a `Point_solid` get the points as they are, without a surface made of them}
 ///     \cgalParamType{a model of `SkeletonizationPolicies`}
 ///     \cgalParamDefault{`Local_policies`}
 ///   \cgalParamNEnd

@@ -29,7 +29,7 @@ namespace CSCD {
 namespace internal {
 
 /// The numbers of `sources` among the vertices with `descriptors`; linear in the size of `mesh`.
-/// \throw Input_error if there is no source, or one is not among them
+/// \throw Input_error if `sources` is empty, or one is not among them
 template <class TriangleMesh, class VertexDescriptor>
 std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<VertexDescriptor>& descriptors,
                                 const std::vector<VertexDescriptor>& sources)
@@ -60,17 +60,18 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 /// path to the nearest source, and the ends of such curves.
 ///
 /// As the practical method of the supplement (appendix G.1), on the intrinsic Delaunay triangulation of the mesh:
-/// vertices are sought at which the Laplacian of the distance
-/// is strongly negative and gradients run against each other; they are joined along the ORG tree, the spanning tree
-/// that follows the ridges of the distance; loops around handles are closed, so that on a closed connected surface of
-/// genus g the cut locus of one source has first Betti number 2 g, and of k sources 2 g + k - 1; branches are made one
-/// vertex wide, and short ones dropped. It runs along edges of that triangulation; on a sphere it is a point.
-/// Borders count as closed by discs. O(n log n) for n vertices, once the distances are known.
+/// vertices are sought where the Laplacian of the distance is strongly negative and gradients run against each other;
+/// they are joined along the ORG tree, the spanning tree that follows the ridges of the distance; loops around handles
+/// are closed, so that on a closed connected surface of genus g the cut locus of one source has first Betti number 2 g,
+/// and of k sources 2 g + k - 1; branches are made one vertex wide, and short ones dropped. It runs along edges of that
+/// triangulation; on a sphere it is a point. Borders count as closed by discs. O(n log n) for n vertices, once the
+/// distances are known.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph`
 /// \tparam Graph a `Cut_locus_graph` of the point type of the mesh and its `face_descriptor`
-/// \param mesh a triangle mesh, open or closed, of any number of components; those without a source have no cut locus
-/// \param sources the vertices at distance 0; those that are neighbors count as one source
+/// \param mesh a triangle mesh, open or closed, of any number of components; components without a source have no cut
+///        locus
+/// \param sources the vertices at distance 0; neighbors count as one source
 /// \param cut_locus is cleared first; if the function throws, it is left as it was. It has a connected component for
 ///        each component of the mesh with a source, and the farthest point of that component is in it
 /// \param np an optional sequence of named parameters
@@ -82,7 +83,7 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{distance_map}
-///     \cgalParamDescription{the distances of the vertices of `mesh` from the sources, infinite where there is no path}
+///     \cgalParamDescription{the distances of the vertices of `mesh` from the sources, infinite without a path}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key and a number as value}
 ///     \cgalParamDefault{distances are estimated by the heat method}
 ///   \cgalParamNEnd
@@ -110,8 +111,8 @@ std::vector<Index> find_sources(const TriangleMesh& mesh, const std::vector<Vert
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if `mesh` is no oriented manifold of triangles with finite coordinates, if there is no source or
-///        one has no faces, or if distances are missing; the message names the element and the remedy
+/// \throw Input_error if `mesh` is not an oriented manifold of triangles with finite coordinates, if `sources` is empty
+///        or one has no faces, or if distances are missing; the message names the element and the remedy
 template <class TriangleMesh, class Graph, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<!is_point_range_v<TriangleMesh>, int> = 0>
 void extract_cut_locus(const TriangleMesh& mesh,

@@ -28,12 +28,12 @@ namespace CSCD {
 /// shortest path to the nearest source, and the ends of such curves.
 ///
 /// As the supplement adapts its practical method to clouds (appendix G.2): no surface is made. Points are joined by the
-/// triangles on which their neighborhoods agree; distances are those of the heat method on the tufted cover of these;
-/// points are sought at which the Laplacian of the distance is strongly negative and the gradients around run against
-/// each other, each the mean of its immediate neighborhood. They are joined along the ORG tree, branches are made one
-/// point wide, and short ones dropped. It runs from point to point; on a sphere it is a point. Unlike on a
-/// mesh, loops around handles and between sources stay open at one place each, since triangles that need not make up a
-/// surface do not say what a loop encloses. O(n log n), once the distances are known.
+/// triangles that their neighborhoods agree on; the heat method on the tufted cover of these gives the distances;
+/// points are sought where the Laplacian of the distance is strongly negative and the gradients around run against each
+/// other, each the mean of its immediate neighborhood. They are joined along the ORG tree, branches are made one point
+/// wide, and short ones dropped. It runs from point to point; on a sphere it is a point. Unlike on a mesh, loops around
+/// handles and between sources stay open at one place each, since triangles that need not form a surface do not
+/// determine the inside of a loop. O(n log n), once the distances are known.
 ///
 /// \tparam PointRange a range over points or over elements that `point_map` maps to points, or a `CGAL::Point_set_3`
 /// \tparam Graph a `Point_cut_locus_graph` of the point type; points in it are named by their indices in a
@@ -56,7 +56,7 @@ namespace CSCD {
 ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
 ///   \cgalParamNEnd
 ///   \cgalParamNBegin{distance_map}
-///     \cgalParamDescription{the distances of the points from the sources, infinite where there is no path}
+///     \cgalParamDescription{the distances of the points from the sources, infinite without a path}
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the names of points as key and a number as value}
 ///     \cgalParamDefault{distances are estimated by the heat method}
 ///   \cgalParamNEnd
@@ -84,7 +84,7 @@ namespace CSCD {
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
 ///
-/// \throw Input_error if `points` do not sample a surface, if there is no source, if one is no point of the set or
+/// \throw Input_error if `points` do not sample a surface, if `sources` is empty, if one is not a point of the set or
 ///        lies off the surface of the others, or if distances are missing; the message names the point and the remedy
 template <class PointRange, class Graph, class NamedParameters = parameters::Default_named_parameters,
           std::enable_if_t<is_point_range_v<PointRange>, int> = 0>

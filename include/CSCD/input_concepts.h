@@ -36,9 +36,9 @@ constexpr bool gives(const Function& /* expression */)
 namespace CSCD {
 
 #ifdef DOXYGEN_RUNNING
-/// CGAL's `FaceListGraph`, of which all faces are triangles. Of its functions these are used, found by
-/// argument-dependent lookup: `vertices(g)`, `faces(g)`, `num_vertices(g)`, `num_faces(g)`, `halfedge(f, g)`,
-/// `next(h, g)` and `target(h, g)`.
+/// CGAL's `FaceListGraph` whose faces are all triangles. The library uses these of its functions, by argument-dependent
+/// lookup: `vertices(g)`, `faces(g)`, `num_vertices(g)`, `num_faces(g)`, `halfedge(f, g)`, `next(h, g)` and
+/// `target(h, g)`.
 ///
 /// \cgalRefines{CGAL's `FaceListGraph`}
 /// \cgalHasModels{`CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, and all others of CGAL's}
@@ -53,7 +53,7 @@ class TriangleMesh
 /// @{
 
 /// Whether `T` is a `FaceListGraph`, judged by its faces; for any type.
-// Without boost::graph_traits, which is a hard error for what is no graph.
+// Without boost::graph_traits, which is a hard error for a type that is not a graph.
 template <class T>
 inline constexpr bool is_triangle_mesh_v = CSCD_IS_VALID(const T&, *std::begin(faces(t)));
 
@@ -67,7 +67,7 @@ template <class T>
 inline constexpr bool is_spatial_graph_v = CSCD_IS_VALID(const T&, vertices(t)) && CSCD_IS_VALID(const T&, edges(t)) &&
                                            !is_triangle_mesh_v<T> && !is_point_range_v<T>;
 
-/// refuses at compile time a type that is no `FaceListGraph`.
+/// refuses at compile time a type that is not a `FaceListGraph`.
 template <class T>
 constexpr void check_triangle_mesh()
 {

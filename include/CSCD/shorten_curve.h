@@ -58,7 +58,7 @@ inline std::vector<Index> halfedges_between(const Triangulated_surface& surface,
 /// Shortens curves along the edges of a triangle mesh to geodesics that run over its faces. The mesh is converted once;
 /// then a curve takes time in proportion to the number of faces that it sweeps.
 ///
-/// The geodesic is one into which the curve can be moved without getting longer: locally, it is the shortest path. It
+/// The geodesic is one that the curve can be moved into without getting longer: locally, it is the shortest path. It
 /// passes straight over edges, may turn at saddle vertices, and goes along borders where these are in the way. A closed
 /// curve that nothing holds shrinks to a point.
 /// \tparam TriangleMesh a model of `FaceListGraph`
@@ -80,7 +80,7 @@ public:
   ///   \cgalParamNEnd
   /// \cgalNamedParamsEnd
   ///
-  /// \throw Input_error if `mesh` is no oriented manifold of triangles, or has a coordinate that is not finite; the
+  /// \throw Input_error if `mesh` is not an oriented manifold of triangles, or has a coordinate that is not finite; the
   ///        message names the element
   template <class NamedParameters = parameters::Default_named_parameters>
   explicit Curve_shortening(const TriangleMesh& mesh, const NamedParameters& np = parameters::default_values())
@@ -98,10 +98,10 @@ public:
   /// \tparam Point a point type, constructible from three coordinates
   /// \tparam VertexRange a range of vertex descriptors
   /// \tparam PointOutputIterator an output iterator of `Point`
-  /// \param vertices those of the curve, in order, each joined to the next by an edge
+  /// \param vertices the vertices of the curve, in order, each joined to the next by an edge
   /// \param is_closed whether the last vertex leads to the first one; else both stay where they are
   /// \param points gets the points of the geodesic, one on each edge or vertex that it meets; nothing if it collapses
-  /// \return what has become of the curve: `held` does not occur
+  /// \return the outcome for the curve: `held` does not occur
   /// \pre the curve does not cross itself, and runs along no edge twice, except straight back
   /// \throw Input_error if consecutive vertices have no common edge; the message names the vertex
   template <class Point, class VertexRange, class PointOutputIterator>
@@ -159,7 +159,7 @@ private:
 /// \param mesh a triangle mesh, open or closed
 /// \param vertices, is_closed, points as for `Curve_shortening::shorten()`
 /// \param np an optional sequence of named parameters: `vertex_point_map`, as `Curve_shortening` has it
-/// \return what has become of the curve: `held` does not occur
+/// \return the outcome for the curve: `held` does not occur
 /// \pre the curve does not cross itself, and runs along no edge twice, except straight back
 /// \throw Input_error as `Curve_shortening` and its member `shorten()`
 template <class TriangleMesh, class VertexRange, class PointOutputIterator,

@@ -20,7 +20,7 @@ namespace CSCD {
 
 /// Computes the curve skeleton of a triangle mesh. `extract_curve_skeleton()` does the same for meshes of any type.
 /// Near linear.
-/// \param points the vertices; those without a face belong to no node
+/// \param points the vertices; vertices without a face belong to no node
 /// \param faces the vertices of each face, counterclockwise seen from outside, three different ones
 /// \param options the options
 /// \param visitor is informed of progress and may stop the work

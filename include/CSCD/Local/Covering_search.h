@@ -40,7 +40,7 @@
 namespace CSCD::internal {
 
 /// The part of a surface that a source explores: a band around the separator that was found, or the surroundings of the
-/// source. Grown on the level on which the separator was found. One object serves one thread.
+/// source. Grown on the level of the separator. One object serves one thread.
 class Coverage_band
 {
 public:
@@ -105,7 +105,7 @@ private:
     grow(level, radius, band);
   }
 
-  /// Appends the vertices of `level` that are at most `width` away from what the front has reached.
+  /// Appends the vertices of `level` that are at most `width` away from the vertices that the front has reached.
   void grow(Index level, float width, std::vector<Index>& band)
   {
     const Vertex_fan_table& corners = m_levels[level].corners();
@@ -155,7 +155,7 @@ public:
   /// From now on, a source is covered only when `factor` times as many bands as before hold it.
   void require_more(unsigned factor) { m_required_count *= factor; }
 
-  /// The level on which the front of `source` should start: that of the last separator found nearby.
+  /// The level where the front of `source` should start: the level of the last separator found nearby.
   Index level_hint(Index source) const
   {
     const std::uint8_t hint = m_hint[m_levels.coarsest().from_finest(source)];
@@ -215,12 +215,11 @@ private:
   std::vector<std::uint8_t> m_hint;
 };
 
-/// Goes through the vertices of a level in a scattered order, in batches of those that are not covered.
+/// Goes through the vertices of a level in a scattered order, in batches of uncovered ones.
 ///
 /// The order is scattered like a random one, but nearly the same for every seed: the seed only decides which of a few
-/// dozen consecutive sources comes first. Coverage, not chance, decides where separators are sought, so there is
-/// nothing to gain from a wholly different order, and a user who changes the seed or the pose of a shape gets the same
-/// branches.
+/// dozen consecutive sources comes first. Coverage, not chance, decides where separators are sought, so a wholly
+/// different order gains nothing, and a user who changes the seed or the pose of a shape gets the same branches.
 class Source_sequence
 {
 public:
@@ -253,7 +252,7 @@ public:
     }
   }
 
-  /// Begins again with the candidates for which `is_wanted(vertex)` holds, in the same order.
+  /// Begins again with the candidates that satisfy `is_wanted(vertex)`, in the same order.
   template <class Predicate>
   void restart(const Predicate& is_wanted)
   {
@@ -287,10 +286,9 @@ private:
   std::size_t m_next = 0;
 };
 
-/// Takes sources in batches of fixed size. The separators of a batch are found independently, from what was known
-/// before the batch, and taken over in the order of the sources; a source that a separator before it in the batch
-/// covers is dropped, so that it does not matter whether its separator was computed. The answer is that of a single
-/// thread.
+/// Takes sources in batches of fixed size. The separators of a batch are found independently, from the state before the
+/// batch, and taken over in the order of the sources; a source that a separator before it in the batch covers is
+/// dropped, so that it does not matter whether its separator was computed. The answer is that of a single thread.
 class Separator_search
 {
 public:
@@ -324,9 +322,9 @@ public:
     }
   }
 
-  /// Lets the search go on among the vertices of the finest level for which `is_wanted(vertex)` holds, which count as
+  /// Lets the search continue among the vertices of the finest level that satisfy `is_wanted(vertex)`, which count as
   /// covered only when `factor` times as many separators pass them. From now on, a source without a cut point covers
-  /// what is at most `failure_radius(source)` away from it; this is called by several threads at once.
+  /// the surface at most `failure_radius(source)` away from it; several threads call that function at once.
   template <class Predicate>
   void explore(const Predicate& is_wanted, unsigned factor, std::function<float(Index)> failure_radius)
   {
@@ -339,7 +337,7 @@ private:
   /// Sources in a batch: enough for a few threads, while the share of dropped ones stays below a tenth.
   static constexpr std::size_t batch_size = 16;
 
-  /// What one thread works with.
+  /// The working memory of one thread.
   struct Worker
   {
     Local_separator_finder finder;
@@ -362,7 +360,7 @@ private:
     const auto take = [&](Index i) { take_result(i, separators, report); };
     const auto size = Index(m_batch.size());
     if (m_for_each.number_of_threads() == 1) {
-      // What is dropped need not be computed.
+      // The separator of a dropped source need not be computed.
       m_for_each(size, [&](Index i, Worker& worker) {
         if (!m_coverage.is_covered(m_batch[i])) {
           search(i, worker);
@@ -439,14 +437,14 @@ private:
   static constexpr double first_pass_share = 0.75;
   /// Surface farther than this from the nearest packed separator is explored again, relative to the separator's radius.
   static constexpr double unexplored_distance = 0.6;
-  /// The factor by which more separators are sought there.
+  /// This many times as many separators are sought there.
   static constexpr unsigned exploration_factor = 3;
   /// How far a source without a cut point covers the surface there, relative to its distance from the nearest packed
   /// separator: limbs that grow from an end, as toes from a foot, are much thinner than the end is long. From 0.1 to
-  /// 0.4, tips on 100 poses of people were the same but for a few; the fewest sources are tried with the largest.
+  /// 0.4, nearly all tips on 100 poses of people were the same; the largest value tries the fewest sources.
   static constexpr float failure_radius_per_distance = 0.3F;
 
-  /// The separators that would be packed so far, less those of bumps.
+  /// The separators that would be packed so far, except separators of bumps.
   std::vector<Index> pack_for_trial(const std::vector<Separator>& separators, const std::vector<double>& costs) const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;

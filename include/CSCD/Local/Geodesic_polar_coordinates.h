@@ -53,7 +53,7 @@ public:
   ///
   /// Vertices are accepted nearly, not strictly, in order of distance: over an obtuse angle the front reaches a corner
   /// that is nearer than the vertex it came from. That is one vertex in a hundred on smooth bodies, three where noise
-  /// is as large as the edges; what has been accepted before keeps the distance that it had.
+  /// is as large as the edges; vertices accepted before keep their distances.
   /// \tparam Observer has
   ///         - `on_meeting(vertex, neighbor)`: `vertex` was accepted, its neighbor had been before, and their initial
   ///           directions differ by more than `wide_angle`;
@@ -271,12 +271,12 @@ private:
 };
 
 /// Observes geodesic polar coordinates while they grow and keeps the meeting that is nearest in space to the source
-/// (the target of section 3.1.3), among those seen across the body: the chord from the source must enter the surface at
-/// the source and leave it at the meeting. It stops the front soon after the first such meeting.
+/// (the target of section 3.1.3), among the meetings seen across the body: the chord from the source must enter the
+/// surface at the source and leave it at the meeting. It stops the front soon after the first such meeting.
 class Nearest_meeting
 {
 public:
-  /// \param is_across tells of vertices whether meetings there are across the body; without it, the direction decides
+  /// \param is_across returns whether meetings at a vertex are across the body; without it, the direction decides
   Nearest_meeting(const Triangulated_surface& surface, const Geodesic_polar_coordinates& front, Index source,
                   std::function<bool(Index)> is_across = nullptr)
       : m_surface(surface), m_front(front), m_source_point(surface.point(source)),

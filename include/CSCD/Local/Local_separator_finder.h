@@ -28,14 +28,14 @@ namespace CSCD {
 /// cut locus on the fly; shortening by the section plane through the source, by straightening where that fails.
 ///
 /// One object serves one thread. It keeps all working memory, of the size of the surface, and uses it again for each
-/// source; the work for a source is a few hundred visited vertices, whatever the size of the surface.
+/// source; the work for a source is a few hundred visited vertices on a surface of any size.
 class Local_separator_finder
 {
 public:
   /// Prepares the working memory; `levels` is referred to and must outlive this object.
   /// \param min_area_ratio loops that cut off a smaller area, relative to their squared length, encircle a bump
-  /// \param side_of_sheet tells of vertices of the finest level on which side of a doubled sheet they are, 1 or 2, or 0;
-  ///        without it, there are no sheets
+  /// \param side_of_sheet returns the side of a doubled sheet that a vertex of the finest level is on, 1 or 2, or 0;
+  ///        without it, no component is a sheet
   explicit Local_separator_finder(const Surface_levels& levels, double min_area_ratio = Detail().min_loop_area_ratio(),
                                   std::function<int(Index)> side_of_sheet = nullptr)
       : m_levels(levels), m_min_area_ratio(min_area_ratio), m_side_of_sheet(std::move(side_of_sheet)),
@@ -70,8 +70,8 @@ private:
   static constexpr std::size_t min_loop_size = 15;
   /// A loop of fewer edges encloses nothing.
   static constexpr std::size_t min_simple_loop_size = 3;
-  /// Visits on a level before the next coarser one is tried: what a front visits for a loop of `min_loop_size` edges
-  /// is about its square; found by experiment on 27 meshes.
+  /// Visits on a level before the next coarser one is tried: for a loop of `min_loop_size` edges, a front visits about
+  /// the square of that number; found by experiment on 27 meshes.
   static constexpr std::size_t max_visits = std::size_t(1.6 * min_loop_size * min_loop_size);
   /// Where the measurement of the area on the smaller side may stop, relative to the least area.
   static constexpr double bump_limit = 1.01;
@@ -100,8 +100,8 @@ private:
 
   int side_of_sheet(Index vertex) const { return m_side_of_sheet ? m_side_of_sheet(vertex) : 0; }
 
-  /// Tells of the vertices of `level` whether they are on the other side of the sheet than `source`; nothing where that
-  /// is on none. The sides are so near to each other that directions from one to the other tell nothing.
+  /// Returns a test whether a vertex of `level` is on the other side of the sheet than `source`; none where `source` is
+  /// not on a sheet. The sides are too near to each other for directions between them to mean anything.
   std::function<bool(Index)> across_sheet(const Surface_level& level, Index source) const
   {
     const int side = side_of_sheet(source);
@@ -265,7 +265,7 @@ private:
   }
 
   /// The mean direction of the borders of a sheet where the section crosses them: perpendicular to it, an open curve
-  /// meets both at about a right angle. The normals of a flat sheet tell no axis.
+  /// meets both at about a right angle. The normals of a flat sheet do not determine an axis.
   Vector_3 border_axis() const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;

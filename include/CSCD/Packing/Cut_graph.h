@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How separators cross, and the pieces into which disjoint ones cut a surface.
+// The crossings of separators, and the pieces of a surface cut by disjoint ones.
 
 #ifndef CSCD_PACKING_CUT_GRAPH_H
 #define CSCD_PACKING_CUT_GRAPH_H
@@ -54,7 +54,7 @@ public:
   {
   }
 
-  /// Removes all separators; linear in what they cross.
+  /// Removes all separators; linear in the number of their crossings.
   void clear()
   {
     for (const Chord& chord : m_chords) {
@@ -94,7 +94,7 @@ public:
 
   const std::vector<Edge_point>& points() const { return m_points; }
   const std::vector<Chord>& chords() const { return m_chords; }
-  /// The first of the chords in `face`, `no_index` if there is none.
+  /// The first of the chords in `face`, `no_index` without a chord.
   Index first_chord(Index face) const { return m_first_chord[face]; }
 
   /// The total order of the crossings of one edge, along its smaller halfedge.
@@ -180,7 +180,7 @@ public:
     Index other(Index piece) const { return first == piece ? second : first; }
   };
 
-  /// Prepares to cut `surface` along any of `separators`: what none of them crosses is joined once and for all.
+  /// Prepares to cut `surface` along any of `separators`: parts that none of them crosses are joined once and for all.
   Cut_graph(const Triangulated_surface& surface, const std::vector<Separator>& separators) : Cut_graph(surface)
   {
     for (const Separator& separator : separators) {
@@ -191,7 +191,7 @@ public:
     gather();
   }
 
-  /// Prepares to cut `surface` along those in `arrangement` alone.
+  /// Prepares to cut `surface` along the separators in `arrangement` alone.
   Cut_graph(const Triangulated_surface& surface, const Separator_arrangement& arrangement) : Cut_graph(surface)
   {
     for (const Separator_arrangement::Edge_point& point : arrangement.points()) {
@@ -214,7 +214,7 @@ public:
   }
 
   const std::vector<Piece>& pieces() const { return m_pieces; }
-  /// The pieces beside the packed separator at position `i`.
+  /// The pieces on the two sides of the packed separator at position `i`.
   const Sides& sides(Index i) const { return m_sides[i]; }
   Index piece_of_vertex(Index vertex) const { return m_label[m_cluster[vertex]]; }
 
@@ -233,14 +233,15 @@ private:
     double begin_place;   ///< where the chord begins, in the order around the face
   };
 
-  /// Vertices that are joined whatever is cut, and what lies between them.
+  /// Vertices that every cut leaves joined, with the edges and faces between them.
   struct Cluster
   {
     int euler; ///< its vertices, edges and faces, counted as for the Euler number
     double area;
   };
 
-  /// Joins what cannot be cut to clusters, and sums it up. Reads faces in the order of memory, to avoid cache misses.
+  /// Joins parts that cannot be cut to clusters, and sums them up. Reads faces in the order of memory, to avoid cache
+  /// misses.
   void gather()
   {
     Disjoint_sets joined(m_surface.number_of_vertices());
@@ -286,7 +287,7 @@ private:
     }
   }
 
-  /// Gives every part of a crossed edge its set: the outer parts those of the ends, the inner ones new sets.
+  /// Gives every part of a crossed edge its set: the outer parts the sets of the ends, the inner ones new sets.
   void split_edges(const Separator_arrangement& arrangement)
   {
     m_is_cut.assign(m_crossable_edges.size(), 0);
@@ -347,11 +348,11 @@ private:
   /// A part of a face between chords.
   struct Part
   {
-    Index interval; ///< the set of a part of an edge beside it
+    Index interval; ///< the set of an adjacent part of an edge
     double area;
   };
 
-  /// Splits every face that is cut into its parts, and joins what each part connects.
+  /// Splits every face that is cut into its parts, and joins the sets that each part connects.
   void split_faces(const Separator_arrangement& arrangement)
   {
     const std::vector<Separator_arrangement::Chord>& chords = arrangement.chords();
@@ -453,7 +454,7 @@ private:
   }
 
   /// Area and Euler number. The points and chords of a separator are equally many on each of its sides and cancel in
-  /// the Euler number; what counts is vertices, parts of edges and parts of faces.
+  /// the Euler number: vertices, parts of edges and parts of faces count.
   void measure_pieces(const Separator_arrangement& arrangement)
   {
     for (Index cluster = 0; cluster < m_clusters.size(); ++cluster) {

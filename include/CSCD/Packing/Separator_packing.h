@@ -160,7 +160,7 @@ private:
     return std::size_t(std::find_if(m_branch.begin(), m_branch.end(), is_strong) - m_branch.begin());
   }
 
-  /// The number of steps at the end of a limb that lead into a corner: those on no limb by themselves, and those before
+  /// The number of steps at the end of a limb that lead into a corner: steps on no limb by themselves, and steps before
   /// the first strong one if one of them turns aside from that.
   std::size_t number_of_steps_into_corner() const
   {
@@ -219,7 +219,7 @@ public:
     std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) { return costs[a] < costs[b]; });
   }
 
-  /// Packs anew, of those for which `is_allowed(separator)` holds.
+  /// Packs anew, from the separators that satisfy `is_allowed(separator)`.
   template <class Predicate>
   void pack(const Predicate& is_allowed)
   {
@@ -233,7 +233,7 @@ public:
     }
   }
 
-  /// Unpacks those for which `is_allowed(separator)` does not hold, and packs none in their place.
+  /// Unpacks separators that do not satisfy `is_allowed(separator)`, and packs none in their place.
   template <class Predicate>
   void reduce(const Predicate& is_allowed)
   {
@@ -248,7 +248,7 @@ public:
     }
   }
 
-  /// Packs `separator` too if it crosses none of those that are packed and itself neither. \return whether it does not
+  /// Packs `separator` too if it crosses neither a packed one nor itself. \return whether it was packed
   bool insert(Index separator)
   {
     const bool is_inserted = m_arrangement.insert(separator, m_separators[separator].crossings);
@@ -263,7 +263,7 @@ public:
     return is_inserted;
   }
 
-  /// The packed separators, as positions in the list of all separators, in the order in which they were packed.
+  /// The packed separators, as positions in the list of all separators, in the order of packing.
   const std::vector<Index>& packed() const { return m_packed; }
   const Separator_arrangement& arrangement() const { return m_arrangement; }
 
@@ -324,7 +324,7 @@ private:
 };
 
 /// Greedy weighted set packing of separators (section 3.2.3), followed by pruning: the separators of a branch that no
-/// limb stands on are banned, and what remains is packed again.
+/// limb stands on are banned, and the remaining ones are packed again.
 class Separator_packing
 {
 public:
@@ -365,7 +365,7 @@ public:
   /// them and itself neither. The cut graph stays as it is until `cut_again()`. \return whether it was packed
   bool insert_last() { return m_disjoint.insert(Index(m_separators.size() - 1)); }
 
-  /// Cuts the surface along all packed separators, those inserted last included.
+  /// Cuts the surface along all packed separators, including the ones inserted last.
   void cut_again()
   {
     m_cut_graph.emplace(m_surface, m_separators);
@@ -373,8 +373,8 @@ public:
   }
 
 private:
-  /// What takes the place of pruned separators may have to be pruned again. After this many packings, nothing takes
-  /// their place any more, so that pruning comes to an end.
+  /// Separators that replace pruned ones may have to be pruned again. After this many packings, nothing takes their
+  /// place any more, so that pruning comes to an end.
   static constexpr int max_packings = 2;
 
   const Triangulated_surface& m_surface;
@@ -383,12 +383,12 @@ private:
   std::optional<Cut_graph> m_cut_graph;
 };
 
-/// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once).
-/// Runs on a level on which separators are several vertices apart.
+/// Assigns every vertex to the separator that is nearest along the edges (Dijkstra from all separators at once). Runs
+/// on a level where separators are several vertices apart.
 class Surface_regions
 {
 public:
-  /// The size of the level that is precise enough to decide what is nearest.
+  /// The size of the level that is precise enough to find the nearest separator.
   static constexpr Index rough_size = 16000;
 
   /// Computes the regions of the separators `packed` of the list `separators`, on the finest level of at most
@@ -420,7 +420,7 @@ public:
   const Surface_level& level() const { return m_level; }
   /// The position of the packed separator nearest to a vertex of `level()`; `no_index` where a component has none.
   Index separator(Index vertex) const { return m_front.label(vertex); }
-  /// The distance from it, infinite where there is none.
+  /// The distance from it, infinite without one.
   float distance(Index vertex) const { return m_front.distance(vertex); }
 
 private:

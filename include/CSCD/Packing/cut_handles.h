@@ -160,7 +160,7 @@ private:
     Disjoint_sets regions = m_capped;
     collect_cotree_edges(regions);
     std::vector<Vertex_loop> loops;
-    // The longest loops first: their edges go to the cotree, and those of the shortest remain.
+    // The longest loops first: their edges go to the cotree, and the edges of the shortest remain.
     for (auto edge = m_edges.rbegin(); edge != m_edges.rend(); ++edge) {
       if (!join_across(edge->halfedge, regions)) {
         loops.push_back(close_loop(edge->halfedge));
@@ -170,14 +170,14 @@ private:
     return loops;
   }
 
-  /// Unites what lies on the two sides of an edge that is not crossed. \return whether it was two regions
+  /// Unites the regions on the two sides of an edge that is not crossed. \return whether they were two
   bool join_across(Index halfedge, Disjoint_sets& regions) const
   {
     return regions.join(m_region[halfedge], m_region[m_surface.twin(halfedge)]);
   }
 
   /// Collects the edges that the tree reaches and does not take, by increasing length of the loops that they close;
-  /// what it does not reach is no obstacle to the cotree.
+  /// edges that it does not reach do not obstruct the cotree.
   void collect_cotree_edges(Disjoint_sets& regions)
   {
     m_edges.clear();
@@ -197,7 +197,7 @@ private:
                      [](const Cotree_edge& a, const Cotree_edge& b) { return a.loop_length < b.loop_length; });
   }
 
-  /// The two tree paths to the ends of `halfedge` without what they share.
+  /// The two tree paths to the ends of `halfedge` without their common part.
   Vertex_loop close_loop(Index halfedge) const
   {
     Vertex_loop first = path_from(m_surface.origin(halfedge));
@@ -268,10 +268,10 @@ public:
 private:
   /// Sweeps of straightening: the loops run along edges.
   static constexpr int number_of_straightening_passes = 15;
-  /// A loop spans the body if so many of the samples of its disc are inside: the middles between points of the loop and
-  /// its center ...
+  /// A loop spans the body if at least this share of the samples of its disc is inside: the middles between points of
+  /// the loop and its center ...
   static constexpr double min_inside_part = 0.5;
-  /// ... of which so many tell.
+  /// ... of at most this many samples.
   static constexpr std::size_t max_number_of_samples = 32;
 
   struct Candidate
@@ -308,8 +308,8 @@ private:
     return pack(needed(trial, arrangement));
   }
 
-  /// Those of the disjoint separators `trial`, the last in `arrangement`, that lower the genus: from the worst to the
-  /// best, one with different pieces on its sides is left out, and the pieces become one.
+  /// The disjoint separators of `trial`, the last in `arrangement`, that lower the genus: from the worst to the best,
+  /// one with different pieces on its sides is left out, and the pieces become one.
   std::vector<Separator> needed(const std::vector<Separator>& trial, const Separator_arrangement& arrangement) const
   {
     Cut_graph cut_graph(m_surface, arrangement);
@@ -357,8 +357,8 @@ private:
     return {loop, measures.length, double(number_inside) >= min_inside_part * double(number)};
   }
 
-  /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from what `arrangement`
-  /// holds.
+  /// Appends `loop`, pushed off the vertices and straightened, to `trial` if it is disjoint from the separators in
+  /// `arrangement`.
   void insert(const Vertex_loop& loop, std::vector<Separator>& trial, Separator_arrangement& arrangement)
   {
     Separator separator;

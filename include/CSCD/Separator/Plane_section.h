@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The closed curve in which a plane cuts the surface, and the disc that it spans.
+// The closed curve where a plane cuts the surface, and the disc that it spans.
 
 #ifndef CSCD_SEPARATOR_PLANE_SECTION_H
 #define CSCD_SEPARATOR_PLANE_SECTION_H
@@ -20,9 +20,9 @@
 
 namespace CSCD::internal {
 
-/// Walks the section of a surface with a plane.
-/// Every vertex is on one of the two sides, those in the plane on the upper one: so the walk is decided by the sides of
-/// vertices alone, passes no vertex, and closes for every plane. Its cost is that of the section. Reuse one object.
+/// Walks the section of a surface with a plane. Every vertex is on one of the two sides, vertices in the plane on the
+/// upper one: so the walk is decided by the sides of vertices alone, passes no vertex, and closes for every plane. Its
+/// cost is that of the section. Reuse one object.
 class Plane_section
 {
 public:

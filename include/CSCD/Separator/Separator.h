@@ -45,9 +45,9 @@ struct Separator
   double planarity = 0;
   /// Whether it leads from border to border of a sheet, there on one side of it and back on the other.
   bool is_open = false;
-  /// The vertex of the finest surface from which it was found.
+  /// Its source, a vertex of the finest surface.
   Index source = no_index;
-  /// The level of detail on which it was found.
+  /// The level of detail where it was found.
   Index level = 0;
 
   /// Radius of the circle of the same length.
@@ -62,7 +62,7 @@ enum class Search_outcome
   found,     ///< a separator was found
   no_cut,    ///< no acceptable cut point was met
   bump,      ///< the loop only encircles a bump
-  degenerate ///< the loop is no simple curve of enough edges, or shrank to a point
+  degenerate ///< the loop is not a simple curve of enough edges, or shrank to a point
 };
 
 /// How the shortening of a curve ended.
@@ -127,7 +127,7 @@ void curve_points(const Surface& surface, const Separator& separator, std::vecto
 
 /// The sides of a sheet that the curve of `crossings` passes: bit 0 for the first, bit 1 for the second. An open
 /// separator is a curve around a doubled sheet, and passes both.
-/// \param side_of_sheet gives for a vertex 1 or 2, or 0 where there is no sheet
+/// \param side_of_sheet returns 1 or 2 for a vertex on a sheet, else 0
 template <class Surface, class Sides>
 unsigned sides_of_sheet(const Surface& surface, const Sides& side_of_sheet, const std::vector<Edge_crossing>& crossings)
 {
@@ -236,7 +236,7 @@ struct Surface_path
 {
   /// Where it crosses edges, see `Edge_crossing`, and the vertices that it passes through, in order. At a vertex,
   /// `position` is 0 and `halfedge` is from the vertex: the path leaves along it if the next point is a vertex too, and
-  /// otherwise into its face. The last point of an open path is a vertex of which any halfedge is given.
+  /// otherwise into its face. The last point of an open path is a vertex, given by any of its halfedges.
   std::vector<Edge_crossing> points;
   bool is_closed = true;
   double length = 0;

@@ -38,7 +38,7 @@ public:
   }
 
   /// Writes to `fine_loop` the projection of `loop`, which runs along edges of `level`, without repeated vertices.
-  /// \return false if a path strays too far, or if what remains is not the greater part of a loop
+  /// \return false if a path strays too far, or if the rest is not the greater part of a loop
   bool operator()(const Surface_level& level, const Vertex_loop& loop, Vertex_loop& fine_loop)
   {
     m_path.clear();
@@ -85,7 +85,7 @@ private:
         const Index neighbor = surface.target(halfedge);
         const float distance = m_labels[vertex].distance + float(surface.length(halfedge));
         const bool is_new = !m_reached.is_marked(neighbor);
-        // The estimates are consistent but for rounding: a vertex that has left the heap stays as it is.
+        // The estimates are consistent except for rounding: a vertex that has left the heap stays as it is.
         if (distance >= limit || m_settled.is_marked(neighbor) ||
             (!is_new && distance >= m_labels[neighbor].distance)) {
           continue;
@@ -117,7 +117,7 @@ private:
     std::reverse(m_path.begin() + std::ptrdiff_t(begin), m_path.end());
   }
 
-  /// Copies the path to `loop`; where it returns to a vertex, what lies between is left out.
+  /// Copies the path to `loop`; where it returns to a vertex, the part between is left out.
   bool erase_spurs(Vertex_loop& loop)
   {
     loop.clear();
@@ -146,7 +146,7 @@ private:
   Indexed_heap m_heap;
   Epoch_marks m_reached;
   Epoch_marks m_settled;
-  std::vector<Label, boost::noinit_adaptor<std::allocator<Label>>> m_labels; // of what has been reached
+  std::vector<Label, boost::noinit_adaptor<std::allocator<Label>>> m_labels; // of reached vertices
   Vertex_loop m_path;
 };
 
@@ -174,8 +174,7 @@ public:
 private:
   /// Crossings keep this distance from the ends of their edge, relative to its length.
   static constexpr double end_margin = 0.02;
-  /// Crossings within this distance of an end are stuck there, likewise: those that are clamped, and what rounding
-  /// makes of them.
+  /// Crossings within this distance of an end are stuck there, likewise: clamped crossings, up to rounding.
   static constexpr double stuck_margin = 1.01 * end_margin;
   /// Where a curve is put after it has passed over a vertex, likewise.
   static constexpr double passed_position = 3 * end_margin;
@@ -230,7 +229,7 @@ private:
     return crossing.position >= 1 - stuck_margin ? m_surface.target(crossing.halfedge) : no_index;
   }
 
-  /// Finds the runs of crossings around a vertex at which one of them is stuck, and tries to pass each over it.
+  /// Finds the runs of crossings around a vertex where one of them is stuck, and tries to pass each over it.
   void pass_over_vertices(std::vector<Edge_crossing>& crossings)
   {
     const std::size_t size = crossings.size();
@@ -256,7 +255,7 @@ private:
         ++i;
         continue;
       }
-      // The run around the vertex also holds those neighbors that cross its incident edges farther out.
+      // The run around the vertex also holds neighbors that cross its incident edges farther out.
       const bool is_on_right = crossing.position < 0.5;
       const auto is_in_run = [&](std::size_t j) { return passes(crossings[j % size], vertex, is_on_right); };
       std::size_t first = i;
@@ -317,8 +316,8 @@ private:
     return true;
   }
 
-  /// Collects the incident edges of the vertex that the run does not cross, in the order in which the curve will cross
-  /// them.
+  /// Collects the incident edges of the vertex that the run does not cross, in the order of their crossings with the
+  /// new curve.
   void collect_other_side(Index first, Index last, bool is_on_right)
   {
     m_incident_edges.clear();

@@ -44,15 +44,15 @@ public:
   /// at 1.
   double min_limb_length() const { return default_limb_length * (1 - m_value) / m_value; }
 
-  /// What some separator of a branch has to cut off: an area relative to the squared length of the separator. That of
-  /// the limb above, whose side is `2 pi r l` and whose end is `pi r^2`, around which the separator is `2 pi r` long.
+  /// The area that some separator of a branch has to cut off, relative to the squared length of the separator. The limb
+  /// above has the side `2 pi r l` and the end `pi r^2`, and the separator around it is `2 pi r` long.
   double min_branch_area_ratio() const { return (1 + 2 * min_limb_length()) / (4 * boost::math::double_constants::pi); }
 
   /// The same of a loop that has not been shortened yet. \see max_loop_area_ratio
   double min_loop_area_ratio() const { return std::min(loop_share * min_branch_area_ratio(), max_loop_area_ratio); }
 
-  /// Between a flat disc, 1 / (4 pi), and a hemisphere, 1 / (2 pi). Loops that cut off less are not taken for bumps at
-  /// a detail as low as it may be: many good loops near tips would go.
+  /// Between a flat disc, 1 / (4 pi), and a hemisphere, 1 / (2 pi). Loops that cut off more are not treated as bumps
+  /// even at the lowest detail: else many good loops near tips would go.
   static constexpr double max_loop_area_ratio = 0.11;
 
 private:
@@ -69,8 +69,8 @@ private:
 
 namespace CSCD::internal {
 
-/// What an open separator has to cut off, on both sides of its sheet, relative to a closed one: by default, 0.19 of its
-/// squared length. A corner at a right angle has 1 / 8, and is no limb; a half disc has pi / 16.
+/// The area that an open separator has to cut off, on both sides of its sheet, relative to a closed one: by default,
+/// 0.19 of its squared length. A corner at a right angle has 1 / 8, and is not a limb; a half disc has pi / 16.
 inline constexpr double open_area_factor = 1.9;
 
 /// Measures how much surface a loop cuts off, relative to the square of its length.

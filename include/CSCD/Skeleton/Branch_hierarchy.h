@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How much each branch of a finished skeleton matters, and the order in which branches are pruned.
+// The significance of each branch of a finished skeleton, and the order of pruning.
 
 #ifndef CSCD_SKELETON_BRANCH_HIERARCHY_H
 #define CSCD_SKELETON_BRANCH_HIERARCHY_H
@@ -23,7 +23,7 @@
 namespace CSCD {
 namespace internal {
 
-/// By what branches are pruned.
+/// The measure for pruning branches.
 enum class Branch_measure
 {
   significance,      ///< how far the limb reaches beyond the body it stands on, in its mean radii
@@ -34,7 +34,7 @@ enum class Branch_measure
 /// When each edge falls as limbs are cut, the least first.
 struct Branch_levels
 {
-  std::vector<double> levels; ///< for each edge the greatest threshold with which it stays, when what is below is cut
+  std::vector<double> levels; ///< for each edge the greatest threshold that keeps it when lower levels are cut
   std::vector<char> is_last;  ///< whether an edge belongs to the path that is left last of a component without cycles
 };
 
@@ -90,7 +90,7 @@ private:
     return length <= 0 ? 0 : radius > 0 ? length / radius : std::numeric_limits<double>::infinity();
   }
 
-  /// The mean over the first stretch of this length; the radius of the tip if there is none.
+  /// The mean over the first stretch of this length; the radius of the tip if `length` is not positive.
   double mean_radius(double length, const Skeleton& skeleton) const
   {
     if (!(length > 0)) {
@@ -113,8 +113,8 @@ private:
 
 /// Cuts the limbs of a skeleton, the least first, and records when each edge falls.
 ///
-/// A limb is a branch that ends in a tip. When two branches are all that is left at a junction they are one from then
-/// on, which is measured anew, but never less than what was cut there. So the edges that fall last tell what is body.
+/// A limb is a branch that ends in a tip. When only two branches are left at a junction, they are one from then on,
+/// which is measured anew, but never less than a branch that was cut there. So the edges that fall last are the body.
 /// Edges on cycles and between cycles are never cut. O(n log n). Ties are broken by position, so that the answer does
 /// not depend on the numbering.
 class Branch_hierarchy
@@ -158,7 +158,7 @@ private:
   }
 
   /// Prolongs a limb to the next junction and puts it into the queue; or settles it if it ends in a tip.
-  /// \param least what it is worth at least
+  /// \param least a lower bound of its worth
   void grow(Index number, double least)
   {
     Limb& limb = m_limbs[number];
@@ -225,7 +225,7 @@ private:
     }
   }
 
-  /// Where only two branches are left, those that are limbs grow.
+  /// Where only two branches are left, the limbs among them grow.
   void join_branches(Index junction, double level)
   {
     std::vector<Index> limbs;
@@ -256,7 +256,7 @@ private:
   std::vector<char> m_is_last;
 };
 
-/// Cuts the limbs of `skeleton` in thought, the least first.
+/// Simulates the cutting of the limbs of `skeleton`, the least first.
 inline Branch_levels branch_levels(const Skeleton& skeleton, Branch_measure measure)
 {
   return Branch_hierarchy(skeleton, measure).release();
@@ -274,17 +274,17 @@ inline std::vector<double> significance_levels(const Skeleton& skeleton)
 /// computes the significance of every branch of a finished skeleton and writes it to its edges: how far the limb
 /// reaches beyond the body it stands on, in radii of the limb.
 ///
-/// For a branch of length *l* from a tip of radius *t* to a junction of radius *j*, with the mean radius *m* over what
-/// is farther than *j* from the junction along the branch (*t* if nothing is), it is max(0, *l* + *t* - *j*) / *m*: a
-/// cylinder that stands out by *h* has about *h* over its radius, a bump 0. Branches are cut in thought, the least
-/// first; two that are then alone at a junction are one from then on, at least as significant as what was cut. All
-/// edges get what their branch has when it falls. The last branch of a tree, from tip to tip, has (*l* + the radii of
-/// both tips) / (2 *m*) - 1, at least 0. Edges on cycles and between cycles are infinitely significant, and so is all
-/// that has no radius. So the edges of at least a given significance are those that pruning leaves, besides the last
-/// branch of each tree, which always stays; and the figures do not change when the skeleton is moved, turned, scaled or
-/// renumbered, or pruned. O(n log n) for n nodes.
-/// \tparam Skeleton a `CurveSkeletonGraph` of which the edges have a `significance`, as those of `Skeleton_graph`; of
-///         others nothing is changed
+/// For a branch of length *l* from a tip of radius *t* to a junction of radius *j*, with the mean radius *m* over the
+/// part farther than *j* from the junction along the branch (*t* if nothing is), it is max(0, *l* + *t* - *j*) / *m*: a
+/// cylinder that stands out by *h* has about *h* over its radius, a bump 0. The cutting of branches is simulated, the
+/// least first; two that are then alone at a junction are one from then on, at least as significant as a branch that
+/// was cut there. All edges get the value that their branch has when it falls. The last branch of a tree, from tip to
+/// tip, has (*l* + the radii of both tips) / (2 *m*) - 1, at least 0. Edges on cycles and between cycles are infinitely
+/// significant, and so is all that has no radius. So pruning leaves the edges of at least a given significance, and the
+/// last branch of each tree, which always stays; and the figures do not change when the skeleton is moved, turned,
+/// scaled or renumbered, or pruned. O(n log n) for n nodes.
+/// \tparam Skeleton a `CurveSkeletonGraph` whose edges have a `significance`, as in `Skeleton_graph`; others are left
+///         unchanged
 /// \pre coordinates and radii are finite
 template <class Skeleton>
 void compute_significance([[maybe_unused]] Skeleton& skeleton)

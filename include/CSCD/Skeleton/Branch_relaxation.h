@@ -28,7 +28,7 @@
 
 namespace CSCD::internal {
 
-/// Gives branches nodes at the right distance: removes those that own few vertices, and divides long edges.
+/// Gives branches nodes at the right distance: removes nodes that own few vertices, and divides long edges.
 class Branch_division
 {
 public:
@@ -53,13 +53,13 @@ public:
 private:
   /// The length of the parts of an edge, relative to R, if they own enough vertices, ...
   static constexpr double part_length = 0.5;
-  /// ... and whatever they own: longer edges look broken in thick bodies.
+  /// ... and for any number of owned vertices: longer edges look broken in thick bodies.
   static constexpr double max_part_length = 1;
   /// The number of parts of an edge: bounds the work on long, thin ones.
   static constexpr double max_parts = 30;
   /// The number of vertices for each short part, on the average.
   static constexpr double part_vertices = 12;
-  /// The number of vertices of a node: the radii of nodes with fewer scatter by more than a third of what they do.
+  /// The number of vertices of a node: the radii of nodes with fewer scatter by more than a third.
   static constexpr double min_vertices = 8;
   /// The length of an edge that replaces a node with fewer, relative to R: bends stay.
   static constexpr double max_merged_edge = 1;
@@ -96,8 +96,8 @@ private:
     }
   }
 
-  /// As many short parts as the vertices allow and, whatever these are, none that is too long. In the ball of a
-  /// junction there are no sections to center more nodes in.
+  /// As many short parts as the vertices allow and, for any number of vertices, none too long. The ball of a junction
+  /// has no sections to center more nodes in.
   double number_of_parts(Index a, Index b) const
   {
     const double length = m_graph.edge_length(a, b) / ((m_graph[a].radius + m_graph[b].radius) / 2);
@@ -158,7 +158,7 @@ public:
   {
   }
 
-  /// Relaxes all branches or, if `is_on_sheets`, those on sheets.
+  /// Relaxes all branches or, if `is_on_sheets`, the branches on sheets.
   void operator()(bool is_on_sheets = false)
   {
     const auto is_chosen = [&](Index node) {

@@ -25,7 +25,7 @@
 
 namespace CSCD::internal {
 
-/// The surface cut along its packed separators. What it refers to outlives it.
+/// The surface cut along its packed separators. The objects that it refers to outlive it.
 struct Cut_solid
 {
   const Triangulated_solid& solid;
@@ -118,7 +118,7 @@ public:
     }
   }
 
-  /// The node in the middle of `piece` or, if there is none, that of its first separator.
+  /// The node in the middle of `piece` or, without one, the node of its first separator.
   Index node_of_piece(Index piece) const
   {
     const Index own = m_node_of_piece[piece];

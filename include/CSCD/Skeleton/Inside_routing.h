@@ -251,7 +251,8 @@ public:
     }
   }
 
-  /// Leads all edges inside, as far as that is possible; those of sheets only if `is_on_sheets`, and then only those.
+  /// Leads all edges inside, as far as that is possible; if `is_on_sheets`, exactly the edges of sheets, else all
+  /// others.
   void route_edges(bool is_on_sheets = false)
   {
     std::optional<Way_inside> way;

@@ -106,7 +106,7 @@ inline std::vector<Bridged_border> bridged_borders(const Triangulated_surface& s
   return Bridged_border_search(surface, cut_graph)();
 }
 
-/// Finds the borders at which limbs end, and leads the skeleton there.
+/// Finds the borders where limbs end, and leads the skeleton there.
 class Limb_openings
 {
 public:
@@ -122,7 +122,7 @@ public:
     }
   }
 
-  /// The borders at which `piece` is open.
+  /// The borders where `piece` is open.
   const std::vector<Bridged_border>& of(Index piece) const { return m_openings[piece]; }
 
   /// Leads the curve from `node`, of `piece`, to the middle of each of its openings.
@@ -197,8 +197,8 @@ private:
            border.normal.dot(stump) >= min_stump_cosine * stump.norm();
   }
 
-  /// The last separator of the limb that ends in `piece` before those that cross `border`, as many do where the limb is
-  /// cut obliquely.
+  /// The last separator of the limb that ends in `piece` before separators that cross `border`, as many do where the
+  /// limb is cut obliquely.
   Index last_separator(const Bridged_border& border, Index piece) const
   {
     Index separator = m_cut.around(piece).front();
@@ -212,7 +212,7 @@ private:
     }
   }
 
-  /// Removes the nodes at the end of a limb whose separators cross its border, and those near the plane of the border
+  /// Removes the nodes at the end of a limb whose separators cross its border, and nodes near the plane of the border
   /// or beyond it. \return the last node that is left
   Index shorten_limb(Index piece, Index end, const Bridged_border& border)
   {
@@ -237,7 +237,7 @@ private:
   std::vector<std::vector<Bridged_border>> m_openings; ///< of each piece
 };
 
-/// Leads branches to the ends of limbs. Those on sheets go on later, once they are centered.
+/// Leads branches to the ends of limbs. Branches on sheets go on later, once they are centered.
 class Limb_ends
 {
 public:

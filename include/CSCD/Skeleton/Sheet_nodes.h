@@ -232,7 +232,8 @@ public:
   }
 
 private:
-  /// The length of a step, relative to half of the width. Nodes are twice as far apart, as those that divide branches.
+  /// The length of a step, relative to half of the width. Nodes are twice as far apart, like nodes that divide
+  /// branches.
   static constexpr double step_length = 0.25;
   /// Steps are halved down to this length, likewise: the distance of the tip from the border.
   static constexpr double min_step_length = 0.01;
@@ -243,7 +244,7 @@ private:
   /// ... and its half width has fallen by this part of that distance more than before: all of it, if one end is cut
   /// off.
   static constexpr double min_loss = 0.75;
-  /// The tangent of the angle between tried sections, of which the shortest is sought, and how often it is.
+  /// The tangent of the angle between the sections tried for the shortest one, and the number of rounds.
   static constexpr double turn = 0.15;
   static constexpr int number_of_turns = 5;
   /// A bound for the steps towards a point, near which they get shorter and shorter.

@@ -43,8 +43,7 @@ public:
     std::vector<Index> pieces;
     /// Adjacent nodes; a node that is adjacent by two edges stands twice.
     std::vector<Index> neighbors;
-    /// Whether the node is in the middle of a border of the input, at which a limb ends; its radius is that of the
-    /// border.
+    /// Whether the node is in the middle of a border of the input where a limb ends; its radius is that of the border.
     bool is_opening = false;
     /// Whether the node lies in the middle of a sheet, which has no inside to be centered in.
     bool is_on_sheet = false;
@@ -52,7 +51,7 @@ public:
     std::optional<double> number_of_vertices = {};
     /// Whether the node was merged into another one.
     bool is_removed = false;
-    /// The node into which it was merged.
+    /// The node that it was merged into.
     Index heir = no_index;
   };
 
@@ -103,7 +102,7 @@ public:
   Node& operator[](Index node) { return m_nodes[node]; }
   /// The node of number `node`.
   const Node& operator[](Index node) const { return m_nodes[node]; }
-  /// The node that stands for `node` now: itself, or the one into which it was merged.
+  /// The node that stands for `node` now: itself, or the one that it was merged into.
   Index last_heir(Index node) const
   {
     while (m_nodes[node].is_removed) {
@@ -119,7 +118,7 @@ public:
   /// Whether `node` has three edges or more.
   bool is_junction(Index node) const { return degree(node) >= 3; }
 
-  /// The neighbor across the regular `node` from its `neighbor`, by which branches are followed.
+  /// The neighbor across the regular `node` from its `neighbor`, to follow branches.
   Index other_neighbor(Index node, Index neighbor) const
   {
     const std::vector<Index>& neighbors = m_nodes[node].neighbors;
@@ -174,7 +173,7 @@ public:
   }
 
 private:
-  /// Marks `node`, to which no neighbor refers any more, as removed; what it represented goes to `heir`.
+  /// Marks `node` as removed; no neighbor refers to it any more. `heir` gets its separators and pieces.
   void remove(Index node, Index heir)
   {
     append(m_nodes[heir].separators, m_nodes[node].separators);
@@ -196,12 +195,12 @@ private:
   std::vector<Node> m_nodes;
 };
 
-/// Nodes and edges in the normalized frame of the traits object, and what of the surface belongs to each node.
+/// Nodes and edges in the normalized frame of the traits object, and the part of the surface that belongs to each node.
 struct Embedded_skeleton
 {
   /// Nodes and edges; none is removed.
   Skeleton_builder graph;
-  /// For each vertex of the surface, the node to which it belongs.
+  /// For each vertex of the surface, the node that it belongs to.
   std::vector<Index> node_of_vertex;
   /// For each node, the radius of the body around it.
   std::vector<double> radius;
@@ -211,7 +210,7 @@ struct Embedded_skeleton
 /// A divided edge is bent aside, since its two ends may lie in one place or be joined by a straight edge already.
 void make_simple(Skeleton_builder& builder);
 
-/// Writes the counts of `skeleton`, of which no node is removed, to `report`, and warnings of what is wrong with it.
+/// Writes the counts of `skeleton` to `report`, and warnings of its faults. \pre no node is removed
 void describe_skeleton(const Skeleton_builder& skeleton, Skeletonization_report& report);
 
 } // namespace CSCD

@@ -19,8 +19,8 @@
 namespace CSCD::internal {
 
 /// Assigns each vertex to the nearest node of its piece of the cut surface; so vertices on a limb stay with that limb,
-/// however near another one comes. The nodes of a piece are its own, those of the separators around it, and those next
-/// to these up to the next ones of other pieces and separators.
+/// however near another one comes. The nodes of a piece are its own, the nodes of the separators around it, and the
+/// nodes between these and the next nodes of other pieces and separators.
 class Vertex_assignment
 {
 public:
@@ -87,7 +87,8 @@ private:
     }
   }
 
-  /// Adds to the nodes of `piece` those that can be reached from them over nodes that stand for no piece or separator.
+  /// Adds to the nodes of `piece` the nodes that can be reached from them over nodes that stand for no piece or
+  /// separator.
   void add_nodes_between(Index piece, std::vector<Index>& last_piece)
   {
     std::vector<Index>& nodes = m_nodes[piece];

@@ -74,7 +74,8 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   return result;
 }
 
-/// The same for separators that were packed without cutting the surface; those that cross an earlier one are left out.
+/// The same for separators that were packed without cutting the surface; separators that cross an earlier one are left
+/// out.
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
                                         const std::vector<Index>& packed, Skeletonization_report& report)
 {

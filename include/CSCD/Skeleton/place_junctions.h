@@ -116,8 +116,8 @@ struct Ball
   double radius = 0;
 };
 
-/// Grows an inscribed ball from `start`: steps away from the nearest point of what bounds it as long as the ball gets
-/// larger, for at most `max_shift` in all.
+/// Grows an inscribed ball from `start`: steps away from the nearest bounding point as long as the ball gets larger,
+/// for at most `max_shift` in all.
 /// \param nearest a function that returns the bounding point nearest to a point
 /// \param place a function that returns where a point is to be instead, if anywhere
 template <class Nearest, class Place>

@@ -27,7 +27,7 @@ class Solid_queries
 public:
   /// Builds the hierarchy in O(n log n).
   /// \param surface is referred to and must outlive this object; its faces should be numbered so that near numbers are
-  ///        near in space, as those of `Triangle_mesh_traits` are
+  ///        near in space, as in `Triangle_mesh_traits`
   explicit Solid_queries(const Triangulated_surface& surface) : m_surface(surface)
   {
     std::vector<Bounding_box> boxes = block_boxes();
@@ -44,7 +44,7 @@ public:
   explicit Solid_queries(Triangulated_surface&&) = delete;
 
   /// Whether the body holds `point`: whether the surface winds around it. Where bodies overlap, or the surface
-  /// intersects itself, what is inside of several sheets is inside.
+  /// intersects itself, the inside of several sheets is inside.
   bool is_inside(const Vector_3& point) const { return winding_number(point) != 0; }
 
   /// The point of the surface that is nearest to `point`.
@@ -65,7 +65,7 @@ public:
     if (near != no_index) {
       try_face(near);
     }
-    // Boxes that hold nothing nearer than what is known are not entered.
+    // Boxes without a point nearer than the best one so far are not entered.
     m_tree.minimize(
         [&](const Bounding_box& box) {
           const double distance = box.squared_distance(point);
@@ -75,8 +75,7 @@ public:
     return nearest;
   }
 
-  /// The first point in which the ray from `origin` along `direction`, not necessarily of unit length, meets the
-  /// surface.
+  /// The first point where the ray from `origin` along `direction`, not necessarily of unit length, meets the surface.
   /// \pre `direction` is not zero
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const
   {
@@ -113,8 +112,8 @@ public:
     return is_inside(middle) ? std::optional<Vector_3>(middle) : std::nullopt;
   }
 
-  /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body to `distances`,
-  /// in ascending order.
+  /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
+  /// the body.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const
   {
     distances.clear();
@@ -180,18 +179,18 @@ public:
   }
 
 private:
-  /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and asking is no slower.
+  /// Consecutive faces that share one leaf of the hierarchy: fewer leaves are built faster, and queries are as fast.
   static constexpr Index default_block_size = 4;
-  /// Mean diagonal of the boxes of blocks, relative to the mean length of edges, from which on faces of near numbers
-  /// are not near in space, as where thin limbs are numbered side by side: then each is a leaf of its own. Of compact
-  /// blocks it is 2 to 3.
+  /// Above this mean diagonal of the boxes of blocks, relative to the mean length of edges, each face is a leaf of its
+  /// own: faces of near numbers are not near in space, as where thin limbs are numbered side by side. Compact blocks
+  /// have 2 to 3.
   static constexpr double max_spread = 5;
   /// Rays into the body start this far from the surface, relative to the diagonal of the bounding box.
   static constexpr double relative_offset = 1e-7;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /// The direction of a ray that leaves the bounding box soon: any will do, and of many thin components most are left
-  /// out. Not along an axis, as faces of designed parts are often perpendicular or parallel to these.
+  /// The direction of a ray that leaves the bounding box soon: any will do, and it misses most of many thin components.
+  /// Not along an axis, as faces of designed parts are often perpendicular or parallel to these.
   Vector_3 way_out(const Vector_3& point) const
   {
     const Vector_3 below = point - m_box.min();
@@ -243,8 +242,8 @@ private:
       second_axis = (main_axis + 2) % 3;
     }
 
-    /// Coordinates of `point` in which the ray is the positive third axis: the third one is the distance along the ray
-    /// of the plane through `point` that is perpendicular to the main axis, the others are sheared along the ray.
+    /// Coordinates of `point` where the ray is the positive third axis: the third one is the distance along the ray of
+    /// the plane through `point` that is perpendicular to the main axis, the others are sheared along the ray.
     Vector_3 to_ray_coordinates(const Vector_3& point) const
     {
       const double height = (point[main_axis] - origin[main_axis]) * inverse[main_axis];
@@ -252,7 +251,7 @@ private:
               point[second_axis] - origin[second_axis] - height * direction[second_axis], height};
     }
 
-    /// The distance at which the ray enters `box`, `infinity` if it does not.
+    /// The distance of the point where the ray enters `box`, `infinity` if it does not.
     double entry(const Bounding_box& box) const
     {
       double from = 0;
@@ -293,7 +292,7 @@ private:
   struct Hit
   {
     double distance = infinity; ///< from the origin of the ray
-    int turn = 0;               ///< 1 where the ray leaves what the face bounds, -1 where it enters that
+    int turn = 0;               ///< 1 where the ray leaves the body at the face, -1 where it enters
   };
 
   /// How often the surface winds around `point`: by the crossings along one ray, which is exact on a closed surface, so

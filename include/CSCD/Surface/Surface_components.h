@@ -25,7 +25,7 @@ namespace CSCD::internal {
 struct Surface_components
 {
   /// Numbers and measures the components of `triangles`; near linear.
-  /// \pre the faces of each vertex form one fan: what has a vertex in common is connected
+  /// \pre the faces of each vertex form one fan: faces with a common vertex are connected
   explicit Surface_components(const Indexed_triangles& triangles)
   {
     number_components(triangles);
@@ -36,7 +36,7 @@ struct Surface_components
   {
     double area = 0;                      ///< without hole-filling faces
     double volume = 0;                    ///< signed: negative where the faces look inwards
-    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers where there is no area
+    Vector_3 centroid = Vector_3::Zero(); ///< of the area; of the faces' centers if the area is 0
     double max_squared_length = 0;        ///< of the edges
     std::size_t number_of_faces = 0;      ///< with hole-filling faces
     std::size_t number_of_long_faces = 0; ///< faces much longer than high
@@ -170,9 +170,9 @@ inline std::vector<std::size_t> genus_of_components(const Indexed_triangles& tri
   return genus;
 }
 
-/// Removes the components for which `is_removed(component)` holds, and the points that only they use. Linear.
-/// \return the old numbers of the points that remain, in order
-/// \pre `components` are those of `triangles`, which they no longer are afterwards
+/// Removes the components that satisfy `is_removed(component)`, and the points that only they use. Linear.
+/// \return the old numbers of the remaining points, in order
+/// \pre `components` are those of `triangles`; they are outdated afterwards
 template <class Predicate>
 std::vector<Index> remove_components(Indexed_triangles& triangles, const Surface_components& components,
                                      const Predicate& is_removed)
@@ -263,7 +263,7 @@ public:
 private:
   /// Distances that differ by less, relatively, are equal: they differ by rounding only, which depends on the order.
   static constexpr double distance_tolerance = 1e-9;
-  /// Vertices ahead for which memory is asked for.
+  /// Prefetch distance, in vertices.
   static constexpr std::size_t prefetch_distance = 8;
   /// The vertices in the order so far.
   struct Numbering
@@ -284,7 +284,7 @@ private:
     }
 
     std::vector<Index> vertices;
-    std::vector<Index> parent; ///< of each of them, the neighbor at which its ring begins
+    std::vector<Index> parent; ///< of each of them, the neighbor where its ring begins
     std::vector<char> is_numbered;
   };
 
@@ -349,7 +349,7 @@ private:
 
   Index next_around_origin(Index h) const { return m_pairing.twin(Halfedge_pairing::previous(h)); }
 
-  /// Asks for what the vertices that come soon need: where their numbers are scattered, most of the time goes to
+  /// Prefetches the data of the vertices that come soon: where their numbers are scattered, most of the time goes to
   /// waiting.
   void prefetch_rows([[maybe_unused]] const Numbering& numbering, [[maybe_unused]] std::size_t i) const
   {
@@ -393,7 +393,7 @@ private:
   const Halfedge_pairing& m_pairing;
   const Surface_components& m_components;
   std::vector<double> m_greatest; // squared distance from the centroid, of every component
-  std::vector<Index> m_first;     // the halfedge with which every component begins
+  std::vector<Index> m_first;     // the first halfedge of every component
 };
 
 /// Finds an order of the vertices that does not depend on their numbers nor, up to rounding and symmetry, on the pose

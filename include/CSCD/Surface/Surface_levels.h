@@ -41,7 +41,7 @@ public:
   }
 
   /// Coarsens a surface with borders, by one thread.
-  /// \param is_fixed of each vertex, whether it stays and so do its faces; those on borders are to stay
+  /// \param is_fixed of each vertex, whether it stays and so do its faces; vertices on borders have to stay
   Coarsening(const Triangulated_surface& fine, const std::vector<char>& is_fixed) : m_fine(fine)
   {
     freeze_wide_stars();
@@ -69,7 +69,7 @@ public:
     return result;
   }
 
-  /// For each coarse vertex, the fine vertex that it is.
+  /// For each coarse vertex, its fine vertex.
   const std::vector<Index>& fine_vertex() const { return m_fine_vertex; }
   /// For each fine vertex, the coarse vertex that it is or was collapsed into.
   const std::vector<Index>& coarse_vertex() const { return m_coarse_vertex; }
@@ -179,9 +179,9 @@ private:
     }
   }
 
-  /// Calls `treat(vertex, block, scratch)` for all vertices of each block, in order, and then with a block of all
-  /// vertices for those for which it has returned false. Where it returns true, it may have changed what is stored of
-  /// vertices of the block, and of no others.
+  /// Calls `treat(vertex, block, scratch)` for all vertices of each block, in order, and then again, with a block of
+  /// all vertices, for vertices where it has returned false. Where it returns true, it may have changed the data of
+  /// vertices of the block only.
   template <class Treat>
   void for_each_vertex(unsigned number_of_threads, const Treat& treat)
   {
@@ -372,7 +372,7 @@ private:
     }
   }
 
-  /// Appends the faces of which `vertex` is the smallest corner.
+  /// Appends the faces whose smallest corner is `vertex`.
   void append_faces_of(Index vertex, std::vector<std::array<Index, 3>>& faces,
                        std::vector<std::array<Index, 3>>& bridging) const
   {
@@ -444,9 +444,9 @@ private:
   std::unique_ptr<Fans> m_fans = std::make_unique<Fans>(); // in a place of its own: a flag cannot be moved
 };
 
-/// The levels of detail of a surface: level 0 is the surface itself, each further one has about 2/7 of its vertices.
-/// A front runs on the level on which the limb that it explores is a few tens of edges around; so its cost does not
-/// depend on the number of vertices (supplement K.2 has the idea).
+/// The levels of detail of a surface: level 0 is the surface itself, each further one has about 2/7 of its vertices. A
+/// front runs on the level where the limb that it explores is a few tens of edges around; so its cost does not depend
+/// on the number of vertices (supplement K.2 has the idea).
 class Surface_levels
 {
 public:
@@ -487,9 +487,9 @@ public:
   }
 
 private:
-  /// Vertices at which coarsening ends: on further levels no limb is enough edges around for its front. Of 800 to 6000,
-  /// found on 63 odd-numbered Princeton meshes: the search takes three fifths of the time that it takes at 6000, and at
-  /// 800 no less, while errors grow.
+  /// Coarsening ends at this number of vertices: on further levels no limb is enough edges around for its front. Of 800
+  /// to 6000, found on 63 odd-numbered Princeton meshes: the search takes three fifths of the time for 6000, and at 800
+  /// no less, while errors grow.
   static constexpr Index coarsest_size = 1500;
   /// A pass that keeps a larger part of the vertices than this does not justify a level.
   static constexpr double min_reduction = 0.8;
@@ -509,7 +509,7 @@ private:
     std::vector<Index> finest_vertex;
     std::vector<Index> coarse_vertex;
     std::move(*coarsening).move_to(finest_vertex, coarse_vertex);
-    coarsening.reset(); // before memory is taken for the surface
+    coarsening.reset(); // before memory is allocated for the surface
     Triangulated_surface coarse(std::move(triangles), m_number_of_threads);
     if (coarse.defect()) {
       return false;

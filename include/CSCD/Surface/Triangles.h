@@ -72,8 +72,7 @@ inline std::vector<double> face_areas(const Indexed_triangles& triangles)
 
 } // namespace internal
 
-/// Removes the numbers that no face uses from the numbering, and returns the old numbers of those that remain, in
-/// order.
+/// Removes the numbers that no face uses from the numbering, and returns the old numbers of the rest, in order.
 inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& faces, std::size_t number_of_vertices)
 {
   std::vector<Index> new_number(number_of_vertices, no_index);
@@ -104,7 +103,7 @@ inline std::vector<Index> compact_numbers(std::vector<std::array<Index, 3>>& fac
 /// \pre the smallest corner of every face comes first
 inline void sort_faces(Indexed_triangles& triangles)
 {
-  // One bucket for each smallest corner, those of the hole-filling faces after the others.
+  // One bucket for each smallest corner; the buckets of the hole-filling faces come last.
   const std::size_t n = triangles.points.size();
   const auto bucket = [&triangles, n](std::size_t f) {
     return triangles.faces[f].front() + (f < triangles.first_hole_filling_face ? 0 : n);
@@ -151,8 +150,7 @@ class Halfedge_pairing : public Triangle_halfedges
 public:
   Halfedge_pairing() = default;
 
-  /// Pairs the halfedges of `faces`, of which there are less than 2^29, by the numbers of their ends; near linear,
-  /// whatever the degrees.
+  /// Pairs the halfedges of `faces`, less than 2^29 faces, by the numbers of their ends; near linear for any degrees.
   /// \param number_of_threads 0 for as many as TBB allows; the result is the same for any number
   /// \pre the corners of `faces` are less than `number_of_points`, and each face has three different ones
   Halfedge_pairing(const std::vector<std::array<Index, 3>>& faces, std::size_t number_of_points,
@@ -174,7 +172,7 @@ public:
   /// A halfedge that has the ends and the direction of another one, or `no_index`: two faces are then oriented
   /// inconsistently, or more than two meet in one edge.
   Index conflict() const { return m_findings.conflict; }
-  /// The first vertex around which the faces form several fans, or `no_index`. \pre there is no conflict
+  /// The first vertex whose faces form several fans, or `no_index`. \pre no halfedge is in conflict
   Index pinched_vertex() const { return m_findings.pinched_vertex; }
   /// Whether any halfedge has no twin.
   bool has_border() const { return m_findings.has_border; }
@@ -184,10 +182,10 @@ private:
   /// they do not cost their degree squared.
   static constexpr std::size_t small_degree = 8;
   static constexpr std::size_t medium_degree = 16;
-  /// Vertices ahead for which memory is asked for.
+  /// Prefetch distance, in vertices.
   static constexpr Index prefetch_distance = 8;
 
-  /// What is no manifold around some vertices, the first of each kind.
+  /// Violations of a manifold around some vertices, the first of each kind.
   struct Findings
   {
     Index conflict = no_index;
@@ -197,7 +195,7 @@ private:
 
   /// Pairs and orders the halfedges that leave the vertices from `begin` to `end` - 1, and no others.
   Findings pair_range(const std::vector<std::array<Index, 3>>& faces, Index begin, Index end);
-  /// Pairs and orders those that leave `vertex`.
+  /// Pairs and orders the halfedges that leave `vertex`.
   void pair_around(const std::vector<std::array<Index, 3>>& faces, Index vertex, Findings& findings);
   /// Orders `row` counterclockwise from its first halfedge on, by searching one after the other; false if the faces do
   /// not go once around.
@@ -230,16 +228,16 @@ void for_each_in_fan(const Halfedge_pairing& pairing, Index halfedge, const Use&
 
 /// Pairs the halfedges of `triangles`, after making sure that every edge has at most two faces, oriented consistently,
 /// and that the faces around every vertex form one fan. Linear.
-/// \param name gives the number by which a message calls a vertex
+/// \param name returns the number of a vertex in messages
 /// \param number_of_threads 0 for as many as TBB allows
 /// \throw Input_error naming the first edge or vertex that violates this
 Halfedge_pairing check_manifold(const Indexed_triangles& triangles, const std::function<Index(Index)>& name,
                                 unsigned number_of_threads = 1);
 
-/// Triangles of which the halfedges are paired, and the vertices of the input that they use.
+/// Triangles with paired halfedges, and the vertices of the input that they use.
 struct Checked_triangles
 {
-  Indexed_triangles triangles;                 ///< those of the input, with points that have a face
+  Indexed_triangles triangles;                 ///< the triangles of the input, with points that have a face
   Halfedge_pairing pairing;                    ///< of their halfedges
   std::vector<Index> input_number;             ///< for each point, its number in the input
   std::size_t number_of_isolated_vertices = 0; ///< points of the input without a face
@@ -248,19 +246,19 @@ struct Checked_triangles
 /// Leaves out the points without a face, and pairs the halfedges of the rest. Linear.
 /// \param number_of_threads 0 for as many as TBB allows
 /// \pre each face has three different corners, which are less than the number of points
-/// \throw Input_error naming the element, by its number in the input, if there are no faces, or an edge has more than two
+/// \throw Input_error naming the element, by its number in the input, if `faces` is empty, an edge has more than two
 ///        faces or faces of opposite orientation, a vertex is pinched, or a coordinate is not finite
 Checked_triangles check_triangles(std::vector<Vector_3>&& points, std::vector<std::array<Index, 3>>&& faces,
                                   unsigned number_of_threads = 1);
 
-/// The same for triangles of which the halfedges are paired already.
+/// The same for triangles with paired halfedges.
 /// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
 /// \throw Input_error if a coordinate is not finite
 Checked_triangles check_triangles(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                   unsigned number_of_threads = 1);
 
 /// Gives every fan of faces around a vertex a vertex of its own: the first keeps it, the others get copies, which are
-/// appended. Linear. \return for every copy, in order, the vertex of which it is one
+/// appended. Linear. \return for every copy, in order, its original
 /// \pre `pairing`, that of the faces, has no conflict; it is kept so
 std::vector<Index> split_pinched_vertices(Indexed_triangles& triangles, Halfedge_pairing& pairing);
 
@@ -339,7 +337,7 @@ inline Halfedge_pairing::Findings Halfedge_pairing::pair_range(const std::vector
   Findings findings;
   for (Index vertex = begin; vertex < end; ++vertex) {
 #ifdef __GNUC__
-    // Half of the time went to waiting for faces: ask for those of a vertex that comes soon.
+    // Half of the time went to waiting for faces: prefetch the faces of a vertex that comes soon.
     if (vertex + prefetch_distance < end) {
       for (const Index h : m_outgoing[vertex + prefetch_distance]) {
         __builtin_prefetch(&faces[face(h)]);
@@ -383,7 +381,7 @@ bool Halfedge_pairing::order_by_search(const std::vector<std::array<Index, 3>>& 
   std::size_t at = 0;
   for (std::size_t i = 0; i < degree; ++i) {
     ordered[i] = row.begin()[at];
-    // All are compared, without a branch; the sum tells the place of one, and that there are none or several.
+    // All are compared, without a branch; the sum gives the place of one, and shows if none or several match.
     std::size_t sum = 0;
     for (std::size_t j = 0; j < max_degree; ++j) {
       sum += target[j] == apex[at] ? max_degree + j : 0;

@@ -94,7 +94,7 @@ public:
   std::size_t number_of_sheets() const { return m_number_of_sheets; }
   /// The number of borders of the input that are rims of sheets now.
   std::size_t number_of_wide_borders() const { return m_number_of_wide_borders; }
-  /// The side of its sheet on which `vertex` is, 1 or 2; 0 on a component that is no sheet.
+  /// The side of its sheet that `vertex` is on, 1 or 2; 0 on a component that is not a sheet.
   int side_of_sheet(Index vertex) const { return m_side_of_sheet.empty() ? 0 : m_side_of_sheet[vertex]; }
   /// @}
 
@@ -107,17 +107,16 @@ public:
   const Surface_level& query_level() const;
   /// The surface of that level.
   const Triangulated_surface& query_surface() const;
-  /// Whether the body contains `point`. Where the surface intersects itself, what is inside of several sheets is
-  /// inside.
+  /// Whether the body contains `point`. Where the surface intersects itself, the inside of several sheets is inside.
   bool is_inside(const Vector_3& point) const;
   /// The point of the surface nearest to `point`.
   Surface_point closest_point(const Vector_3& point) const;
-  /// The first point in which the ray from `origin` along `direction` meets the surface, if any.
+  /// The first point where the ray from `origin` along `direction` meets the surface, if any.
   std::optional<Surface_hit> first_hit(const Vector_3& origin, const Vector_3& direction) const;
   /// The middle of the body behind the point of the surface nearest to `point`, if there is one.
   std::optional<Vector_3> middle_behind(const Vector_3& point) const;
-  /// Writes the distances from `from` at which the segment from there to `to` enters or leaves the body, in ascending
-  /// order.
+  /// Writes to `distances`, ascending, the distances from `from` where the segment from there to `to` enters or leaves
+  /// the body.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
   /// @}
 
@@ -134,9 +133,9 @@ public:
   std::size_t number_of_cavities() const { return m_number_of_cavities; }
   /// The number of other components that were oriented inwards in the input.
   std::size_t number_of_reversed_components() const { return m_number_of_reversed_components; }
-  /// Writes these numbers and those of the surface to `report`.
+  /// Writes these numbers and the numbers of the surface to `report`.
   void describe(Skeletonization_report& report) const;
-  /// Adds to `report` what the user should know of a mesh, its isolated vertices included.
+  /// Adds warnings about the mesh to `report`, including its isolated vertices.
   void warn(Skeletonization_report& report) const;
   /// @}
 
@@ -166,7 +165,7 @@ private:
 
 namespace CSCD::internal {
 
-/// A surface in normalized coordinates and canonical order, and what was done to the input for it.
+/// A surface in normalized coordinates and canonical order, and the changes to the input for it.
 struct Compiled_surface
 {
   Triangulated_surface surface; ///< not measured yet
@@ -252,7 +251,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
   }
 
   Canonical_order order = canonical_order(triangles, pairing, components);
-  pairing = {}; // before memory is taken for those of the new numbers
+  pairing = {}; // before memory is allocated for the pairing of the new numbers
   renumber(triangles, order.vertices);
   result.side_of_sheet.resize(sheets.side.size());
   for (std::size_t i = 0; i < sheets.side.size(); ++i) {
@@ -264,7 +263,7 @@ inline Compiled_surface compile_surface(Indexed_triangles&& triangles, Halfedge_
     point = is_renumbered ? result.cavities.old_number[point] : point < number_of_input_points ? point : no_index;
   }
   result.component_begin = std::move(order.component_begin);
-  // Summed in canonical order, the area and the centroid are the same whatever the order of the input was.
+  // Summed in canonical order, the area and the centroid are the same for any order of the input.
   const Normalization to_unit_area = normalize_area(triangles);
   result.normalization = to_unit_box.then(to_unit_area);
   for (Vector_3& place : result.cavities.places) {
@@ -413,7 +412,7 @@ inline const internal::Solid_queries& Triangulated_solid::queries() const
 
 namespace CSCD::internal {
 
-/// The body that a mesh bounds, and the numbers by which the input calls its vertices.
+/// The body that a mesh bounds, and the numbers of its vertices in the input.
 class Prepared_mesh
 {
 public:
@@ -434,7 +433,7 @@ public:
   /// The body.
   const Triangulated_solid& solid() const { return m_solid; }
   /// The numbers of the input vertices that belong to `vertex`: its own, unless it was inserted, and the numbers of the
-  /// vertices of cavities to which it is the nearest.
+  /// vertices of cavities that it is nearest to.
   CGAL::Iterator_range<const Index*> input_vertices(Index vertex) const
   {
     if (m_solid.number_of_cavities() > 0) {
@@ -444,7 +443,7 @@ public:
     const Index* first = m_checked.input_number.data() + (point == no_index ? 0 : point);
     return {first, point == no_index ? first : first + 1};
   }
-  /// Writes what is known of the input to `report`.
+  /// Describes the input in `report`.
   void describe(Skeletonization_report& report) const
   {
     report.number_of_input_vertices = m_checked.input_number.size();
@@ -457,7 +456,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Sorts the input vertices by the vertices of the surface to which they belong.
+  /// Sorts the input vertices by their vertices of the surface.
   void sort_input_vertices()
   {
     const Index n = m_solid.triangulation().number_of_vertices();

@@ -50,8 +50,8 @@ struct Has_hole_filling_faces<Triangulation,
 {
 };
 
-/// Whether `face` only bridges a border, and is no part of the surface; no face of a triangulation without a member
-/// `is_hole_filling(f)` does.
+/// Whether `face` only bridges a border, and is not part of the surface; false for all faces of a triangulation without
+/// a member `is_hole_filling(f)`.
 template <class Triangulation>
 bool is_hole_filling_face([[maybe_unused]] const Triangulation& triangulation, [[maybe_unused]] Index face)
 {
@@ -101,7 +101,7 @@ public:
   /// An edge that does not have exactly two, oppositely oriented faces, or a vertex whose faces are not one fan.
   struct Defect
   {
-    Index vertex = no_index; ///< the vertex, or the origin of the edge; `no_index` where there is no defect
+    Index vertex = no_index; ///< the vertex, or the origin of the edge; `no_index` without a defect
     Index target = no_index; ///< the target of the edge, `no_index` for a vertex
     /// Whether there is a defect.
     explicit operator bool() const { return vertex != no_index; }
@@ -109,8 +109,8 @@ public:
 
   Triangulated_surface() = default;
 
-  /// Compiles `triangles` to a closed surface; linear.
-  /// Where they are no closed oriented manifold, `defect()` names the first violation and nothing else may be called.
+  /// Compiles `triangles` to a closed surface; linear. Where they are not a closed oriented manifold, `defect()` names
+  /// the first violation and nothing else may be called.
   explicit Triangulated_surface(Indexed_triangles&& triangles) : Triangulated_surface(std::move(triangles), 1)
   {
     measure();
@@ -146,7 +146,7 @@ public:
   /// \name Combinatorics
   /// @{
 
-  /// Where the triangles are no surface, if anywhere.
+  /// The first place where the triangles are not a surface, if any.
   const Defect& defect() const { return m_defect; }
 
   /// The number of vertices.
@@ -156,9 +156,9 @@ public:
   /// The number of faces.
   Index number_of_faces() const { return Index(m_origin.size() / 3); }
 
-  /// The vertex from which `halfedge` starts.
+  /// The vertex where `halfedge` starts.
   Index origin(Index halfedge) const { return m_origin[halfedge]; }
-  /// The vertex at which `halfedge` ends.
+  /// The vertex where `halfedge` ends.
   Index target(Index halfedge) const { return m_origin[next(halfedge)]; }
   /// The corner of the halfedge's face that the halfedge does not touch.
   Index opposite_vertex(Index halfedge) const { return m_origin[previous(halfedge)]; }
@@ -332,8 +332,8 @@ public:
     return {m_corners.data() + m_begin[vertex], m_corners.data() + m_begin[vertex + 1] - 1};
   }
 
-  /// Asks the processor for the corners of `vertex`, which are read soon: up to a half of the time of what goes from
-  /// vertex to neighbor is waiting for the first corner.
+  /// Asks the processor for the corners of `vertex`, which are read soon: walks from vertex to neighbor spend up to
+  /// half of their time waiting for the first corner.
   void prefetch([[maybe_unused]] Index vertex) const
   {
 #if defined(__GNUC__)

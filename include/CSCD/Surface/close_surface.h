@@ -185,7 +185,7 @@ private:
     std::rotate(hole.begin(), std::min_element(hole.begin(), hole.end(), is_less), hole.end());
   }
 
-  /// Every diagonal of what is left is an edge of the surface already: only a new vertex can close it.
+  /// Every diagonal of the rest is an edge of the surface already: only a new vertex can close it.
   void close_by_fan(const Open_polygon& polygon, Index first)
   {
     const Index center = Index(m_triangles.points.size());
@@ -214,7 +214,7 @@ inline std::size_t bridge_borders(Indexed_triangles& triangles, const Halfedge_p
   return pairing.has_border() ? Border_bridge(triangles, pairing).close_all(pairing) : 0;
 }
 
-/// The components of a surface that bound cavities: they face inwards, and lie within those that face outwards.
+/// The components of a surface that bound cavities: they face inwards, and lie within components that face outwards.
 class Cavity_search
 {
 public:
@@ -247,7 +247,7 @@ public:
   }
 
 private:
-  /// Of a component, this many faces are asked whether they are within bodies, ...
+  /// This many faces of a component are tested for being within bodies, ...
   static constexpr std::size_t max_samples = 1024;
   /// ... and of their area this part has to be: a body moved inwards along its normals comes out of thin limbs.
   static constexpr double min_area_within = 0.8;
@@ -269,7 +269,7 @@ private:
     }
     const Solid_queries queries(bodies);
     std::vector<std::size_t> number_of_visits(m_components.number(), 0);
-    std::vector<double> excess(m_components.number(), 0); // outside of bodies, less what is allowed
+    std::vector<double> excess(m_components.number(), 0); // outside of bodies, less the allowance
     for (std::size_t face = 0; face < m_triangles.faces.size(); ++face) {
       const Index c = m_components.component[face];
       const std::size_t stride = m_components.measures[c].number_of_faces / max_samples + 1;
@@ -314,16 +314,16 @@ private:
   std::vector<char> m_is_cavity;
 };
 
-/// What was taken out of a surface.
+/// The parts taken out of a surface.
 struct Filled_cavities
 {
   std::size_t number = 0;
-  std::vector<Index> old_number; ///< of every point that remains; empty where there was no cavity
+  std::vector<Index> old_number; ///< of every remaining point; empty without a cavity
   std::vector<Index> vertices;   ///< the points of the input that were taken out, by their old numbers,
   std::vector<Vector_3> places;  ///< and where they are
 };
 
-/// Takes the surfaces of cavities, such as those of a hollowed statue, out of `triangles`.
+/// Takes the surfaces of cavities, as in a hollowed statue, out of `triangles`.
 /// \param number_of_input_points the points from this one on are not of the input
 /// \param side of every vertex, not 0 on a sheet; empty without sheets
 /// \pre `pairing` and `components` are those of `triangles`, and are kept so

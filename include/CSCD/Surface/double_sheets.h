@@ -32,9 +32,10 @@ struct Border_cycle
 
 /// Finds the wide borders of a surface and the components that are sheets.
 ///
-/// Fronts start from borders. Where two of them meet from opposite directions, the sides of a loop are known that
+/// Fronts start from borders. Where two of them meet from opposite directions, they determine the sides of a loop that
 /// crosses a border or two: a path over the surface from border to border, and the chord between its ends in space. A
-/// border that is long compared with the loops across it is no end of a limb, which loops along the border surround.
+/// border that is long compared with the loops across it is not the end of a limb, which loops along the border
+/// surround.
 class Sheet_search
 {
 public:
@@ -101,10 +102,10 @@ private:
   static constexpr double max_distance = 1.25;
   /// Fronts meet from opposite directions if the cosine of the angle between these is at most that of 2 pi / 3.
   static constexpr double max_cosine = -0.5;
-  /// Of the meetings on the fronts of a border, those count that are this wide, relative to the widest: many are made
-  /// at corners of borders, and by single faces in them.
+  /// Meetings on the fronts of a border count if they are this wide, relative to the widest: many are made at corners
+  /// of borders, and by single faces in them.
   static constexpr double min_relative_width = 0.5;
-  /// This share of the loops across a border is no longer than the one that stands for them: of a limb that is slit
+  /// This share of the loops across a border is at most as long as the one that stands for them: where a limb is slit
   /// along a part of its length, the rest decides.
   static constexpr double decisive_share = 0.75;
 
@@ -136,7 +137,7 @@ private:
     }
   }
 
-  /// Of the borders that have been wide, keeps those that are by the loops across them.
+  /// Keeps wide borders that are also wide by the loops across them.
   void choose_wide()
   {
     for (Index i = 0; i < m_borders.size(); ++i) {
@@ -231,8 +232,8 @@ private:
     return way_back(a, b).dot(way_back(b, a)) <= max_cosine;
   }
 
-  /// The direction from `vertex` back along the last quarter of the path by which a front has come there; on a border,
-  /// that from its `neighbor`. The first edge of the path alone goes too much this way and that.
+  /// The direction from `vertex` back along the last quarter of the path of the front that came there; on a border, the
+  /// direction from its `neighbor`. The direction of the first edge of the path alone scatters too much.
   Vector_3 way_back(Index vertex, Index neighbor) const
   {
     if (m_before[vertex] == no_index) {
@@ -303,27 +304,27 @@ private:
   std::vector<Border_cycle> m_borders;
   std::vector<Index> m_border_of_vertex;
   std::vector<double> m_position;          ///< of each vertex of a border, along it
-  Multi_source_dijkstra_search m_front{0}; ///< labels are the vertices of borders from which it came
-  std::vector<Index> m_before;             ///< from which vertex the front came
-  std::vector<double> m_loop_length;       ///< of each border, across it; 0 where no fronts have met
+  Multi_source_dijkstra_search m_front{0}; ///< labels are the vertices of borders where it started
+  std::vector<Index> m_before;             ///< the vertex that the front came from
+  std::vector<double> m_loop_length;       ///< of each border, across it; 0 unless fronts have met
   std::vector<double> m_max_width;         ///< of each border, along the surface to the other end of a loop across it
   std::vector<char> m_is_sheet;            ///< of each vertex that stands for a component
   std::vector<double> m_width;             ///< likewise
 };
 
-/// What was done by `double_sheets()`.
+/// The result of `double_sheets()`.
 struct Doubled_sheets
 {
-  std::vector<signed char> side; ///< of each vertex, 1 or 2; 0 on components that are no sheets; empty without sheets
+  std::vector<signed char> side; ///< of each vertex, 1 or 2; 0 on components that are not sheets; empty without sheets
   std::size_t number_of_sheets = 0;
   std::size_t number_of_wide_borders = 0;
-  std::size_t number_of_copied_borders = 0; ///< those of sheets that are not wide: there is one on either side now
+  std::size_t number_of_copied_borders = 0; ///< narrow borders of sheets: each side has a copy now
 };
 
 /// Gives each sheet two sides, at a small distance, joined by a rim along its wide borders. Copies of vertices and
-/// faces come after those that were there: these are the first side. O(n log n).
-/// \param takes_all whether all components with borders are sheets, or only those that have the shape of one
-/// \pre `pairing` is that of the faces of `triangles`, none of which fills a hole
+/// faces come after the originals, which are the first side. O(n log n).
+/// \param takes_all whether all components with borders are sheets, or only components with the shape of one
+/// \pre `pairing` is that of the faces of `triangles`; none of them fills a hole
 inline Doubled_sheets double_sheets(Indexed_triangles& triangles, const Halfedge_pairing& pairing, bool takes_all)
 {
   // Half of the thickness, relative to the width: well below the precision of nodes, yet coarse levels of detail keep

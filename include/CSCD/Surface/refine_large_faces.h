@@ -31,7 +31,7 @@ namespace CSCD::internal {
 inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, const Surface_components& components,
                                             const std::vector<std::size_t>& genus)
 {
-  // Of a cube's corners it is pi / 2; what is rounded, or noise, has less, and a fin that is too thin for any number of
+  // A cube's corners have pi / 2; rounded corners and noise have less, and a fin that is too thin for any number of
   // vertices has pi.
   constexpr double min_curvature = boost::math::double_constants::third_pi;
   constexpr double max_curvature = 0.9 * boost::math::double_constants::pi;
@@ -60,7 +60,7 @@ inline std::vector<double> numbers_of_limbs(const Indexed_triangles& triangles, 
   return result;
 }
 
-/// The normal of the plane in which the faces `a` `b` `c` and `b` `a` `d` lie, up to what files round to.
+/// The normal of the common plane of the faces `a` `b` `c` and `b` `a` `d`, up to the rounding of files.
 inline std::optional<Vector_3> common_normal(const Vector_3& a, const Vector_3& b, const Vector_3& c, const Vector_3& d)
 {
   constexpr double flatness = 1e-5; // relative to the longest side
@@ -73,7 +73,7 @@ inline std::optional<Vector_3> common_normal(const Vector_3& a, const Vector_3& 
   return std::abs(normal.dot(other - a)) <= flatness * longest ? std::optional<Vector_3>(normal) : std::nullopt;
 }
 
-/// How many faces of each component lie in one plane with one beside them. Linear.
+/// How many faces of each component are coplanar with an adjacent one. Linear.
 inline std::vector<std::size_t> numbers_of_flat_faces(const Indexed_triangles& triangles,
                                                       const Halfedge_pairing& pairing,
                                                       const Surface_components& components)
@@ -100,7 +100,7 @@ public:
   /// The bound of a component that is left as it is.
   static constexpr double no_bound = std::numeric_limits<double>::max();
 
-  /// \param squared_bound the square of the longest edge allowed, of each component; none of one with hole-filling faces
+  /// \param squared_bound the square of the longest allowed edge of each component; `no_bound` with hole-filling faces
   Flat_refinement(Indexed_triangles& triangles, const Halfedge_pairing& pairing, Surface_components& components,
                   const std::vector<double>& squared_bound)
       : m_triangles(triangles), m_components(components), m_squared_bound(squared_bound),
@@ -132,7 +132,7 @@ public:
         --max_number;
       }
     }
-    // New faces come before those that fill holes.
+    // New faces come before hole-filling faces.
     const auto rotate = [&](auto& rows) {
       std::rotate(rows.begin() + std::ptrdiff_t(m_triangles.first_hole_filling_face),
                   rows.begin() + std::ptrdiff_t(m_number_of_faces), rows.end());
@@ -147,7 +147,7 @@ private:
   using Key = std::tuple<double, double, double, double>;
   using Long_edge = std::pair<Key, Index>;
 
-  /// Angles that differ from those of a rectangle by less are not worth a flip: rounding would decide.
+  /// Angles that differ less from the angles of a rectangle are not worth a flip: rounding would decide.
   static constexpr double min_sine = 1e-6;
   /// Bounds the work where faces that are nearly flat flip for ever.
   static constexpr std::size_t max_flips_per_halfedge = 8;
@@ -220,8 +220,8 @@ private:
     }
   }
 
-  /// Whether the faces beside `h` lie in a plane, the angles opposite to it are together more than pi, and the other
-  /// diagonal is no edge yet.
+  /// Whether the faces at `h` lie in a plane, the angles opposite to it are together more than pi, and the other
+  /// diagonal is not an edge yet.
   bool is_to_be_flipped(Index h) const
   {
     const Index t = m_twin[h];
@@ -258,7 +258,7 @@ private:
     return false;
   }
 
-  /// Replaces the edge of `h` by the other diagonal of the faces beside it.
+  /// Replaces the edge of `h` by the other diagonal of its faces.
   void flip(Index h)
   {
     const Index t = m_twin[h];
@@ -304,7 +304,7 @@ inline std::vector<double> bounds_for_limbs(const Indexed_triangles& triangles, 
                                             const std::vector<double>& limbs)
 {
   constexpr double size_of_limb = 64; // vertices: a dozen rings and more
-  constexpr double min_limbs = 16;    // with fewer, the area tells how large faces may be
+  constexpr double min_limbs = 16;    // with fewer, the area bounds the size of faces
   constexpr double edge_factor = 2.2; // of the longest edge to the square root of the area that a vertex has
   std::vector<double> squared_bound(components.number(), Flat_refinement::no_bound);
   for (Index i = 0; i < components.number(); ++i) {
@@ -332,8 +332,8 @@ inline std::vector<double> bounds_for_limbs(const Indexed_triangles& triangles, 
 }
 
 /// Inserts vertices into components that have many limbs of a few long faces each, except sheets and components with
-/// hole-filling faces. The shape does not change, but some edges in flat parts do. Vertices grow by at most 128 for
-/// each limb, of which there are fewer than vertices. Near linear. \return the number of inserted vertices, which are
+/// hole-filling faces. The shape does not change, but some edges in flat parts do. At most 128 vertices are added for
+/// each limb, and limbs are fewer than vertices. Near linear. \return the number of inserted vertices, which are
 /// appended \param side of every vertex, not 0 on a sheet; empty without sheets
 /// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
 inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& pairing, Surface_components& components,
@@ -349,7 +349,7 @@ inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& 
   const std::vector<double> limbs =
       numbers_of_limbs(triangles, components, genus_of_components(triangles, pairing, components));
   std::vector<double> squared_bound = bounds_for_limbs(triangles, components, limbs);
-  // Of a noisy body corners tell nothing.
+  // The corners of a noisy body carry no information.
   const std::vector<std::size_t> flat_faces = numbers_of_flat_faces(triangles, pairing, components);
   for (Index i = 0; i < components.number(); ++i) {
     if (2 * flat_faces[i] < components.measures[i].number_of_faces) {
@@ -375,8 +375,8 @@ inline std::size_t sample_limbs(Indexed_triangles& triangles, Halfedge_pairing& 
   return triangles.points.size() - number_of_points;
 }
 
-/// Splits the second face of every component of two faces at its center. Such a component is what a single triangle
-/// becomes when its border is bridged; refined as it is, it would get several edges between the same vertices. Linear.
+/// Splits the second face of every component of two faces at its center. A single triangle becomes such a component
+/// when its border is bridged; refined as it is, it would get several edges between the same vertices. Linear.
 /// \return the number of inserted vertices
 /// \pre `triangles` is closed; `pairing` and `components` are those of its faces, and are kept so
 inline std::size_t split_two_face_components(Indexed_triangles& triangles, Halfedge_pairing& pairing,
@@ -450,14 +450,14 @@ public:
   }
 
 private:
-  /// Vertices that sample a handle well enough: with fewer, there is no room for a loop around each of many struts.
+  /// Vertices that sample a handle well enough: with fewer, loops around each of many struts have no room.
   static constexpr double target_size_of_handle = 32;
   /// The longest edge allowed, relative to the square root of the area that each of these vertices has.
   /// An even triangulation has edges of 1.07; the factor keeps clear of uneven ones and of the halving of edges.
   static constexpr double edge_factor = 2.2;
   /// With fewer vertices left for each of many components, none is refined: these would not sample a body.
   static constexpr double min_size = 24;
-  /// Inserted vertices are at most this many times those of the input, and these more.
+  /// Inserted vertices are at most this multiple of the vertices of the input, and these more.
   static constexpr std::size_t maximum_growth = 3;
   static constexpr std::size_t free_vertices = 20000;
 
@@ -507,7 +507,7 @@ private:
     return result;
   }
 
-  /// Appends the midpoints of all long edges; false if there are none.
+  /// Appends the midpoints of all long edges; false without any.
   bool insert_midpoints()
   {
     std::size_t number = count_long_edges();
@@ -590,8 +590,8 @@ private:
 /// 32 for each handle, or more sample it; a surface that is sampled so already stays as it is. The shape does not
 /// change. Inserted vertices are appended; hole-filling faces stay bridging. Vertices grow at most to 4 n + 6 g + 20000
 /// for genus g, faces accordingly. O(n) for each round of halving. \return the number of inserted vertices
-/// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its faces,
-///      and are kept so
+/// \pre `triangles` is closed and no two faces have the same corners; `pairing` and `components` are those of its
+///      faces, and are kept so
 inline std::size_t refine_large_faces(Indexed_triangles& triangles, Halfedge_pairing& pairing,
                                       Surface_components& components)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a range of points is made of, and what identifies its points.
+// The elements of a range of points, and the identifiers of its points.
 
 #ifndef CSCD_TRAITS_INPUT_POINTS_H
 #define CSCD_TRAITS_INPUT_POINTS_H
@@ -29,12 +29,12 @@
 namespace CSCD {
 namespace internal {
 
-/// The elements over which a range iterates.
+/// The elements of a range.
 template <class Range>
 using Range_value =
     typename std::iterator_traits<std::decay_t<decltype(std::begin(std::declval<const Range&>()))>>::value_type;
 
-/// Whether the elements of a range are its own indices, as those of `CGAL::Point_set_3`.
+/// Whether the elements of a range are its own indices, as in a `CGAL::Point_set_3`.
 template <class Range, class = void>
 struct Is_range_of_indices : std::false_type
 {
@@ -48,7 +48,7 @@ struct Is_range_of_indices<Range, std::void_t<typename Range::Index>>
 
 } // namespace internal
 
-/// What identifies a point of a range: its index in a `CGAL::Point_set_3`, else its number in the order of iteration.
+/// The identifier of a point of a range: its index in a `CGAL::Point_set_3`, else its number in the order of iteration.
 template <class PointRange>
 using Point_descriptor = std::conditional_t<internal::Is_range_of_indices<PointRange>::value,
                                             internal::Range_value<PointRange>, std::size_t>;
@@ -104,7 +104,7 @@ public:
     }
   }
 
-  /// The number of a point, `no_index` if there is no such point; constant time.
+  /// The number of a point, `no_index` if the range does not have it; constant time.
   Index number(const Descriptor& descriptor) const
   {
     if constexpr (Is_range_of_indices<PointRange>::value) {
@@ -144,7 +144,7 @@ auto point_map(const PointRange& points, const NamedParameters& np)
 }
 
 /// Calls `function(map...)` with the normal map that `np` gives, else with that of the range, if it has one, else
-/// without arguments. \return what the function returns, in all cases of the same type
+/// without arguments. \return the result of the function, in all cases of the same type
 template <class PointRange, class NamedParameters, class Function>
 auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]] const NamedParameters& np,
                      const Function& function)
@@ -158,7 +158,7 @@ auto with_normal_map([[maybe_unused]] const PointRange& points, [[maybe_unused]]
   }
 }
 
-/// In the place of a map to normals where there are none.
+/// The replacement of a map to normals for points without normals.
 struct No_normals
 {
 };
@@ -171,10 +171,10 @@ Vector_3 to_vector_3(const Triple& triple)
 }
 
 /// Reads `range` into flat arrays; O(n log n). All points may be at one place.
-/// \param point_map, normal_map readable maps from the elements of `range` to what has coordinates `x()`, `y()`,
-///        `z()`, the second perhaps `No_normals`
+/// \param point_map, normal_map readable maps from the elements of `range` to objects with coordinates `x()`, `y()`,
+///        `z()`; the second may be `No_normals`
 /// \throw Input_error naming the point, by its number in the order of iteration, that has a coordinate that is not
-///        finite; or if there are none or too many
+///        finite; or if `range` has no or too many points
 template <class PointRange, class PointMap, class NormalMap>
 Point_cloud collect_any_points(const PointRange& range, const PointMap& point_map,
                                [[maybe_unused]] const NormalMap& normal_map)
@@ -205,7 +205,7 @@ Point_cloud collect_points(const PointRange& range, const PointMap& point_map, c
   return cloud;
 }
 
-/// The same with the maps that `np` gives, else those of the range.
+/// The same with the maps that `np` gives, else the maps of the range.
 template <class PointRange, class NamedParameters>
 Point_cloud collect_points_of(const PointRange& range, const NamedParameters& np)
 {
@@ -219,7 +219,7 @@ Point_cloud collect_points_of(const PointRange& range, const NamedParameters& np
   });
 }
 
-/// For every vertex of a surface, the points of the input for which it stands, by what identifies them there.
+/// For every vertex of a surface, the points of the input that it stands for, by their identifiers there.
 template <class PointRange>
 class Input_points
 {
@@ -229,7 +229,7 @@ public:
   /// None.
   Input_points() = default;
 
-  /// \param points the range of which `cloud` was made \param vertex_of_point of every point of the cloud
+  /// \param points the range that `cloud` was made from \param vertex_of_point of every point of the cloud
   Input_points(const PointRange& points, const Point_cloud& cloud, const std::vector<Index>& vertex_of_point,
                std::size_t number_of_vertices)
       : m_descriptors(number_of_vertices, [&](const auto& add) {

@@ -25,8 +25,8 @@
 
 namespace CSCD {
 
-/// The adapter of a point set to a `Point_solid`, of which no surface is made: what CSCD-PC works on, as published. A
-/// model of `SkeletonizationTraits`.
+/// The adapter of a point set to a `Point_solid`, without a surface: the input of CSCD-PC, as published. A model of
+/// `SkeletonizationTraits`.
 ///
 /// Vertices are the points of the fragments that are not small; every point of the input belongs to one vertex: its
 /// own, that of an equal point, or the nearest.
@@ -42,10 +42,10 @@ public:
 
   /// The points of the input.
   using Point = typename boost::property_traits<PointMap>::value_type;
-  /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
+  /// The identifier of a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
   using Input_descriptor = internal::Point_descriptor<PointRange>;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Point_solid;
   /// @}
 
@@ -92,7 +92,7 @@ public:
   Point to_input_point(const Vector_3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
   /// A length on the surface in the unit of the input.
   double to_input_length(double length) const { return length * m_normalization.unit; }
-  /// Writes what is known of the input to `report`. The genus is not: the triangles need not be a surface.
+  /// Describes the input in `report`, without a genus: the triangles need not be a surface.
   void describe_input(Skeletonization_report& report) const
   {
     report.number_of_input_vertices = m_points.number_of_points();

@@ -32,7 +32,7 @@ namespace CSCD {
 ///
 /// A closed surface is made of the points: they are triangulated by an advancing front, fragments are joined, holes
 /// closed, and handles removed that are too small for the sampling to prove them. Every point of the input belongs to
-/// one vertex of this surface: its own, that of an equal point, or the nearest, if it is no vertex.
+/// one vertex of this surface: its own, that of an equal point, or the nearest, if it is not a vertex.
 /// \tparam PointRange a range over elements of any type, or a `CGAL::Point_set_3`
 /// \tparam PointMap a readable map from these elements to points with coordinates `x()`, `y()`, `z()`, constructible
 ///         from three coordinates
@@ -45,10 +45,10 @@ public:
 
   /// The points of the input.
   using Point = typename boost::property_traits<PointMap>::value_type;
-  /// What identifies a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
+  /// The identifier of a point of the input: its index in a `CGAL::Point_set_3`, else its number in the order of
   /// iteration.
   using Input_descriptor = internal::Point_descriptor<PointRange>;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Triangulated_solid;
   /// @}
 
@@ -95,10 +95,10 @@ public:
 
   /// The surface through the points.
   const Triangulated_solid& surface() const { return *m_surface; }
-  /// What was done to make a surface of the points.
+  /// The report on the reconstruction of the surface.
   const Reconstruction_report& reconstruction_report() const { return m_report; }
-  /// Whether the points hardly sample the surface of a body, by the number of border edges of what was made of them:
-  /// such are scans of trees, which `extract_tree_skeleton()` is for.
+  /// Whether the points hardly sample the surface of a body, by the number of border edges of their triangles. Scans of
+  /// trees are an example; `extract_tree_skeleton()` is for them.
   bool is_surface_doubtful() const
   {
     return double(m_report.number_of_border_edges) >
@@ -114,7 +114,7 @@ public:
   Point to_input_point(const Vector_3& point) const { return CSCD::to_input_point<Point>(m_normalization, point); }
   /// A length on the surface in the unit of the input.
   double to_input_length(double length) const { return length * m_normalization.unit; }
-  /// Writes what is known of the input to `report`.
+  /// Describes the input in `report`.
   void describe_input(Skeletonization_report& report) const
   {
     m_surface->describe(report);
@@ -145,7 +145,7 @@ public:
   /// @}
 
 private:
-  /// Border edges for each point from which on the surface is doubtful: 70 clouds of surfaces had at most 0.07, three
+  /// With more border edges for each point, the surface is doubtful: 70 clouds of surfaces had at most 0.07, three
   /// scans of trees 0.20 and more.
   static constexpr double doubtful_border_edges = 0.12;
 

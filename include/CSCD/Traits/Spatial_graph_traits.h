@@ -40,8 +40,8 @@ namespace CSCD {
 /// parallel edges, and edges from a vertex to itself. Edges have no direction here. Every vertex of the input belongs
 /// to one vertex of the graph: its own, or that of the vertices at the same place.
 /// \tparam Graph a model of Boost's `VertexListGraph` and `EdgeListGraph`
-/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
-///         from three coordinates
+/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`,
+///         constructible from three coordinates
 template <class Graph, class VertexPointMap>
 class Spatial_graph_traits
 {
@@ -51,17 +51,17 @@ public:
 
   /// The points of the input.
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  /// What identifies a vertex of the input.
+  /// The identifier of a vertex of the input.
   using Input_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
-  /// What the pipeline runs on.
+  /// The surface that the pipeline runs on.
   using Surface = Spatial_graph;
   /// @}
 
-  /// Reads `graph`, which is not referred to later; O(n log n). Edges are as long as their members `weight` tell, in
-  /// any unit, or else as they are in space. Where the vertices have a member `radius`, as in `Skeleton_graph`, the
-  /// radii of nodes are by so much larger.
+  /// Reads `graph`, which is not referred to later; O(n log n). The length of an edge is its member `weight`, in any
+  /// unit, or else its length in space. Where the vertices have a member `radius`, as in `Skeleton_graph`, the radii of
+  /// nodes are larger by it.
   /// \throw Input_error naming the element and the remedy if a coordinate, weight or radius is not finite, a weight is
-  ///        negative, or there are no vertices
+  ///        negative, or the graph is empty
   Spatial_graph_traits(const Graph& graph, const VertexPointMap& point_map)
   {
     const auto start = std::chrono::steady_clock::now();
@@ -118,7 +118,7 @@ public:
   }
   /// A length in the unit of the input.
   double to_input_length(double length) const { return length * m_graph->normalization().unit; }
-  /// Writes what is known of the input to `report`. A graph has no genus.
+  /// Describes the input in `report`. A graph has no genus.
   void describe_input(Skeletonization_report& report) const
   {
     report.number_of_input_vertices = m_descriptors.number_of_values();

@@ -31,9 +31,9 @@ namespace CSCD {
 /// The mesh is checked, its borders are bridged by faces without weight or are rims of sheets, components that are
 /// oriented inwards are cavities, which are filled, if they lie in a body, and reversed otherwise, faces that are too
 /// large are refined; the result is renumbered and normalized, so that it depends on the shape alone. Its vertices are
-/// those of the input that have a face, and inserted ones. \tparam TriangleMesh a model of `FaceListGraph`
-/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`, constructible
-///         from three coordinates
+/// the vertices of the input that have a face, and inserted ones. \tparam TriangleMesh a model of `FaceListGraph`
+/// \tparam VertexPointMap a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`,
+///         constructible from three coordinates
 template <class TriangleMesh,
           class VertexPointMap = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>
 class Triangle_mesh_traits
@@ -44,17 +44,17 @@ public:
 
   /// The points of the input.
   using Point = typename boost::property_traits<VertexPointMap>::value_type;
-  /// What identifies a vertex of the input.
+  /// The identifier of a vertex of the input.
   using Input_descriptor = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Triangulated_solid;
   /// @}
 
   /// Compiles `mesh`, which is not referred to later; near linear.
   /// \param treatment which borders are bridged, and which are rims of sheets
   /// \param number_of_threads 0 for as many as TBB allows; the surface is the same for any number
-  /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are no triangles, edges or
-  ///        vertices where it is no oriented manifold, coordinates that are not finite, or no extent or area
+  /// \throw Input_error naming the element and the remedy if the mesh has no faces, faces that are not triangles, edges
+  ///        or vertices where it is not an oriented manifold, coordinates that are not finite, or no extent or area
   explicit Triangle_mesh_traits(const TriangleMesh& mesh, const VertexPointMap& point_map,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
   {
@@ -68,7 +68,7 @@ public:
     sort_descriptors();
   }
   /// Compiles a mesh that need not exist: that of `triangles`, whose vertices are constructed from the numbers of the
-  /// points, as those of a `CGAL::Surface_mesh` are. This takes less than half of the memory. Otherwise as above.
+  /// points, as in a `CGAL::Surface_mesh`. This takes less than half of the memory. Otherwise as above.
   /// \pre `pairing` is that of the faces, and has no conflict and no pinched vertex
   explicit Triangle_mesh_traits(Indexed_triangles&& triangles, Halfedge_pairing&& pairing,
                                 Border_treatment treatment = Border_treatment::bridge, unsigned number_of_threads = 1)
@@ -93,8 +93,8 @@ public:
   /// \name Back to the input
   /// @{
 
-  /// The vertices of the input that belong to `vertex`: the one that it is, unless it was inserted, and those of
-  /// cavities that are nearest to it.
+  /// The vertices of the input that belong to `vertex`: its own, unless it was inserted, and vertices of cavities that
+  /// are nearest to it.
   CGAL::Iterator_range<const Input_descriptor*> descriptors(Index vertex) const { return m_rows[vertex]; }
   /// A point of the surface in the coordinates of the input.
   Point to_input_point(const Vector_3& point) const
@@ -103,12 +103,12 @@ public:
   }
   /// A length on the surface in the unit of the input.
   double to_input_length(double length) const { return length * surface().normalization().unit; }
-  /// Writes what is known of the input to `report`.
+  /// Describes the input in `report`.
   void describe_input(Skeletonization_report& report) const { m_mesh->describe(report); }
   /// @}
 
 private:
-  /// Sorts the vertices of the input by the vertices of the surface to which they belong.
+  /// Sorts the vertices of the input by their vertices of the surface.
   void sort_descriptors()
   {
     const Index n = surface().triangulation().number_of_vertices();

@@ -36,9 +36,9 @@ public:
 
   /// The points of skeletons, in the coordinates of the volume.
   using Point = OutputPoint;
-  /// What identifies a vertex of the input: its number among the points of the voxel surface.
+  /// The identifier of a vertex of the input: its number among the points of the voxel surface.
   using Input_descriptor = std::size_t;
-  /// The surface on which the pipeline runs.
+  /// The surface that the pipeline runs on.
   using Surface = Triangulated_solid;
   /// @}
 
@@ -73,7 +73,7 @@ public:
   }
   /// A length on the surface in the unit of the volume.
   double to_input_length(double length) const { return length * m_surface->normalization().unit; }
-  /// Writes what is known of the input to `report`.
+  /// Describes the input in `report`.
   void describe_input(Skeletonization_report& report) const
   {
     report.number_of_input_vertices = m_numbers.size();

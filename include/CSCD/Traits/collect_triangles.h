@@ -27,9 +27,9 @@ struct Collected_triangles
   std::size_t number_of_isolated_vertices = 0;
 };
 
-/// Reads `mesh` into points and index triples.
-/// Vertices and faces keep the order in which the mesh iterates them; vertices without a face are left out.
-/// Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
+/// Reads `mesh` into points and index triples. Vertices and faces keep the iteration order of the mesh; vertices
+/// without a face are left out. Linear where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear
+/// otherwise.
 /// \param mesh a model of `FaceListGraph`
 /// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
 /// \param number_of_threads 0 for as many as TBB allows

@@ -39,7 +39,7 @@ auto vertex_point_map(const TriangleMesh& mesh, const NamedParameters& np)
 /// With more faces than this the halfedges of the refined surface could no longer be indexed.
 inline constexpr std::size_t maximum_number_of_faces = std::size_t(1) << 26;
 
-/// The points and triangles of a mesh as arrays, in the order in which the mesh iterates them.
+/// The points and triangles of a mesh as arrays, in the iteration order of the mesh.
 template <class VertexDescriptor>
 struct Mesh_arrays
 {
@@ -79,8 +79,8 @@ std::array<Index, 3> read_corners(const TriangleMesh& mesh, const VertexNumbers&
 /// Reads `mesh`. Linear, where vertices are indices as in `CGAL::Surface_mesh`, expectedly linear otherwise.
 /// \param mesh a model of `FaceListGraph`
 /// \param point_map a readable map from its vertices to points with coordinates `x()`, `y()`, `z()`
-/// \throw Input_error naming the face that is not a triangle or uses a vertex twice; or if there are more faces than can
-///        be indexed
+/// \throw Input_error naming the face that is not a triangle or uses a vertex twice; or if the mesh has too many
+///        faces for their indices
 template <class TriangleMesh, class VertexPointMap>
 Mesh_arrays<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> read_mesh(const TriangleMesh& mesh,
                                                                                      const VertexPointMap& point_map)

@@ -58,7 +58,7 @@ class Box_tree
 public:
   Box_tree() = default;
   /// O(n log n).
-  /// \param boxes those of the objects
+  /// \param boxes the boxes of the objects
   explicit Box_tree(const std::vector<Bounding_box>& boxes)
   {
     std::vector<Entry> entries;
@@ -75,7 +75,7 @@ public:
     }
   }
 
-  /// Calls `visit(object)` for all objects but those inside boxes for which `must_enter(box)` is false.
+  /// Calls `visit(object)` for all objects except in boxes where `must_enter(box)` is false.
   template <class MustEnter, class Visit>
   void visit(const MustEnter& must_enter, const Visit& visit) const
   {
@@ -96,8 +96,8 @@ public:
     }
   }
 
-  /// Calls `visit(object)`, which returns the value of the object, for all that can have the least value, those in the
-  /// most promising box first.
+  /// Calls `visit(object)`, which returns the value of the object, for all objects that can have the least value,
+  /// starting in the most promising box.
   /// \param bound `bound(box)` is at most the value of every object in the box
   template <class Bound, class Visit>
   void minimize(const Bound& bound, const Visit& visit) const
@@ -150,7 +150,7 @@ private:
     return int(std::max_element(sides.begin(), sides.end()) - sides.begin());
   }
 
-  /// Consecutive entries. The tree over n of them has n - 1 nodes, each behind those below it.
+  /// Consecutive entries. The tree over n of them has n - 1 nodes, each behind the nodes below it.
   struct Range
   {
     Index size() const { return end - begin; }

@@ -106,10 +106,10 @@ private:
   std::vector<Index, boost::noinit_adaptor<std::allocator<Index>>> m_position; // of vertices that are in the heap
 };
 
-/// The minimal distances at which vertices have been reached, and those from which one has yet to go on. What is next
-/// to a vertex, and how far, is known to the caller: so it can stop at any distance and at any border, and keep what
-/// else belongs to the shortest paths. Boost's algorithm initializes every vertex of its graph; this one is emptied in
-/// constant time, so that local work costs nothing of the size of the surface.
+/// The minimal distances of reached vertices, and a heap of the vertices that the search has yet to go on from. The
+/// caller knows the neighbors of a vertex and their distances: so it can stop at any distance and at any border, and
+/// keep further data of the shortest paths. Boost's algorithm initializes every vertex of its graph; this one is
+/// emptied in constant time, so that local work costs nothing of the size of the surface.
 class Dijkstra_search
 {
 public:
@@ -125,7 +125,8 @@ public:
     m_reached.clear();
   }
 
-  /// Takes note that `vertex` can be reached at `distance`, not less than that of the vertex that was passed last.
+  /// Takes note that `vertex` can be reached at `distance`, not less than the distance of the vertex that was passed
+  /// last.
   /// \return whether no path as short was known
   bool reach(Index vertex, float distance)
   {
@@ -142,8 +143,8 @@ public:
     return false;
   }
 
-  /// Calls `pass(vertex, distance)` for all vertices that have been reached, those that it reaches included, in order
-  /// of their distance, which is then final. O(n log n) for n calls.
+  /// Calls `pass(vertex, distance)` for all reached vertices, including the ones that it reaches itself, in order of
+  /// their distance, which is then final. O(n log n) for n calls.
   template <class Function>
   void spread(const Function& pass)
   {
@@ -154,18 +155,18 @@ public:
   }
 
   bool is_reached(Index vertex) const { return m_reached.is_marked(vertex); }
-  /// The minimal distance at which `vertex` was reached.
+  /// The minimal distance of the reached `vertex`.
   /// \pre `is_reached(vertex)`
   float distance(Index vertex) const { return m_distance[vertex]; }
 
 private:
   Indexed_heap m_heap;
   Epoch_marks m_reached;
-  std::vector<float, boost::noinit_adaptor<std::allocator<float>>> m_distance; // of what has been reached
+  std::vector<float, boost::noinit_adaptor<std::allocator<float>>> m_distance; // of reached vertices
 };
 
-/// A front that starts from labeled vertices; each vertex gets the label of the one from which it is reached first, so
-/// that what has a label is connected with a start of that label.
+/// A front that starts from labeled vertices; each vertex gets the label of the neighbor that reaches it first, so that
+/// it is connected with a start of its label.
 class Multi_source_dijkstra_search
 {
 public:
@@ -186,7 +187,7 @@ public:
   }
 
   /// Goes on until no vertex is left that can be reached; `for_each_neighbor(vertex, visit)` calls
-  /// `visit(neighbor, length)`, which returns what `reach()` does, for the edges of a vertex. O(n log n).
+  /// `visit(neighbor, length)`, which returns the result of `reach()`, for the edges of a vertex. O(n log n).
   template <class ForEachNeighbor>
   void spread(const ForEachNeighbor& for_each_neighbor)
   {
@@ -198,7 +199,7 @@ public:
 
   /// The label of `vertex`; `no_index` if it has not been reached.
   Index label(Index vertex) const { return m_label[vertex]; }
-  /// The distance from the nearest start; infinite if there is none.
+  /// The distance from the nearest start; infinite if none reaches it.
   float distance(Index vertex) const
   {
     return m_front.is_reached(vertex) ? m_front.distance(vertex) : std::numeric_limits<float>::infinity();

@@ -6,9 +6,9 @@
 #ifndef CSCD_INTERNAL_CONFIG_H
 #define CSCD_INTERNAL_CONFIG_H
 
-/// Precedes the definitions in files named `..._impl.h`, none of which is a template. By default they are included by
-/// the header that declares them. With the macro `CSCD_COMPILED`, which the target `CSCD::compiled` defines, they are
-/// not: each is compiled once, in `src/`.
+/// Precedes the definitions in files named `..._impl.h`, which are not templates. By default, the header that declares
+/// them includes them. With the macro `CSCD_COMPILED`, which the target `CSCD::compiled` defines, it does not: each
+/// file is compiled once, in `src/`.
 #ifdef CSCD_COMPILED
 #define CSCD_INLINE
 #else

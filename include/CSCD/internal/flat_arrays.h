@@ -39,7 +39,7 @@ public:
   {
     for_each_value([this](std::size_t row, const Value&) { ++m_begin[row + 1]; });
     std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    std::vector<Size> end(m_begin.begin(), m_begin.end() - 1); // of what is in the row so far
+    std::vector<Size> end(m_begin.begin(), m_begin.end() - 1); // of each row so far
     m_values.resize(m_begin.back());
     for_each_value([this, &end](std::size_t row, const Value& value) { m_values[end[row]++] = value; });
   }
@@ -65,7 +65,7 @@ public:
   /// Moves the values of all rows out.
   std::vector<Value> values() && { return std::move(m_values); }
 
-  /// Shortens every row to what `reduce(first, last)` leaves of it, which returns the new end; linear in the calls.
+  /// Shortens every row by `reduce(first, last)`, which returns the new end; linear in the calls.
   template <class Reduce>
   void reduce_rows(const Reduce& reduce)
   {
@@ -93,7 +93,7 @@ class Basic_epoch_marks
 public:
   explicit Basic_epoch_marks(std::size_t size = 0) : m_epoch_of(size, 0) {}
 
-  /// Removes all marks; constant time, but for once in as many calls as there are epochs.
+  /// Removes all marks; constant time, except once in as many calls as there are epochs.
   void clear()
   {
     if (m_epoch == std::numeric_limits<Epoch>::max()) {
@@ -169,7 +169,7 @@ public:
   }
 
 private:
-  // Plain pointers are property maps too, but which of their functions are found depends on what was included before.
+  // Plain pointers are property maps too, but the lookup of their functions depends on earlier includes.
   template <class Value>
   using Map = boost::iterator_property_map<Value*, boost::typed_identity_property_map<Index>>;
 

@@ -34,13 +34,12 @@ inline constexpr Index range_size = 1U << 13U;
 /// Whether there can be several threads.
 inline constexpr bool has_threads = true;
 
-/// Calls `function(begin, end)` for ranges of `range_size` indices, from 0 to `size` - 1, the last one shorter: which
-/// they are does not depend on the number of threads. In order where there is one thread.
+/// Calls `function(begin, end)` for ranges of `range_size` indices, from 0 to `size` - 1, the last one shorter: the
+/// ranges do not depend on the number of threads. In order with one thread.
 /// \param number_of_threads 0 for as many as TBB allows
 void for_each_range(Index size, unsigned number_of_threads, const std::function<void(Index, Index)>& function);
 
-/// Calls `function(i)` for `i` from 0 to `size` - 1, each of which is enough work for a thread. In order where there is
-/// one thread.
+/// Calls `function(i)` for `i` from 0 to `size` - 1; each call is enough work for a thread. In order with one thread.
 void for_each_part(Index size, unsigned number_of_threads, const std::function<void(Index)>& function);
 
 /// Calls `first()` and `second()`, at the same time where there are several threads, else in this order.
@@ -78,11 +77,11 @@ void call_both(unsigned /* number_of_threads */, const First& first, const Secon
 
 #endif // CGAL_LINKED_WITH_TBB
 
-/// What comes before a parallel loop comes before each of its calls, and each call before what follows the loop. TBB
-/// keeps this order by means of its library, which is not compiled with the thread sanitizer: all that a loop hands to
-/// its calls and gets back from them would look like a race. With the macro `CSCD_THREAD_SANITIZER` these objects keep
-/// the order once more, where the sanitizer sees it; without it they do nothing.
-/// The calls of a loop stay without order among themselves, so that races between them are found.
+/// The code before a parallel loop runs before each of its calls, and each call before the code after the loop. TBB
+/// keeps this order by means of its library, which is not compiled with the thread sanitizer: all data that a loop
+/// hands to its calls and gets back from them would look like a race. With the macro `CSCD_THREAD_SANITIZER` these
+/// objects keep the order once more, where the sanitizer sees it; without it they do nothing. The calls of a loop stay
+/// without order among themselves, so that races between them are found.
 struct Tsan_ordering
 {
 #ifdef CSCD_THREAD_SANITIZER
