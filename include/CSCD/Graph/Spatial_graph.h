@@ -41,8 +41,8 @@ public:
   /// Makes a graph of points and edges of an input; O(n log n).
   /// \param points of the vertices, finite
   /// \param edges between them, of lengths that are finite and not negative
-  /// \param radii of what the vertices stand for, one for each point, or none
-  /// \throw Input_error if there are no points, or too many
+  /// \param radii of the parts that the vertices stand for, one for each point, or none
+  /// \throw Input_error if `points` is empty or too large
   Spatial_graph(std::vector<Vector_3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
 
   /// \name As of a SurfaceTriangulation, except for faces
@@ -113,7 +113,7 @@ private:
   std::size_t m_number_of_unused_edges = 0;
 };
 
-/// The number of neighbors to which points are joined by default: with fewer, the gaps of random samplings become
+/// The number of neighbors that points are joined to by default: with fewer, the gaps of random samplings become
 /// cycles.
 inline constexpr Index default_number_of_neighbors = 24;
 

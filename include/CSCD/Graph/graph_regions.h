@@ -52,7 +52,7 @@ public:
   std::vector<std::vector<Index>> meetings() && { return std::move(m_meetings); }
 
 private:
-  /// Joins what is connected by cycles of three or four edges with two edges at `a`.
+  /// Joins along cycles of three or four edges that have two edges at `a`.
   template <class Region>
   void join_at_vertex(const Region& region, Index a)
   {

@@ -163,14 +163,14 @@ public:
   }
 
 private:
-  /// The neighbors of which the mean distance is the spacing at a point: about as many as an even sampling has around.
+  /// The spacing at a point is the mean distance of this many neighbors: as many as an even sampling has around, about.
   static constexpr Index spacing_neighbors = 6;
   /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
   static constexpr double outlier_reach = 4;
   /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
-  /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
-  /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
+  /// Points are moved if their noise, relative to their spacing, exceeds this. Clouds of thirteen shapes without noise
+  /// have at most 0.12, with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
   static constexpr double max_noise = 0.19;
 
   void measure_spacing(const Neighbor_table& neighbors)

@@ -88,7 +88,7 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
 
 /// Finds the cut locus of some points of a cloud, its loops open at one place each; see `extract_cut_locus()`. The
 /// location of a vertex is the nearest point of the cloud.
-/// \param sources numbers of points of the input, of which `cloud` holds the different ones
+/// \param sources numbers of points of the input; `cloud` holds the different points
 /// \param distances of all points of the cloud; none if they are to be estimated
 /// \throw Input_error if the points do not sample a surface, or a source is not on it
 CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_cloud& cloud,

@@ -22,7 +22,7 @@ namespace CSCD {
 /// other choice.
 struct Pruning_policy
 {
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their paths to the root; linear.
+  /// Adds to `cut` the vertices where `is_cut(vertex)` holds, and their paths to the root; linear.
   template <class Predicate, class CutTree>
   void operator()(const Predicate& is_cut, CutTree& cut) const
   {
@@ -38,7 +38,7 @@ struct Pruning_policy
 /// but one vertex that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
 struct Growing_policy
 {
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.
+  /// Adds to `cut` the vertices where `is_cut(vertex)` holds; linear in the number of calls.
   template <class Predicate, class CutTree>
   void operator()(const Predicate& is_cut, CutTree& cut) const
   {
