@@ -148,8 +148,8 @@ private:
     return m_sizes.size() > 1 && double(m_sizes[1]) >= min_side * double(m_sizes[0]);
   }
 
-  /// Labels what of the front is connected with `start`. Where cycles of four edges take the place of faces, two
-  /// vertices next to one that has not been reached are connected, too. \return the number of its vertices
+  /// Labels the part of the front that is connected with `start`. Where cycles of four edges take the place of faces,
+  /// two vertices next to one that has not been reached are connected, too. \return the number of its vertices
   std::size_t label_part(Index start)
   {
     m_stack.assign(1, start);

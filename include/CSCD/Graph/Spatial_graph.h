@@ -68,13 +68,13 @@ public:
   const std::vector<Vector_3>& points() const { return m_points; }
   /// Of the edge, in the unit of the points.
   double length(Index halfedge) const { return m_halfedges.values()[halfedge].length; }
-  /// What a vertex counts for in means: on an evenly sampled surface, about twice the area that belongs to it.
+  /// The weight of a vertex in means: on an evenly sampled surface, about twice the area that belongs to it.
   double vertex_area(Index vertex) const { return m_area[vertex]; }
-  /// The graph itself: what the stages of the pipeline work on.
+  /// The graph itself, the input of the stages of the pipeline.
   const Spatial_graph& triangulation() const { return *this; }
   /// @}
 
-  /// The radius of what the vertex stands for; 0 where none was given.
+  /// The radius of the part that the vertex stands for; 0 where none was given.
   double radius(Index vertex) const { return m_radius.empty() ? 0 : m_radius[vertex]; }
   /// Whether most edges are part of a cycle of three: if not, cycles of four edges take the place of faces, too.
   bool is_triangulated() const { return m_is_triangulated; }

@@ -25,7 +25,7 @@
 namespace CSCD {
 
 /// \cond INTERNAL
-/// The radius of what a vertex of `graph` stands for; found by the type of the graph.
+/// The radius of the part that a vertex of `graph` stands for; found by the type of the graph.
 inline double vertex_radius(const Spatial_graph& graph, Index vertex)
 {
   return graph.radius(vertex);

@@ -36,7 +36,7 @@ inline Vector_3 pseudo_random_vector(Index point)
   return result;
 }
 
-/// What a quadratic height field, fitted by least squares over the plane of a neighborhood, says of its central point.
+/// A quadratic height field, fitted by least squares over the plane of a neighborhood, at its central point.
 struct Quadric_fit
 {
   Vector_3 normal = Vector_3::Zero();         ///< of the plane: of unit length and either orientation
@@ -46,7 +46,7 @@ struct Quadric_fit
 };
 
 /// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
-/// \param unit what offsets are measured in
+/// \param unit the unit of the offsets
 template <class Neighbors>
 std::array<Vector_3, 3> principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
                                        double unit)

@@ -273,7 +273,7 @@ private:
   std::vector<Index> m_first = std::vector<Index>(64, no_index); // of every bucket; their number is a power of two
 };
 
-/// Those of `points`, in their order, that are farther than `radius` from all that were chosen before.
+/// The members of `points`, in their order, that are farther than `radius` from all that were chosen before.
 /// \param step only every so many of the points are looked at
 inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radius, std::size_t step = 1)
 {

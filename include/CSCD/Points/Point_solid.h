@@ -53,7 +53,7 @@ public:
   /// The middle of the body behind the vertex nearest to `point`, if there is one.
   std::optional<Vector_3> middle_behind(const Vector_3& point) const;
   /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
-  /// What it crosses twice within half the spacing of the points may be missed.
+  /// Parts that the segment crosses twice within half the spacing of the points may be missed.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
   /// @}
 

@@ -80,7 +80,7 @@ private:
     std::sort(m_tree.begin(), m_tree.end());
   }
 
-  /// What the normal of `b` should be, judging by that of `a`.
+  /// The expected normal of `b`, judging by that of `a`.
   Vector_3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
 
   void orient_from(Index seed)

@@ -58,7 +58,7 @@ public:
     if (is_averaged) {
       average(points);
       average(points);
-      // What noise had spread through a layer is now in one place.
+      // Points that noise had spread through a layer are now in one place.
       const std::vector<Index> chosen = thin(points, averaged_spacing * m_radius);
       for (Index i = 0; i < chosen.size(); ++i) {
         points[i] = points[chosen[i]];
@@ -103,7 +103,7 @@ private:
   static constexpr int max_number_of_rounds = 3;
   /// A point is lonely if it has fewer neighbors than others by this factor.
   static constexpr double loneliness = 4;
-  /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: those that are
+  /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: points that are
   /// spread evenly in a box have about 0.25, sparse parts of a surface 0.05.
   static constexpr double deviation_in_space = 0.12;
   /// The part of the points that must be lonely for that: of normally distributed noise a hundredth is.

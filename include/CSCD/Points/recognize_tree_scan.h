@@ -45,7 +45,7 @@ inline std::vector<Vector_3> sample_of(const std::vector<Vector_3>& points)
   return result;
 }
 
-/// What the points of balls around some points, which are spread evenly, look like, as parts of those balls.
+/// The forms of the points in balls around some points, which are spread evenly, as parts of those balls.
 struct Cloud_forms
 {
   double along_curves = 0; ///< long and thin

@@ -240,7 +240,7 @@ public:
   using Front_base::Front_base;
 };
 
-/// What a triangle must respect at a point.
+/// The limits of a triangle at a point.
 struct Front_limit
 {
   double longest_edge = 0;            ///< that a triangle may have at the point; if zero, the point is left out

@@ -28,8 +28,7 @@ namespace CSCD {
 
 /// A point of a cut locus.
 /// \tparam Point the point type of the input
-/// \tparam Location what identifies the place of the point in the input, see `Cut_locus_graph` and
-///         `Point_cut_locus_graph`
+/// \tparam Location identifies the place of the point in the input, see `Cut_locus_graph` and `Point_cut_locus_graph`
 template <class Point, class Location>
 struct Cut_locus_vertex
 {
@@ -52,7 +51,7 @@ using Cut_locus_graph =
 
 /// A cut locus on a point set: a graph near the surface. Its edges are straight segments between points that are near
 /// each other. A location is the nearest point of the set.
-/// \tparam PointDescriptor what identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
+/// \tparam PointDescriptor identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
 ///         iteration
 template <class Point, class PointDescriptor = std::size_t>
 using Point_cut_locus_graph =
@@ -107,7 +106,7 @@ inline double checked_distance(double distance, const char* element, std::size_t
   return distance;
 }
 
-/// Writes a cut locus to a graph. \param to_input_location what the graph holds in place of a location
+/// Writes a cut locus to a graph. \param to_input_location gives the location that the graph holds
 template <class Location, class ToInputLocation, class Graph>
 void write_cut_locus(const Extracted_cut_locus<Location>& cut_locus, const Normalization& normalization,
                      const ToInputLocation& to_input_location, Graph& graph)

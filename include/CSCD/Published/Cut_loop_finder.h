@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  /// What a vertex costs that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
+  /// The cost of a vertex that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
   static constexpr std::size_t steps_per_spread_vertex = 16;
 
   void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }

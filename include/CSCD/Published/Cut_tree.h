@@ -166,7 +166,7 @@ public:
   /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
   bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
   bool is_root(Index vertex) const { return m_tree.parent(vertex) == no_index; }
-  /// Those that are kept.
+  /// The number of children that are kept.
   Index number_of_children(Index vertex) const { return m_number_of_children[vertex]; }
   /// Whether `vertex` is kept and can be removed.
   bool is_free_leaf(Index vertex) const

@@ -415,7 +415,7 @@ private:
     return bend;
   }
 
-  /// Queues the bends behind `segment`. What goes straight back is taken out even where vertices are pinned.
+  /// Queues the bends behind `segment`. Parts straight back are taken out even where vertices are pinned.
   template <class IsPinned>
   void queue(Index segment, const IsPinned& is_pinned)
   {

@@ -185,7 +185,7 @@ template <class Measures>
 class Field_separator_finder
 {
 public:
-  /// What measures are made of, prepared once for a surface.
+  /// The data behind the measures, prepared once for a surface.
   using Basis = typename Measures::Basis;
 
   /// \param basis is referred to, as \param points, the positions of the vertices

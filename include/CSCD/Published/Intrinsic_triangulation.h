@@ -602,7 +602,7 @@ Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulati
   return result;
 }
 
-/// The same of the faces that are part of the surface: those that fill holes, which are the last ones, are left out.
+/// The same of the faces that are part of the surface: faces that fill holes, the last ones, are left out.
 template <class Triangulation>
 Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulation& surface)
 {

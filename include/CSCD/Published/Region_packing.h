@@ -33,7 +33,7 @@ namespace CSCD::internal {
 
 /// Measures the surface on the two sides of separators, one after the other. The work is that of the surface near a
 /// separator, up to a distance and an area that are given. One object serves one thread.
-/// \tparam Surface what separators lie on
+/// \tparam Surface the surface of the separators
 template <class Surface>
 class Separator_sides
 {
@@ -277,7 +277,7 @@ inline bool do_segments_meet(const std::array<double, 2>& a, const std::array<do
 class Separator_overlaps
 {
 public:
-  /// Lists what passes each vertex; linear in the number of crossings.
+  /// Lists the separators that pass each vertex; linear in the number of crossings.
   /// \param surface whose edges the separators cross
   template <class Surface>
   Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
@@ -293,7 +293,7 @@ public:
     collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
     list_passes(surface.number_of_vertices());
   }
-  /// Where only those overlap that meet: in a face, or at a vertex that both pass through. Linear.
+  /// Where only separators that meet overlap: in a face, or at a vertex that both pass through. Linear.
   /// \tparam Surface a model of `SurfaceTriangulation`
   template <class Surface>
   static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)

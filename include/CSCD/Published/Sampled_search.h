@@ -188,7 +188,7 @@ public:
   /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
   const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
 
-  /// What shortens loops along the edges of the finest level.
+  /// The shortening of loops along the edges of the finest level.
   Separator_shortening make_shortening() const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;

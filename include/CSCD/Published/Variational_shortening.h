@@ -240,7 +240,7 @@ inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t nu
   }
 }
 
-/// What a variational shortening has done.
+/// The report of a variational shortening.
 struct Variational_report
 {
   Shortening_outcome outcome = Shortening_outcome::straight;

@@ -121,7 +121,7 @@ constexpr unsigned arc_of_octant(unsigned octant, unsigned axis)
   return 4 * axis + low + 2 * high;
 }
 
-/// What becomes of a corner.
+/// The sheets that a corner becomes.
 struct Corner_sheets
 {
   std::array<std::uint8_t, 12> sheet_of_arc{}; ///< of arcs that bound the label
