@@ -19,13 +19,13 @@
 
 namespace CSCD::internal {
 
-/// Finds the local separator of a source: a set of vertices, none of which can be spared, beside which the graph falls
-/// apart into two sides (Baerentzen and Rotenberg, Skeletonization via local separators, 2021).
+/// Finds the local separator of a source: a set of vertices, all of them necessary, that divides the graph next to it
+/// into two sides (Baerentzen and Rotenberg, Skeletonization via local separators, 2021).
 ///
-/// A front spreads from the source. What it has not passed but has reached is connected as long as the front has not
-/// met itself behind a limb; then it falls apart. What was passed is a band around the limb then, from which vertices
-/// are taken away, those farthest along the edges first, as long as the sides stay apart. The band around what is left
-/// is gone over again by shortest paths in it, so that the curve unfolds.
+/// A front spreads from the source. Its vertices, reached but not passed, are connected as long as the front has not
+/// met itself behind a limb; then they fall apart. The passed vertices are a band around the limb then. Vertices are
+/// taken away from it, the farthest along the edges first, as long as the sides stay apart. The band around the
+/// remaining vertices is gone over again by shortest paths in it, so that the curve unfolds.
 ///
 /// One object serves one thread; its memory is reused.
 class Graph_separator_finder
@@ -71,12 +71,12 @@ public:
   }
 
 private:
-  /// The number of vertices of the second largest part of the front, relative to the largest, from which on it counts
-  /// as a side: the value of Baerentzen and Rotenberg's program.
+  /// The number of vertices of the second largest part of the front, relative to the largest, that makes it a side: the
+  /// value of Baerentzen and Rotenberg's program.
   static constexpr double min_side = 0.09;
-  /// The evenness of what has one side, as the end of a wire.
+  /// The evenness of a separator with one side, as the end of a wire.
   static constexpr double min_evenness = 1e-6;
-  /// How much more has to be passed before the front is looked at again, relative to what has been passed.
+  /// How many more vertices are passed before the front is looked at again, relative to the number passed.
   static constexpr double growth = 0.15;
   /// Bounds how often a separator is unfolded.
   static constexpr int max_unfoldings = 1;
@@ -148,8 +148,8 @@ private:
     return m_sizes.size() > 1 && double(m_sizes[1]) >= min_side * double(m_sizes[0]);
   }
 
-  /// Labels what of the front is connected with `start`. Where cycles of four edges take the place of faces, two
-  /// vertices next to one that has not been reached are connected, too. \return the number of its vertices
+  /// Labels the part of the front that is connected with `start`. Where cycles of four edges take the place of faces,
+  /// two vertices next to one that has not been reached are connected, too. \return the number of its vertices
   std::size_t label_part(Index start)
   {
     m_stack.assign(1, start);
@@ -172,8 +172,8 @@ private:
     return size;
   }
 
-  /// Takes vertices away from `separator`, those of the greatest key first, that are next to one side only and so
-  /// become part of it. \pre what is next to it on its sides is labeled
+  /// Takes vertices away from `separator`, the greatest key first, if they are next to one side only; they become part
+  /// of that side. \pre the vertices next to `separator` on its sides are labeled
   void thin(std::vector<Index>& separator)
   {
     m_heap.clear();
@@ -226,7 +226,7 @@ private:
     return label == no_index ? 0 : 1;
   }
 
-  /// Takes `vertices` for what was passed, and the rest of their neighbors for the front.
+  /// Makes `vertices` the passed ones, and the rest of their neighbors the front.
   void take(const std::vector<Index>& vertices)
   {
     for (const Index vertex : vertices) {
@@ -288,7 +288,7 @@ private:
   Epoch_marks m_passed;
   Epoch_marks m_labeled;
   Epoch_marks m_queued;
-  std::vector<float> m_key; // of what was reached
+  std::vector<float> m_key; // of the reached vertices
   std::vector<Index> m_label;
   std::vector<Index> m_band;
   std::vector<Index> m_front;

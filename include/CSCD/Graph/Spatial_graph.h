@@ -41,8 +41,8 @@ public:
   /// Makes a graph of points and edges of an input; O(n log n).
   /// \param points of the vertices, finite
   /// \param edges between them, of lengths that are finite and not negative
-  /// \param radii of what the vertices stand for, one for each point, or none
-  /// \throw Input_error if there are no points, or too many
+  /// \param radii of the parts that the vertices stand for, one for each point, or none
+  /// \throw Input_error if `points` is empty or too large
   Spatial_graph(std::vector<Vector_3> points, const std::vector<Edge>& edges, const std::vector<double>& radii = {});
 
   /// \name As of a SurfaceTriangulation, except for faces
@@ -68,13 +68,13 @@ public:
   const std::vector<Vector_3>& points() const { return m_points; }
   /// Of the edge, in the unit of the points.
   double length(Index halfedge) const { return m_halfedges.values()[halfedge].length; }
-  /// What a vertex counts for in means: on an evenly sampled surface, about twice the area that belongs to it.
+  /// The weight of a vertex in means: on an evenly sampled surface, about twice the area that belongs to it.
   double vertex_area(Index vertex) const { return m_area[vertex]; }
-  /// The graph itself: what the stages of the pipeline work on.
+  /// The graph itself, the input of the stages of the pipeline.
   const Spatial_graph& triangulation() const { return *this; }
   /// @}
 
-  /// The radius of what the vertex stands for; 0 where none was given.
+  /// The radius of the part that the vertex stands for; 0 where none was given.
   double radius(Index vertex) const { return m_radius.empty() ? 0 : m_radius[vertex]; }
   /// Whether most edges are part of a cycle of three: if not, cycles of four edges take the place of faces, too.
   bool is_triangulated() const { return m_is_triangulated; }
@@ -113,7 +113,7 @@ private:
   std::size_t m_number_of_unused_edges = 0;
 };
 
-/// The number of neighbors to which points are joined by default: with fewer, the gaps of random samplings become
+/// The number of neighbors that points are joined to by default: with fewer, the gaps of random samplings become
 /// cycles.
 inline constexpr Index default_number_of_neighbors = 24;
 

@@ -25,7 +25,7 @@
 namespace CSCD {
 
 /// \cond INTERNAL
-/// The radius of what a vertex of `graph` stands for; found by the type of the graph.
+/// The radius of the part that a vertex of `graph` stands for; found by the type of the graph.
 inline double vertex_radius(const Spatial_graph& graph, Index vertex)
 {
   return graph.radius(vertex);
@@ -52,7 +52,7 @@ public:
   std::vector<std::vector<Index>> meetings() && { return std::move(m_meetings); }
 
 private:
-  /// Joins what is connected by cycles of three or four edges with two edges at `a`.
+  /// Joins along cycles of three or four edges that have two edges at `a`.
   template <class Region>
   void join_at_vertex(const Region& region, Index a)
   {

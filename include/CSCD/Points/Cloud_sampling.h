@@ -36,7 +36,7 @@ inline Vector_3 pseudo_random_vector(Index point)
   return result;
 }
 
-/// What a quadratic height field, fitted by least squares over the plane of a neighborhood, says of its central point.
+/// A quadratic height field, fitted by least squares over the plane of a neighborhood, at its central point.
 struct Quadric_fit
 {
   Vector_3 normal = Vector_3::Zero();         ///< of the plane: of unit length and either orientation
@@ -46,7 +46,7 @@ struct Quadric_fit
 };
 
 /// The principal axes of `neighbors` around their mean with that of minimal extent, the normal of their plane, first.
-/// \param unit what offsets are measured in
+/// \param unit the unit of the offsets
 template <class Neighbors>
 std::array<Vector_3, 3> principal_axes(const std::vector<Vector_3>& points, Index point, const Neighbors& neighbors,
                                        double unit)
@@ -163,14 +163,14 @@ public:
   }
 
 private:
-  /// The neighbors of which the mean distance is the spacing at a point: about as many as an even sampling has around.
+  /// The spacing at a point is the mean distance of this many neighbors: as many as an even sampling has around, about.
   static constexpr Index spacing_neighbors = 6;
   /// A point is an outlier if its neighborhood reaches this many times as far as those of its neighbors.
   static constexpr double outlier_reach = 4;
   /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
-  /// Noise from which on the points are moved, relative to their spacing. Clouds of thirteen shapes without noise have
-  /// at most 0.12, those with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
+  /// Points are moved if their noise, relative to their spacing, exceeds this. Clouds of thirteen shapes without noise
+  /// have at most 0.12, with a deviation of 0.3 of the distance to the nearest point 0.15, of 0.6 0.23 and more.
   static constexpr double max_noise = 0.19;
 
   void measure_spacing(const Neighbor_table& neighbors)

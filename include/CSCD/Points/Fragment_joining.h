@@ -28,8 +28,8 @@ struct Joined_gap
   double width;
 };
 
-/// Orients the fragments of a surface with borders outwards and joins those of which borders come near each other. A
-/// join is a band of two triangles from border to border: the two borders become one, which can then be closed as any
+/// Orients the fragments of a surface with borders outwards, and joins fragments whose borders come near each other. A
+/// join is a band of two triangles from border to border: the two borders become one, which can then be closed like any
 /// other.
 class Fragment_joining
 {
@@ -43,8 +43,8 @@ public:
     measure_fragments();
   }
 
-  /// Orients and joins. \return the gaps, in the order in which they were bridged
-  /// \post the pairing is no longer valid
+  /// Orients and joins. \return the gaps, in the order of bridging
+  /// \post the pairing is invalid
   std::vector<Joined_gap> operator()()
   {
     std::vector<Joined_gap> result;
@@ -78,13 +78,13 @@ private:
   static constexpr double widest_gap = 4;
   /// The neighbors among which the ends of such gaps are sought: as many as are within its width on a surface.
   static constexpr Index far_neighbors = 256;
-  /// Fragments of at most so many faces are no bodies of their own: with a border ...
+  /// Fragments of at most so many faces are not bodies of their own: with a border ...
   static constexpr std::size_t max_open_debris = 800;
   /// ... and without, when they look whole.
   static constexpr std::size_t max_closed_debris = 100;
   /// The minimal length of the borders, relative to the gap, that makes larger fragments two stumps of a limb ...
   static constexpr double min_border = 3;
-  /// ... and relative to how far the neighbors reach: what is shorter is no more than a hole in the sampling.
+  /// ... and relative to the reach of the neighbors: a shorter border is only a hole in the sampling.
   static constexpr double min_border_in_reaches = 4;
   /// Volumes below this, relative to the area to the power 3/2, do not show which side is outside: a half ball has
   /// 0.13.
@@ -340,7 +340,7 @@ private:
   void unite(Index group_a, Index group_b, Index a, Index b)
   {
     if (!m_is_sure[group_a] || !m_is_sure[group_b]) {
-      // The one of which the orientation is not sure, or the smaller one, follows the other.
+      // The group whose orientation is not sure, or the smaller one, follows the other.
       const auto rank = [this](Index group) { return std::make_pair(m_is_sure[group], m_size[group]); };
       if (m_normal[a].dot(m_normal[b]) < 0) {
         for (Index fragment : m_members[rank(group_a) < rank(group_b) ? group_a : group_b]) {

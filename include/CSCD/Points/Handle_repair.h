@@ -250,8 +250,8 @@ private:
 };
 
 /// Cuts `triangles` open along `loops`: the faces to the right of a loop get copies of its vertices, which are
-/// appended. Linear in the degrees of the vertices. \return for every copy, in order, the vertex of which it is one
-/// \pre `surface` is that of `triangles`, with the same numbers; the loops have no vertex in common, and consecutive
+/// appended. Linear in the degrees of the vertices. \return for every copy, in order, the vertex that it copies
+/// \pre `surface` is made of `triangles`, with the same numbers; the loops have no vertex in common, and consecutive
 ///      vertices are neighbors
 inline std::vector<Index> cut_along_loops(Indexed_triangles& triangles, const Triangulated_surface& surface,
                                           const std::vector<Vertex_loop>& loops)
@@ -325,7 +325,7 @@ private:
   static constexpr double longest_loop_in_fold = 16.0;
   /// A loop is along a fold if the surface faces itself at this part of its vertices ...
   static constexpr double min_part_in_fold = 0.8;
-  /// ... by two faces of which the normals have at most this cosine.
+  /// ... by two faces whose normals have at most this cosine.
   static constexpr double max_cosine_in_fold = -0.5;
   /// Lengths below this part of the mean length of all edges count as this.
   static constexpr double min_edge_part = 0.5;

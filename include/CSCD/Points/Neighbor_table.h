@@ -273,7 +273,7 @@ private:
   std::vector<Index> m_first = std::vector<Index>(64, no_index); // of every bucket; their number is a power of two
 };
 
-/// Those of `points`, in their order, that are farther than `radius` from all that were chosen before.
+/// The members of `points`, in their order, that are farther than `radius` from all that were chosen before.
 /// \param step only every so many of the points are looked at
 inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radius, std::size_t step = 1)
 {
@@ -290,8 +290,8 @@ inline std::vector<Index> thin(const std::vector<Vector_3>& points, double radiu
   return result;
 }
 
-/// The number of points that are no nearer to each other than a radius, times its square, relative to the area: that of
-/// a random sequential choice.
+/// The number of points with at least a radius between each two, times its square, relative to the area: the value of a
+/// random sequential choice.
 inline constexpr double packing_density = 0.69;
 
 /// The root of the mean squared distance of `points` from their centroid.
@@ -314,7 +314,7 @@ inline double root_mean_square_distance(const std::vector<Vector_3>& points)
 inline double estimate_area(const std::vector<Vector_3>& points)
 {
   constexpr double number_of_balls = 2000;
-  constexpr std::size_t sample = 50000;    // points from which it is estimated, about
+  constexpr std::size_t sample = 50000;    // points that serve the estimate, about
   constexpr int max_number_of_trials = 40; // of radii; stops the search where no radius leaves as many balls
   constexpr double first_radius = 0.05;    // relative to the mean distance of the points from their centroid
   const double target = std::min(number_of_balls, double(points.size()) / 4);

@@ -31,10 +31,9 @@ inline Vector_3 from_eigen(const Eigen::Vector3d& v)
 
 namespace CSCD {
 
-/// The similarity that puts the centroid of points to the origin, turns their principal axes to those of the
-/// coordinates, each towards where the third moment is positive, and makes the mean squared distance from the
-/// centroid 1. What it yields does not change, up to rounding and but for clouds with a symmetry, when the points are
-/// moved, turned or scaled.
+/// The similarity that moves the centroid of points to the origin, turns their principal axes to the coordinate axes,
+/// each towards where the third moment is positive, and makes the mean squared distance from the centroid 1. Its result
+/// does not change, up to rounding and except for clouds with a symmetry, when the points are moved, turned or scaled.
 class Canonical_pose
 {
 public:
@@ -84,7 +83,7 @@ struct Point_cloud
   /// From the coordinates of the input to those of the points.
   Normalization normalization;
   Canonical_pose pose; ///< of the points
-  /// Points of the input, at other places, for which others that are near stand.
+  /// Points of the input that near points, at other places, represent.
   std::size_t number_of_thinned_points = 0;
   bool is_averaged = false; ///< whether noise was averaged away: then the points are not at the places of the input
 
@@ -96,7 +95,7 @@ struct Point_cloud
 /// one place.
 /// \param points of the input, in its coordinates
 /// \param normals one for each point, of unit length or zero where unknown; or none
-/// \throw Input_error if there are no points or too many
+/// \throw Input_error if `points` is empty or too large
 Point_cloud make_point_cloud(std::vector<Vector_3>&& points, std::vector<Vector_3>&& normals);
 
 /// Refuses clouds that cannot have a surface.

@@ -112,7 +112,7 @@ public:
     return {boost::counting_iterator<Index>(m_targets.begin(vertex)),
             boost::counting_iterator<Index>(m_targets.begin(vertex + 1))};
   }
-  /// The vertex from which `halfedge` starts.
+  /// The vertex where `halfedge` starts.
   Index origin(Index halfedge) const { return target(m_twins[halfedge]); }
   /// The vertex at which `halfedge` ends.
   Index target(Index halfedge) const { return m_targets.values()[halfedge]; }
@@ -129,7 +129,7 @@ public:
   }
   /// The length of `halfedge`.
   double length(Index halfedge) const { return m_lengths[halfedge]; }
-  /// 0 if there are no edges.
+  /// 0 without edges.
   double mean_edge_length() const { return m_mean_edge_length; }
   /// @}
 
@@ -141,7 +141,7 @@ public:
   /// The halfedges around face `face`, counterclockwise seen from outside: from its first vertex to the second, from
   /// there to the third, and back.
   const std::array<Index, 3>& face_halfedges(Index face) const { return m_faces[face]; }
-  /// The vertices from which the halfedges of the face start.
+  /// The vertices where the halfedges of the face start.
   std::array<Index, 3> face_vertices(Index face) const
   {
     const auto [a, b, c] = m_faces[face];
@@ -171,8 +171,7 @@ private:
     }
   }
 
-  /// The angle in [0, 2 pi) by which the direction to `from` is turned around the normal of `center` to get that to
-  /// `to`.
+  /// The angle in [0, 2 pi) that turns the direction to `from` to that to `to`, around the normal of `center`.
   double angle(Index center, Index from, Index to) const
   {
     const Vector_3& normal = m_normals[center];
@@ -273,7 +272,7 @@ Index descend_to_nearest(const Point_complex& complex, const Vector_3& point, In
 /// that lost its connection.
 inline constexpr double min_part_of_points = 0.02;
 
-/// Makes the complex of the components of `complex` that are no fragments; linear.
+/// Makes the complex of the components of `complex` that are not fragments; linear.
 /// \param number gets for each vertex of `complex` its number in the result, `no_index` if it was dropped
 /// \pre `complex` has a triangle
 inline Point_complex drop_fragments(Point_complex&& complex, std::vector<Index>& number)
@@ -344,8 +343,8 @@ public:
   double spacing(Index vertex) const { return m_radius[vertex] / support; }
 
 private:
-  /// The radius relative to the mean length of the edges at a vertex: some twenty-five points lie within it, of which
-  /// ten have much weight; with fewer noise is seen, with more what is round is flattened.
+  /// The radius relative to the mean length of the edges at a vertex: some twenty-five points lie within it, and ten
+  /// have much weight; with fewer, noise is seen, with more, round parts are flattened.
   static constexpr double support = 2.5;
   /// Points that are nearest to a vertex are about so far from it at most, relative to the same length.
   static constexpr double reach = 0.6;

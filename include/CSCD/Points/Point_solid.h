@@ -24,11 +24,11 @@ class Point_solid_queries;
 
 /// Points joined by the triangles that their neighborhoods agree on, and the queries for the body that they enclose, by
 /// the winding number of the points with their normals and areas. The model of `SkeletonizationSurface` for point
-/// clouds of which no surface is made.
+/// clouds without a surface.
 ///
-/// Triangles are Delaunay in the tangent planes (supplement, appendix G.2); neighborhoods do not lead over to another
-/// sheet. They are nearly a surface, and need not be one: only gaps of a few edges are closed, no handle is cut. All
-/// members are const and may be called by several threads at once.
+/// Triangles are Delaunay in the tangent planes (supplement, appendix G.2); neighborhoods do not extend to another
+/// sheet. The triangles are nearly a surface, and need not be one: only gaps of a few edges are closed, no handle is
+/// cut. All members are const and may be called by several threads at once.
 class Point_solid
 {
 public:
@@ -53,7 +53,7 @@ public:
   /// The middle of the body behind the vertex nearest to `point`, if there is one.
   std::optional<Vector_3> middle_behind(const Vector_3& point) const;
   /// Writes the distances from `from` at which the segment from there to `to` meets the surface, in ascending order.
-  /// What it crosses twice within half the spacing of the points may be missed.
+  /// Parts that the segment crosses twice within half the spacing of the points may be missed.
   void crossings(const Vector_3& from, const Vector_3& to, std::vector<double>& distances) const;
   /// @}
 

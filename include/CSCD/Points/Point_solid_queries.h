@@ -97,8 +97,8 @@ private:
     Vector_3 area_vector;
   };
 
-  /// Taylor's polynomial of degree two of the field of some dipoles, as seen from r away from their center: the field
-  /// of one with area vector a is a . r / |r|^3, and the vector d from the center to its point is small beside r.
+  /// Taylor's polynomial of degree two of the field of some dipoles, seen from r away from their center: the field of
+  /// one with area vector a is a . r / |r|^3; the vector d from the center to its point is short compared with r.
   struct Node
   {
     Vector_3 center = Vector_3::Zero();                         // of the points, by area

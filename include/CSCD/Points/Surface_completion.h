@@ -40,7 +40,7 @@ struct Reconstructed_surface
   Reconstruction_report report;
 };
 
-/// Closes the triangles between points. What is done to them is added to the report, in the coordinates of the input.
+/// Closes the triangles between points. All changes are added to the report, in the coordinates of the input.
 class Surface_completion
 {
 public:
@@ -52,7 +52,7 @@ public:
   {
   }
 
-  /// Splits vertices in which several fans meet, counts border edges, and drops points without faces.
+  /// Splits vertices where several fans meet, counts border edges, and drops points without faces.
   void prepare()
   {
     const auto number_of_points = Index(m_surface.triangles.points.size());
@@ -135,7 +135,7 @@ private:
   void remove_false_handles()
   {
     while (genus() > 0) {
-      // What is cut must not depend on the numbering.
+      // The cuts must not depend on the numbering.
       renumber_canonically();
       const Triangulated_surface whole{Indexed_triangles(m_surface.triangles)};
       const std::vector<Vertex_loop> loops = Handle_repair(whole)();
@@ -185,7 +185,7 @@ private:
 };
 
 /// A complex with its holes closed, its fragments joined, and bridges between sheets cut, as where a surface is made of
-/// points: it tells what is connected.
+/// points: it shows which parts are connected.
 class Closed_complex
 {
 public:
@@ -198,9 +198,9 @@ public:
   /// The closed surface.
   const Triangulated_surface& surface() const { return m_surface; }
 
-  /// For each vertex of the surface, its region; each region is connected. `no_index` in components of which no region
-  /// has its largest part. O(n log n).
-  /// \param region that of a vertex of the complex
+  /// For each vertex of the surface, its region; each region is connected. `no_index` in components where no region has
+  /// its largest part. O(n log n).
+  /// \param region returns the region of a vertex of the complex
   template <class Region>
   std::vector<Index> regions(const Region& region) const
   {

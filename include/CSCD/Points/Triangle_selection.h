@@ -76,7 +76,7 @@ private:
     Index label;
   };
 
-  /// Appends the chain but for its last point.
+  /// Appends the chain except its last point.
   template <class Iterator>
   void add_chain(Iterator begin, Iterator end)
   {
@@ -114,8 +114,8 @@ struct Local_triangle
 };
 
 /// Takes the triangles of most votes first, among those the smallest, and each only if it overlaps none of those taken
-/// before in the tangent planes of its vertices. So what is taken covers the directions around a vertex at most once,
-/// and no edge has more than two triangles.
+/// before in the tangent planes of its vertices. So the result covers the directions around a vertex at most once, and
+/// no edge has more than two triangles.
 class Triangle_selection
 {
 public:
@@ -386,8 +386,8 @@ private:
   std::vector<Edge> m_border; // those without a triangle on the right, sorted
 };
 
-/// Closes the gaps between `triangles` that only a few edges surround: random samples have voids that are no holes.
-/// O(n log n).
+/// Closes the gaps between `triangles` that only a few edges surround: voids of random samples are not holes. O(n log
+/// n).
 /// \pre the triangles are oriented as the normals say, and no edge has more than two
 inline void close_small_gaps(const std::vector<Vector_3>& points, const std::vector<Vector_3>& normals,
                              std::vector<std::array<Index, 3>>& triangles)

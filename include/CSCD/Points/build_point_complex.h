@@ -80,7 +80,7 @@ private:
     std::sort(m_tree.begin(), m_tree.end());
   }
 
-  /// What the normal of `b` should be, judging by that of `a`.
+  /// The expected normal of `b`, judging by that of `a`.
   Vector_3 expected(Index a, Index b) const { return mirrored_normal(m_normals[a], m_points[b] - m_points[a]); }
 
   void orient_from(Index seed)
@@ -177,14 +177,14 @@ private:
   static constexpr double min_doubtful_slope = 0.25;
   /// By how much the cosine between the normals may exceed that on a circular arc.
   static constexpr double arc_tolerance = 0.2;
-  /// The minimal cosine between oriented normals, of which one is carried over along an arc.
+  /// The minimal cosine between oriented normals; one of them is carried over along an arc.
   static constexpr double min_agreement = 0;
   /// The part of the points whose deviation is the noise: where limbs are thin, quadrics deviate without noise.
   static constexpr double noise_quantile = 0.25;
   /// Heights over a tangent plane that noise makes, relative to its deviation.
   static constexpr double noise_height = 3;
-  /// Deviation from which on the points are moved for good, relative to their spacing. Clouds of thirteen shapes
-  /// without noise have at most 0.03, those with a deviation of 0.3 of the distance to the nearest point 0.13 and more.
+  /// Points are moved for good if their deviation, relative to their spacing, exceeds this. Clouds of thirteen shapes
+  /// without noise have at most 0.03, with a deviation of 0.3 of the distance to the nearest point 0.13 and more.
   static constexpr double max_noise = 0.08;
 
   void fit_sheets()
@@ -317,7 +317,7 @@ private:
     return result;
   }
 
-  /// Turns triangles as the normals say, and drops those of which the normals do not agree: they join two sheets.
+  /// Turns triangles as the normals say, and drops triangles whose normals do not agree: they join two sheets.
   void orient(std::vector<std::array<Index, 3>>& triangles) const
   {
     const auto is_contradictory = [&](std::array<Index, 3>& triangle) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Thins point clouds to what a skeleton needs, and averages noise away.
+// Thins point clouds to the points that a skeleton needs, and averages noise away.
 
 #ifndef CSCD_POINTS_CONSOLIDATE_POINTS_H
 #define CSCD_POINTS_CONSOLIDATE_POINTS_H

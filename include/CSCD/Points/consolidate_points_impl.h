@@ -58,7 +58,7 @@ public:
     if (is_averaged) {
       average(points);
       average(points);
-      // What noise had spread through a layer is now in one place.
+      // Points that noise had spread through a layer are now in one place.
       const std::vector<Index> chosen = thin(points, averaged_spacing * m_radius);
       for (Index i = 0; i < chosen.size(); ++i) {
         points[i] = points[chosen[i]];
@@ -77,7 +77,7 @@ private:
   /// animals have some ten points around with 10,000.
   static constexpr double least_number = 7000;
   static constexpr double greatest_number = 20000;
-  /// A cloud of which more than this would remain is left as it is.
+  /// A cloud is left as it is if more than this part of it would remain.
   static constexpr double largest_part = 0.6;
   /// The number of places that are probed, about.
   static constexpr std::size_t number_of_probes = 1000;
@@ -89,21 +89,21 @@ private:
   static constexpr double max_bend = 0.15;
   /// The bend that is expected to remain where the radius shrinks by the root of two: that of animals.
   static constexpr double expected_bend = 0.7;
-  /// Noise from which on points are averaged, in the unit of the radius: about that of Cloud_sampling.
+  /// Points are averaged if their noise in the unit of the radius exceeds this: about the bound of Cloud_sampling.
   static constexpr double max_noise = 0.15;
   /// Noise in the unit of the radius that is too large for an average over the radius.
   static constexpr double excessive_noise = 0.4;
-  /// The number of points to which excessive noise may thin a cloud.
+  /// Excessive noise may thin a cloud to this number of points.
   static constexpr double number_in_noise = 2000;
   /// The mean of this many points has a sixth of their noise; more take time.
   static constexpr double averaged_points = 40;
-  /// Points of the mean neighborhood in which outliers are seen.
+  /// The points of the mean neighborhood that shows outliers.
   static constexpr double outlier_neighbors = 20;
   /// How often outliers are sought, if some are found.
   static constexpr int max_number_of_rounds = 3;
   /// A point is lonely if it has fewer neighbors than others by this factor.
   static constexpr double loneliness = 4;
-  /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: those that are
+  /// Deviation from a quadric, relative to the reach of the neighborhood, of points that fill space: points that are
   /// spread evenly in a box have about 0.25, sparse parts of a surface 0.05.
   static constexpr double deviation_in_space = 0.12;
   /// The part of the points that must be lonely for that: of normally distributed noise a hundredth is.
@@ -114,7 +114,7 @@ private:
   static constexpr std::size_t sample_around_outliers = 50000;
   /// How near to each other averaged points may be, relative to the radius.
   static constexpr double averaged_spacing = 0.9;
-  /// The radius by which `number` points remain, about.
+  /// The radius that leaves `number` points, about.
   double radius_of(double number) const { return std::sqrt(packing_density * m_area / number); }
 
   /// The number of points of the sample within `radius` of those at `places`.
@@ -301,7 +301,7 @@ private:
     }
   }
 
-  /// The step by which a ball around a point of the surface contains about `number` points of the cloud.
+  /// The step that leaves about `number` points of the cloud in a ball around a point of the surface.
   std::size_t step_for(double number, double radius) const
   {
     const double in_ball = 3 * radius * radius / m_area * double(m_cloud.points.size()); // 3 for pi
@@ -394,7 +394,7 @@ private:
     return result;
   }
 
-  /// \param kept for every one of `points`, of which of the cloud it came
+  /// \param kept for every one of `points`, the point of the cloud that it came from
   Point_cloud make_cloud(std::vector<Vector_3>&& points, const std::vector<Index>& kept, bool is_averaged) const
   {
     const std::vector<Index> representative = nearest(points);

@@ -20,9 +20,9 @@
 
 namespace CSCD::internal {
 
-/// Inserts points into a Delaunay triangulation in space, in the order in which CGAL inserts a range; the information
-/// of each vertex becomes the number of its point. O(n log n) for points on surfaces or in volumes.
-/// \throw Input_error if there would be so many tetrahedra as only points along curves have: two straight lines of n
+/// Inserts points into a Delaunay triangulation in space, in the order that CGAL uses for a range; the information of
+/// each vertex becomes the number of its point. O(n log n) for points on surfaces or in volumes.
+/// \throw Input_error if there would be as many tetrahedra as only points along curves have: two straight lines of n
 ///        points have n^2
 template <class Triangulation>
 void insert_points(Triangulation& triangulation, const std::vector<Vector_3>& points)

@@ -45,7 +45,7 @@ inline std::vector<Vector_3> sample_of(const std::vector<Vector_3>& points)
   return result;
 }
 
-/// What the points of balls around some points, which are spread evenly, look like, as parts of those balls.
+/// The forms of the points in balls around some points, which are spread evenly, as parts of those balls.
 struct Cloud_forms
 {
   double along_curves = 0; ///< long and thin
@@ -86,7 +86,7 @@ inline std::vector<std::vector<Vector_3>> offsets_around(const std::vector<Vecto
   return offsets;
 }
 
-/// Looks at balls of twice the radius by which about 7000 of `points` would remain, or a quarter of them. Linear.
+/// Looks at balls of twice the radius that leaves about 7000 of `points`, or a quarter of them. Linear.
 /// \pre the extent of the points is about 1
 inline Cloud_forms forms_of(const std::vector<Vector_3>& points)
 {
@@ -141,8 +141,8 @@ inline bool is_scan_of_trees(const Cloud_forms& forms)
          forms.along_curves < max_along_curves && forms.along_curves + forms.in_space > min_of_both;
 }
 
-/// Whether points lie along curves in several parallel planes, as of a body that was sliced: what is in one piece, as a
-/// tree, has curves that lead from plane to plane. Linear.
+/// Whether points lie along curves in several parallel planes, as of a sliced body: a body in one piece, as a tree, has
+/// curves that lead from plane to plane. Linear.
 /// \pre the extent of the points is about 1
 inline bool lie_in_slices(const std::vector<Vector_3>& points)
 {
@@ -160,8 +160,8 @@ inline bool lie_in_slices(const std::vector<Vector_3>& points)
 }
 
 /// Whether points are along curves that are far from each other, so that they sample no surface: around nearly all of
-/// them, within some 25 times their distance on the curve, they are no wider than noise. Lines of a scanner that are
-/// ten times as far apart as their points are beside each other there, and a tube is wider. Linear.
+/// them, within some 25 times their distance on the curve, they are not wider than noise. Scanner lines that are ten
+/// times as far apart as their points lie side by side there, and a tube is wider. Linear.
 /// \param spacing mean distance of six neighbors, which is twice the distance along a curve
 inline bool lie_along_curves(const std::vector<Vector_3>& points, double spacing)
 {

@@ -149,8 +149,8 @@ inline void orient_coherently(std::vector<std::array<Index, 3>>& faces)
   orientation();
 }
 
-/// The number of a vertex or a cell in the order in which those of a triangulation were made. CGAL compares handles to
-/// elements with such numbers by them, else by address.
+/// The number of a vertex or a cell of a triangulation, in the order of creation. CGAL compares handles to elements
+/// with such numbers by the numbers, else by address.
 class Time_stamp
 {
 public:
@@ -163,7 +163,7 @@ private:
   std::size_t m_time_stamp = std::size_t(-1); // not set yet, says CGAL
 };
 
-/// The order in which a front has met its border edges, in each thread.
+/// The border edges of a front, numbered in the order that the front met them, in each thread.
 class Front_edge_numbers
 {
 public:
@@ -182,9 +182,8 @@ private:
 
 /// The vertex base of CGAL's advancing front with another order of border edges. The front takes its edges from a set
 /// that is ordered by priority and, where that is equal, by address, which differs from call to call; both edges of an
-/// ear have equal priority, and so have all whose candidates are bad. Here the edge that was met first comes first. The
-/// address serves as a name only: a front keeps its edges in a list to which it appends, and never takes from, while it
-/// runs.
+/// ear have equal priority, and so have all edges whose candidates are bad. Here the edge that was met first comes
+/// first. The address serves as a name only: a front appends its edges to a list, and takes none away while it runs.
 template <class Traits, class Base = CGAL::Triangulation_vertex_base_3<Traits>>
 class Front_vertex_base : public CGAL::Advancing_front_surface_reconstruction_vertex_base_3<Traits, Base>,
                           public Time_stamp
@@ -241,7 +240,7 @@ public:
   using Front_base::Front_base;
 };
 
-/// What a triangle must respect at a point.
+/// The limits of a triangle at a point.
 struct Front_limit
 {
   double longest_edge = 0;            ///< that a triangle may have at the point; if zero, the point is left out
@@ -360,9 +359,9 @@ struct Front_priority
   }
 };
 
-/// Triangulates a surface through `points`, some of which may be left out; O(n log n) for points on a surface.
-/// \param limits what triangles must respect at each point
-/// \return triangles with consistent orientation in each component, each edge of which has at most two
+/// Triangulates a surface through `points`, and may leave some out; O(n log n) for points on a surface.
+/// \param limits that triangles must respect at each point
+/// \return triangles with consistent orientation in each component; each edge has at most two
 inline std::vector<std::array<Index, 3>> advance_front(const std::vector<Vector_3>& points,
                                                        const std::vector<Front_limit>& limits)
 {
@@ -427,7 +426,7 @@ private:
   /// How far points are moved, for the triangulation only, relative to the reach of their neighborhoods: far more than
   /// rounding, far less than matters.
   static constexpr double jitter = 1e-6;
-  /// With more border edges than this for each vertex there is no surface: curves have about one.
+  /// A result with more border edges than this for each vertex is not a surface: curves have about one.
   static constexpr double max_border_edges = 0.6;
   void triangulate()
   {

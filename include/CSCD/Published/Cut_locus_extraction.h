@@ -28,8 +28,7 @@ namespace CSCD {
 
 /// A point of a cut locus.
 /// \tparam Point the point type of the input
-/// \tparam Location what identifies the place of the point in the input, see `Cut_locus_graph` and
-///         `Point_cut_locus_graph`
+/// \tparam Location identifies the place of the point in the input, see `Cut_locus_graph` and `Point_cut_locus_graph`
 template <class Point, class Location>
 struct Cut_locus_vertex
 {
@@ -52,7 +51,7 @@ using Cut_locus_graph =
 
 /// A cut locus on a point set: a graph near the surface. Its edges are straight segments between points that are near
 /// each other. A location is the nearest point of the set.
-/// \tparam PointDescriptor what identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
+/// \tparam PointDescriptor identifies a point: its index in a `CGAL::Point_set_3`, else its number in the order of
 ///         iteration
 template <class Point, class PointDescriptor = std::size_t>
 using Point_cut_locus_graph =
@@ -88,7 +87,7 @@ CSCD_INLINE Extracted_cut_locus<Face_point> extract_cut_locus_of_surface(Indexed
 
 /// Finds the cut locus of some points of a cloud, its loops open at one place each; see `extract_cut_locus()`. The
 /// location of a vertex is the nearest point of the cloud.
-/// \param sources numbers of points of the input, of which `cloud` holds the different ones
+/// \param sources numbers of points of the input; `cloud` holds the different points
 /// \param distances of all points of the cloud; none if they are to be estimated
 /// \throw Input_error if the points do not sample a surface, or a source is not on it
 CSCD_INLINE Extracted_cut_locus<Index> extract_cut_locus_of_points(const Point_cloud& cloud,
@@ -107,7 +106,7 @@ inline double checked_distance(double distance, const char* element, std::size_t
   return distance;
 }
 
-/// Writes a cut locus to a graph. \param to_input_location what the graph holds in place of a location
+/// Writes a cut locus to a graph. \param to_input_location gives the location that the graph holds
 template <class Location, class ToInputLocation, class Graph>
 void write_cut_locus(const Extracted_cut_locus<Location>& cut_locus, const Normalization& normalization,
                      const ToInputLocation& to_input_location, Graph& graph)

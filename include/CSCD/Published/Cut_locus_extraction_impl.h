@@ -51,7 +51,7 @@ public:
     return {m_surface.point(vertex), location, distances[vertex]};
   }
 
-  /// Calls `function(vertex)` for the points in which an edge of the triangulation crosses those of the surface.
+  /// Calls `function(vertex)` for the points where an edge of the triangulation crosses edges of the surface.
   template <class Function>
   void for_each_crossing(Index halfedge, const std::vector<double>& distances, const Function& function) const
   {

@@ -127,7 +127,7 @@ public:
   using Base::distances;
   using Frames = Tangent_frames<Triangulation>;
   using Complex = typename Frames::Complex;
-  using Basis = Frames; ///< what these are made of
+  using Basis = Frames; ///< the data behind them
 
   static constexpr Cut_criterion default_criterion() { return {}; }
   static const Frames& frames_of(const Basis& basis) { return basis; }
@@ -256,7 +256,7 @@ class Point_cut_locus_indicators : public Cut_point_test<Point_cut_locus_indicat
 public:
   using Frames = Point_frames;
   using Complex = Frames::Complex;
-  using Basis = Point_derivatives; ///< what these are made of
+  using Basis = Point_derivatives; ///< the data behind them
 
   static const Frames& frames_of(const Basis& basis) { return basis.frames(); }
 

@@ -87,7 +87,7 @@ public:
   }
 
 private:
-  /// What a vertex costs that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
+  /// The cost of a vertex that a front passes, in steps of a path: it goes through a heap, and all its neighbors do.
   static constexpr std::size_t steps_per_spread_vertex = 16;
 
   void spend(std::size_t number_of_steps) { m_budget -= std::min(m_budget, number_of_steps); }
@@ -122,7 +122,7 @@ private:
     return found;
   }
 
-  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, what lies between is left
+  /// Appends the shortest path from `from` to `to`; where it meets the path since `begin`, the part between is left
   /// out.
   void append_detour(Index from, Index to, std::size_t begin, std::vector<Index>& path)
   {
@@ -148,7 +148,7 @@ private:
 
   const Frames& m_frames;
   Dijkstra_search m_front;
-  std::vector<Index> m_step_to; ///< the halfedge by which the front came to a vertex
+  std::vector<Index> m_step_to; ///< the last halfedge on the way of the front to a vertex
   std::vector<Index> m_detour;
   std::size_t m_budget = std::numeric_limits<std::size_t>::max(); ///< in steps
 };
@@ -344,9 +344,9 @@ public:
     CGAL_precondition(points.size() == m_triangulation.number_of_vertices());
   }
 
-  /// Finds the loop of a source at `source_point`, in a face at the vertex `source`, to which the paths lead, with the
-  /// cut points for which `is_cut(vertex)` holds. O(n log n) for n vertices: where the field has minima everywhere, as
-  /// on faces of extreme shape, it gives up.
+  /// Finds the loop of a source at `source_point` with the cut points where `is_cut(vertex)` holds. The source is in a
+  /// face at the vertex `source`, the end of the paths. O(n log n) for n vertices: where the field has minima
+  /// everywhere, as on faces of extreme shape, it gives up.
   template <class Predicate>
   void find(const Measures& measures, Index source, const Vector_3& source_point, Target_rule rule,
             const Predicate& is_cut, Cut_loop& loop)
@@ -382,7 +382,7 @@ private:
   /// A target is farther from its source than this many mean edge lengths: nearer, the field of the heat method is
   /// inaccurate.
   static constexpr double min_distance = 4;
-  /// The minimum distance of a target, relative to that in space: below 1 it is an error, of which some is tolerated.
+  /// The minimum distance of a target, relative to that in space: below 1 it is an error, but some error is tolerated.
   static constexpr double min_distance_to_chord = 0.98;
   /// The minimum of `path_separation`: half of that of a round tube. It decides about more targets than any other test.
   static constexpr double min_path_separation = 0.3;
@@ -446,9 +446,9 @@ private:
     return Cut_loop_outcome::found;
   }
 
-  /// Ends both paths at the first vertex of the second one that is on the first one too. Since each path passes a
-  /// vertex once, what is left is simple: there are no steps back and forth, and no vertex comes twice.
-  /// \return false if this is next to the target, or a path returns to the target
+  /// Ends both paths at the first vertex of the second path that is on the first path too. Since each path passes a
+  /// vertex once, the remaining loop is simple: it has no steps back and forth, and no vertex comes twice.
+  /// \return false if that vertex is next to the target, or a path returns to the target
   bool cut_where_paths_join(Index target, Cut_loop& loop)
   {
     m_on_first.clear();

@@ -44,7 +44,7 @@ public:
                                                    boost::no_property, Index, Index>;
 
   /// Grows the tree; O(n log n) for n vertices.
-  /// \param measures those of a triangulation, `Cut_locus_indicators`, or of a point complex, `Point_cut_locus_indicators`
+  /// \param measures `Cut_locus_indicators` of a triangulation, or `Point_cut_locus_indicators` of a point complex
   /// \param is_on_loop for every vertex
   template <class Measures>
   Org_tree(const Measures& measures, const std::vector<char>& is_on_loop)
@@ -166,7 +166,7 @@ public:
   /// Whether `vertex` may not be removed: a root, or part of a loop or of its path to the root.
   bool is_protected(Index vertex) const { return m_is_protected[vertex] != 0; }
   bool is_root(Index vertex) const { return m_tree.parent(vertex) == no_index; }
-  /// Those that are kept.
+  /// The number of children that are kept.
   Index number_of_children(Index vertex) const { return m_number_of_children[vertex]; }
   /// Whether `vertex` is kept and can be removed.
   bool is_free_leaf(Index vertex) const
@@ -252,7 +252,7 @@ void drop_short_branches(Cut_tree& cut, double min_length, const Length& length)
   }
 }
 
-/// Whether the free leaf `leaf` of `cut` lies beside another branch: next to a kept vertex that is neither its parent
+/// Whether the free leaf `leaf` of `cut` lies next to another branch: next to a kept vertex that is neither its parent
 /// nor a child of its parent. Of two leaves side by side only the one with the greater Laplacian counts.
 template <class Frames>
 bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
@@ -270,7 +270,7 @@ bool is_beside_branch(const Frames& frames, const Cut_tree& cut, Index leaf)
   return result;
 }
 
-/// Removes from `cut`, leaf by leaf, branches that lie beside other ones. O(n) for n vertices.
+/// Removes branches that lie next to other branches from `cut`, leaf by leaf. O(n) for n vertices.
 /// \param frames know the neighbors of a vertex: `Tangent_frames` or `Point_frames`
 template <class Frames>
 void thin_branches(const Frames& frames, Cut_tree& cut)
@@ -335,8 +335,8 @@ public:
     mark_sources(sources);
   }
 
-  /// Crosses all edges between vertices that have a distance, but those for which `is_blocked(h)` holds, in order of
-  /// distance, those for which `is_last(h)` holds after the others. O(m log m) for m faces.
+  /// Crosses all edges between vertices that have a distance, in order of distance, except edges where `is_blocked(h)`
+  /// holds. Edges where `is_last(h)` holds come after the others. O(m log m) for m faces.
   /// \return a halfedge of each edge that was neither blocked nor crossed
   template <class IsBlocked, class IsLast>
   std::vector<Index> operator()(const IsBlocked& is_blocked, const IsLast& is_last)
@@ -372,16 +372,16 @@ private:
     }
   };
 
-  /// What lies beyond a border at the vertex.
+  /// The outside of a border at the vertex, as a member of `m_discs`.
   Index outside(Index vertex) const { return m_triangulation.number_of_faces() + vertex; }
-  /// What lies beyond `halfedge`.
+  /// The face or the outside across `halfedge`.
   Index across(Index halfedge) const
   {
     const Index twin = m_triangulation.twin(halfedge);
     return twin != no_index ? Triangulation::face(twin) : outside(m_triangulation.origin(halfedge));
   }
 
-  /// Makes one disc of what lies beyond each border.
+  /// Makes one disc of the outsides along each border.
   void cap_borders()
   {
     for (Index h = 0; h < m_triangulation.number_of_halfedges(); ++h) {
@@ -427,7 +427,7 @@ private:
     }
   }
 
-  /// Unites what lies on both sides of `halfedge`. \return false if it is one disc already, or holds two sources
+  /// Joins the discs on both sides of `halfedge`. \return false if they are one already, or each holds a source
   bool cross(Index halfedge)
   {
     const Index a = m_discs.find(Triangulation::face(halfedge));
@@ -443,7 +443,7 @@ private:
 
   const Cut_locus_indicators<Triangulation>& m_measures;
   const Triangulation& m_triangulation;
-  Disjoint_sets m_discs; ///< of faces and, for each vertex, of what lies outside there
+  Disjoint_sets m_discs; ///< of faces and, for each vertex, of the outside there
   std::vector<char> m_has_source;
 };
 

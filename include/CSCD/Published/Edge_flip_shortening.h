@@ -183,7 +183,7 @@ private:
     Index version;
   };
 
-  /// The next strand beside `segment` on the side of the face of `halfedge`, which is that of the segment or its twin.
+  /// The strand next to `segment` on the side of the face of `halfedge`, the halfedge of the segment or its twin.
   Index& neighbor(Index segment, Index halfedge)
   {
     return m_segments[segment].halfedge == halfedge ? m_segments[segment].left : m_segments[segment].right;
@@ -197,7 +197,7 @@ private:
     m_outermost[halfedge] = segment;
   }
 
-  /// Renames the halfedge `from` to `to` in all strands of its edge, of which the outermost one is `segment`.
+  /// Renames the halfedge `from` to `to` in all strands of its edge; `segment` is the outermost strand.
   void renumber(Index segment, Index from, Index to)
   {
     while (segment != no_index) {
@@ -214,13 +214,13 @@ private:
   const Triangulation& m_triangulation;
 };
 
-/// Shortens curves along edges, closed or open, by flipping edges of the triangulation beside them: where the curve
+/// Shortens curves along edges, closed or open, by flipping edges of the triangulation next to them: where the curve
 /// makes an angle of less than pi, the edges within the angle are flipped until the curve can go along the far side
 /// (Sharp, Crane: You can find geodesic paths in triangle meshes by just flipping edges, 2020; appendix E of the
 /// paper).
 ///
-/// One object serves one thread, and holds an intrinsic triangulation of the surface of its own. Reuse it.
-/// \tparam Surface a model of `SurfaceTriangulation`: what the resulting paths run over
+/// One object serves one thread, and holds its own intrinsic triangulation of the surface. Reuse it.
+/// \tparam Surface a model of `SurfaceTriangulation` that the resulting paths run over
 template <class Surface>
 class Edge_flip_shortening
 {
@@ -253,11 +253,11 @@ public:
   ~Edge_flip_shortening() = default;
 
   /// Shortens the curve along `halfedges` and writes it to `result`, as a path over the surface that is never longer.
-  /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about that of
-  /// the faces between the curve before and after.
-  /// \param halfedges those of the triangulation, each from where the one before leads to, and so on if the curve is closed
+  /// The ends of an open curve stay where they are. Time is proportional to the number of flips, which is about the
+  /// number of faces between the curve before and after.
+  /// \param halfedges of the triangulation; each begins where the last one ends, in a cycle if the curve is closed
   /// \param is_pinned whether the curve must not be moved off a vertex; it may be moved onto it (E.2)
-  /// \return what has become of it; `collapsed` leaves no points
+  /// \return the outcome; `collapsed` leaves no points
   /// \pre the curve neither crosses itself nor runs along one edge twice, except straight back
   template <class IsPinned>
   Shortening_outcome operator()(const std::vector<Index>& halfedges, bool is_closed, const IsPinned& is_pinned,
@@ -415,7 +415,7 @@ private:
     return bend;
   }
 
-  /// Queues the bends behind `segment`. What goes straight back is taken out even where vertices are pinned.
+  /// Queues the bends behind `segment`. Parts straight back are taken out even where vertices are pinned.
   template <class IsPinned>
   void queue(Index segment, const IsPinned& is_pinned)
   {
@@ -602,7 +602,7 @@ private:
     m_path.remove(segment);
   }
 
-  /// Links the added segments in between `before` and `after`, either of which may be nothing.
+  /// Links the added segments between `before` and `after`; each of these two may be nothing.
   void connect(Index before, Index after)
   {
     if (m_path.is_removed(m_first) || before == no_index) {

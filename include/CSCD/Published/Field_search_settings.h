@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a user may set about cut loci and about the published method.
+// Settings of cut loci and of the published method.
 
 #ifndef CSCD_PUBLISHED_FIELD_SEARCH_SETTINGS_H
 #define CSCD_PUBLISHED_FIELD_SEARCH_SETTINGS_H
@@ -22,7 +22,7 @@ namespace CSCD {
 /// other choice.
 struct Pruning_policy
 {
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds, and their paths to the root; linear.
+  /// Adds to `cut` the vertices where `is_cut(vertex)` holds, and their paths to the root; linear.
   template <class Predicate, class CutTree>
   void operator()(const Predicate& is_cut, CutTree& cut) const
   {
@@ -38,7 +38,7 @@ struct Pruning_policy
 /// but one vertex that is missed cuts off all that lies behind it. `Pruning_policy` is the other choice.
 struct Growing_policy
 {
-  /// Adds to `cut` the vertices for which `is_cut(vertex)` holds; linear in the number of calls.
+  /// Adds to `cut` the vertices where `is_cut(vertex)` holds; linear in the number of calls.
   template <class Predicate, class CutTree>
   void operator()(const Predicate& is_cut, CutTree& cut) const
   {
@@ -124,7 +124,7 @@ enum class Shortening_rule
   variational ///< by the variational flow, projected to the surface (appendix F)
 };
 
-/// What the published method chooses the target of a source from.
+/// Where the published method chooses the target of a source.
 enum class Cut_locus_rule
 {
   points, ///< vertices that pass the thresholds, tested one by one: quick, since most are never looked at
@@ -145,7 +145,7 @@ enum class Overlap_rule
   crossing        ///< they meet in a face, by equations 7 and 8 of appendix C, or at a vertex; on meshes only
 };
 
-/// What the published method prefers when it packs separators.
+/// The preference of the published method when it packs separators.
 enum class Weight_rule
 {
   balance_and_roundness, ///< balance of both sides, as Baerentzen and Rotenberg's of fronts, times the root of the
@@ -161,7 +161,7 @@ enum class Placement_rule
              ///< middle of separators, with tips
 };
 
-/// What a user may set about the search for separators from distance fields, their packing, and nodes.
+/// Settings of the search for separators from distance fields, their packing, and nodes.
 struct Field_search_settings
 {
   /// Which cut point is the target.
@@ -169,7 +169,7 @@ struct Field_search_settings
   /// By default edge flips on meshes and the variational flow among points, where edges cannot be flipped.
   std::optional<Shortening_rule> shortening_rule;
 
-  /// What targets are chosen from.
+  /// The points where targets are chosen.
   Cut_locus_rule cut_locus_rule = Cut_locus_rule::points;
   /// The greatest Laplacian of a cut point, times the spacing of the vertices; by default -0.5, among points -0.35.
   std::optional<double> laplacian_threshold{};

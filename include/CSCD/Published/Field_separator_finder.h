@@ -74,7 +74,7 @@ private:
 
 /// A model of `Separator_shortening` by edge flips with the locality constraint (algorithm 3, appendix E).
 /// \tparam Surface a model of `SurfaceTriangulation`
-/// \tparam Triangulation on the edges of which curves are given: `Surface` or its `Intrinsic_triangulation`
+/// \tparam Triangulation curves are given on its edges: `Surface` or its `Intrinsic_triangulation`
 template <class Surface, class Triangulation = Intrinsic_triangulation<Surface>>
 class Separator_flip_shortening
 {
@@ -185,7 +185,7 @@ template <class Measures>
 class Field_separator_finder
 {
 public:
-  /// What measures are made of, prepared once for a surface.
+  /// The data behind the measures, prepared once for a surface.
   using Basis = typename Measures::Basis;
 
   /// \param basis is referred to, as \param points, the positions of the vertices
@@ -207,8 +207,8 @@ public:
   Field_separator_finder& operator=(const Field_separator_finder&) = delete;
   ~Field_separator_finder() = default;
 
-  /// Seeks the separator of `source`, from which `distances` are those of all vertices. O(n) for n vertices, though
-  /// most of the work is that of the loop; O(n log n) where the tree of the cut locus is built.
+  /// Seeks the separator of `source`; `distances` has the distance of every vertex from there. O(n) for n vertices,
+  /// though the loop takes most of the work; O(n log n) where the tree of the cut locus is built.
   void operator()(Index source, const std::vector<double>& distances, Field_search_result& result)
   {
     result.loop = find_loop(source, m_points[source], distances).outcome;
@@ -223,8 +223,8 @@ public:
     }
   }
 
-  /// Finds the loop alone, of a source at `source_point` in a face at the vertex `source`, to which the loop leads. It
-  /// is valid until the next call.
+  /// Finds only the loop of a source at `source_point`, in a face at the vertex `source`, the end of its paths. The
+  /// loop is valid until the next call.
   const Cut_loop& find_loop(Index source, const Vector_3& source_point, const std::vector<double>& distances)
   {
     const Measures measures(m_basis, distances);
@@ -258,9 +258,9 @@ private:
 /// The variational flow on a triangulated surface.
 using Surface_flow = Separator_variational_shortening<Closest_point_projection, Polygon_trace>;
 
-/// How distances on a surface are estimated, and separators found from them: prepared once, shared by all threads.
-/// Distances, cut points, paths and loops are those of the intrinsic Delaunay triangulation (appendix G.1), of which
-/// faces that fill holes are part.
+/// Estimates distances on a surface and finds separators from them: prepared once, shared by all threads. Distances,
+/// cut points, paths and loops belong to the intrinsic Delaunay triangulation (appendix G.1), including faces that fill
+/// holes.
 /// \tparam Surface a model of `SurfaceTriangulation`; there is a specialization for `Point_complex`
 template <class Surface>
 class Field_search_space

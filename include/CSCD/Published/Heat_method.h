@@ -47,9 +47,9 @@ struct alignas(size * sizeof(double)) Simd_pack
 
 /// The factors of symmetric positive definite matrices with a common pattern, for many right-hand sides.
 ///
-/// Eigen factors (LDL^T with approximate minimum degree ordering). The triangular solves are not Eigen's, which treat
-/// several right-hand sides one after the other, each of which waits for the factor to come from memory. Here the
-/// numbers of several right-hand sides lie side by side, and one pass over the factor serves all.
+/// Eigen factors (LDL^T with approximate minimum degree ordering). The triangular solves are not Eigen's. Eigen treats
+/// several right-hand sides one after the other, and each waits for the factor to come from memory. Here the numbers of
+/// several right-hand sides lie side by side, and one pass over the factor serves all.
 /// All members are const and may be called by several threads at once.
 class Interleaved_solver
 {
@@ -82,7 +82,7 @@ public:
 
   std::size_t size() const { return m_place.size(); }
 
-  /// The place of `row` in the order of elimination, in which right-hand sides and solutions are given.
+  /// The place of `row` in the order of elimination, the order of right-hand sides and solutions.
   Index place(Index row) const { return m_place[row]; }
 
   /// Replaces the right-hand sides `x`, in the order of elimination, by the solutions for the matrix of this number.
@@ -133,7 +133,7 @@ private:
   std::vector<Factor> m_factors;
 };
 
-/// A point of a surface from which distance is measured, seen from the vertices around it: so it is a source on every
+/// A point of a surface that distance is measured from, relative to the vertices around it: so it is a source on every
 /// triangulation of the surface with the same vertices.
 struct Geodesic_source
 {
@@ -248,7 +248,7 @@ private:
   using Face = Heat_operators::Face;
 
   /// The power of two below which heat is left to the next stage. Numbers still have full precision down to 2^-1022:
-  /// what is lost here, products with a number less than 2^-122, is lost in every sum.
+  /// only products with a number less than 2^-122 are lost here, and every sum loses these.
   static constexpr int frontier_exponent = -900;
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 

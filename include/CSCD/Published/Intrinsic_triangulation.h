@@ -281,15 +281,16 @@ Flat_diamond flat_diamond(const Triangulation& triangulation, Index halfedge)
   return {flat_triangle(triangulation, halfedge), flat_triangle(triangulation, triangulation.twin(halfedge))};
 }
 
-/// An intrinsic triangulation of a surface: it has the vertices and the faces of the input, to begin with, and its
-/// edges can be flipped. Edges are straight lines over the input. What is stored determines exactly, whatever rounding
-/// does to lengths, which input edges each edge crosses: its normal coordinate, and the input corner into which each of
-/// its halfedges leaves its origin (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing,
-/// 2021; their roundabouts, counted from the input halfedge before instead of after).
+/// An intrinsic triangulation of a surface. It begins with the vertices and faces of the input; its edges can be
+/// flipped. Edges are straight lines over the input. The stored data determine exactly, whatever rounding does to
+/// lengths, which input edges each edge crosses: its normal coordinate, and the input corner that each of its halfedges
+/// enters at its origin (Gillespie, Sharp, Crane: Integer coordinates for intrinsic geometry processing, 2021; their
+/// roundabouts, counted from the input halfedge before instead of after).
 ///
 /// It has the interface of `Triangulated_surface`, except that `twin()` is `no_index` on borders, and that edges may
-/// have equal ends or both ends in common: go by halfedges, never by pairs of vertices. Only lengths count; there are
-/// no points. Degenerate faces are mollified: a constant is added to the lengths of all edges, see
+/// have equal ends or both ends in common: go by halfedges, never by pairs of vertices. It has only lengths. Degenerate
+/// faces are mollified: a constant is added to the lengths of all edges, see `mollifying_length()`. The input is
+/// referred to and must outlive the object.
 /// `mollifying_length()`. The input is referred to and must outlive the object.
 /// \tparam Triangulation the input: halfedges in the layout of `Triangulated_surface`, with `origin()`, `twin()`
 ///         (`no_index` on a border) and `length()`
@@ -302,8 +303,8 @@ public:
   {
   }
 
-  /// Takes over the first `number_of_faces` faces of `input`; what is next to others becomes border. So the faces that
-  /// bridge borders can be left out, from `first_hole_filling_face()` on; they are otherwise faces like all. Linear.
+  /// Takes over the first `number_of_faces` faces of `input`; sides next to other faces become borders. So faces that
+  /// bridge borders, from `first_hole_filling_face()` on, can be left out; else they are ordinary faces. Linear.
   Intrinsic_triangulation(const Triangulation& input, Index number_of_faces)
       : Intrinsic_triangulation(input, number_of_faces, mollifying_length(input, number_of_faces))
   {
@@ -390,11 +391,11 @@ public:
            flat_diamond(*this, halfedge).is_convex(min_part);
   }
 
-  /// Replaces the edge by the other diagonal of its two faces, in constant time plus that of walking over the input
-  /// edges in two corners.
-  /// The new edge is that of `previous(halfedge)`, which leads from the apex of the face of `halfedge` to the other
-  /// one. What has been `previous(halfedge)` is now `twin(halfedge)`, and what has been `previous(twin(halfedge))` is
-  /// now `halfedge`, both of which by the twin of before; all other halfedges stay. \pre `is_flippable(halfedge)`
+  /// Replaces the edge by the other diagonal of its two faces, in constant time plus the time of the walk over the
+  /// input edges in two corners.
+  /// The new edge is the edge of `previous(halfedge)`, which leads from the apex of the face of `halfedge` to the other
+  /// apex. The former `previous(halfedge)` is now `twin(halfedge)`, and the former `previous(twin(halfedge))` is now
+  /// `halfedge`, both with the twin before the flip. All other halfedges stay. \pre `is_flippable(halfedge)`
   void flip(Index halfedge)
   {
     CGAL_precondition(is_flippable(halfedge));
@@ -601,7 +602,7 @@ Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulati
   return result;
 }
 
-/// The same of the faces that are part of the surface: those that fill holes, which are the last ones, are left out.
+/// The same of the faces that are part of the surface: faces that fill holes, the last ones, are left out.
 template <class Triangulation>
 Intrinsic_triangulation<Triangulation> make_intrinsic_delaunay(const Triangulation& surface)
 {

@@ -100,8 +100,8 @@ public:
   const std::vector<std::vector<Index>>& meetings() const { return m_meetings; }
 
 private:
-  /// Joins what is connected within a face, at the corner that its side `h` leaves. The border cycle of a region has a
-  /// point on every halfedge that leaves the region, named after it.
+  /// Joins edges and border cycles that are connected within a face, at the corner that its side `h` leaves. The border
+  /// cycle of a region has a point on every halfedge that leaves the region, named after the halfedge.
   template <class Surface, class Predicate>
   void join_at_corner(const Surface& surface, const Predicate& is_between, Index before, Index h, Index after)
   {
@@ -165,9 +165,9 @@ private:
     }
   }
 
-  /// Joins what ends at one hole. A region that has only one other beside it there is a finger of it into the hole, and
-  /// the curve between the two goes on around its tip; without it, its neighbor may be one. What cannot be taken away
-  /// like that meets in a point.
+  /// Joins the ends at one hole. A region with only one neighbor at the hole is a finger of that neighbor into the
+  /// hole, and the curve between the two goes on around the tip of the finger. Without the finger, its neighbor may be
+  /// one. The ends that remain meet in a point.
   template <class Surface>
   void join_at_hole(const Surface& surface, Hole_ends ends)
   {
@@ -434,7 +434,7 @@ public:
   /// \param distance from the last separator
   void add(const Vector_3& point, double area, float distance) { m_vertices.push_back({point, area, distance}); }
 
-  /// The largest distance; 0 if there is no vertex.
+  /// The largest distance; 0 without vertices.
   float height() const
   {
     float result = 0;
@@ -488,7 +488,7 @@ public:
     return weight > 0 ? std::optional<Ball>(result) : std::nullopt;
   }
 
-  /// The tip of a limb with its last node at `base`, in the direction of what is far from that; nothing if the end is
+  /// The tip of a limb with its last node at `base`, in the direction of the farthest vertices; nothing if the end is
   /// not higher than `min_height`, relative to the radius.
   std::optional<Vector_3> tip(const Vector_3& base, double radius, double min_height = min_tip_height) const
   {

@@ -33,7 +33,7 @@ namespace CSCD::internal {
 
 /// Measures the surface on the two sides of separators, one after the other. The work is that of the surface near a
 /// separator, up to a distance and an area that are given. One object serves one thread.
-/// \tparam Surface what separators lie on
+/// \tparam Surface the surface of the separators
 template <class Surface>
 class Separator_sides
 {
@@ -211,8 +211,8 @@ std::vector<std::uint8_t> find_self_crossings(const Triangulation& surface, cons
   return result;
 }
 
-/// For each of `separators`, 1 if it crosses an edge twice: among points there are no faces in which curves could be
-/// followed more closely. Linear in the number of crossings.
+/// For each of `separators`, 1 if it crosses an edge twice: among points, curves cannot be followed more closely within
+/// faces. Linear in the number of crossings.
 inline std::vector<std::uint8_t> find_self_crossings(const Point_complex& surface,
                                                      const std::vector<Separator>& separators)
 {
@@ -264,20 +264,20 @@ inline bool do_segments_meet(const std::array<double, 2>& a, const std::array<do
   return overlap(0) && overlap(1);
 }
 
-/// The pairs of separators that overlap: that pass closest to the same vertex, or as `Overlap_rule` says.
+/// The pairs of separators that overlap: both pass closest to the same vertex, or overlap as `Overlap_rule` says.
 ///
-/// Among the pairs that pass closest to the same vertex are all that cross in a face (appendix C). For let a chord cut
-/// the corner c off a face with the other corners x and y, and cross another one: that has one end on c's side, say on
-/// the edge to x. If the first chord meets this edge nearer to c than to x, both pass closest to c; if it meets it
-/// nearer to x, and so does the second one, both pass closest to x. If the second one alone is nearer to c, the first
-/// one passes closest to c too, on the edge to y, or passes closest to both x and y; and the other end of the second
-/// one, which is not on c's side, is nearest to one of these. There are no parallel lines, vertices or edges to be
-/// treated in a special way. Separators that coincide, and so do not cross, overlap too. And each of a set without
-/// overlaps has a closed ring of vertices of its own: its part of the surface is never empty and always connected.
+/// The pairs that pass closest to the same vertex include all pairs that cross in a face (appendix C). For let a chord
+/// cut the corner c off a face with the other corners x and y, and cross another chord: this one has one end on c's
+/// side, say on the edge to x. If the first chord meets this edge nearer to c than to x, both pass closest to c; if it
+/// meets it nearer to x, and so does the second one, both pass closest to x. If the second one alone is nearer to c,
+/// the first one passes closest to c too, on the edge to y, or passes closest to both x and y; and the other end of the
+/// second one, which is not on c's side, is nearest to one of these. Parallel lines, vertices and edges need no special
+/// treatment. Separators that coincide, and so do not cross, overlap too. And each separator of a set without overlaps
+/// has a closed ring of vertices of its own: its part of the surface is never empty and always connected.
 class Separator_overlaps
 {
 public:
-  /// Lists what passes each vertex; linear in the number of crossings.
+  /// Lists the separators that pass each vertex; linear in the number of crossings.
   /// \param surface whose edges the separators cross
   template <class Surface>
   Separator_overlaps(const Surface& surface, const std::vector<Separator>& separators)
@@ -293,7 +293,7 @@ public:
     collect_rings(surface, separators, [](const Edge_crossing&) { return true; });
     list_passes(surface.number_of_vertices());
   }
-  /// Where only those overlap that meet: in a face, or at a vertex that both pass through. Linear.
+  /// Where only separators that meet overlap: in a face, or at a vertex that both pass through. Linear.
   /// \tparam Surface a model of `SurfaceTriangulation`
   template <class Surface>
   static Separator_overlaps meeting(const Surface& surface, const std::vector<Separator>& separators)
@@ -550,7 +550,7 @@ public:
       : Region_packing(surface, separators, pack(surface, separators, settings, report), settings.overlap_rule)
   {
   }
-  /// Packs those of `separators` at the positions `packed`, no two of which overlap by `rule`.
+  /// Packs the `separators` at the positions `packed`; no two of these overlap by `rule`.
   template <class Surface>
   Region_packing(const Surface& surface, const std::vector<Separator>& separators, std::vector<Index> packed,
                  Overlap_rule rule = Overlap_rule::nearest_vertex)
@@ -589,9 +589,9 @@ private:
     return pack_by_overlap(overlaps, weights);
   }
 
-  /// Those of `packed`, no two of which cross, that the vertices resolve. Where several run between the same vertices,
-  /// the regions of the inner ones have no vertices or fall into pieces, which would make cycles: these are dropped.
-  /// O(n log n) for n vertices, times the number of rounds until all regions are connected.
+  /// The separators of `packed` that the vertices resolve; no two of `packed` cross. Where several run between the same
+  /// vertices, the regions of the inner ones have no vertices or fall into pieces, which would make cycles: the inner
+  /// ones are dropped. O(n log n) for n vertices, times the number of rounds until all regions are connected.
   template <class Triangulation>
   static std::vector<Index> resolved(const Triangulation& surface, const std::vector<Separator>& separators,
                                      std::vector<Index> packed)

@@ -59,8 +59,8 @@ public:
   {
     batch.clear();
     const double total = sum_probabilities();
-    // What was drawn in this batch has a share of the sums still, and is rejected. The bound is for surfaces of few
-    // vertices, where hardly another one may be left.
+    // Vertices of this batch still have a share of the sums, and are rejected. The bound is for surfaces of few
+    // vertices, where hardly another vertex may be left.
     constexpr std::size_t max_rejections = 64;
     std::size_t rejections = 0;
     while (batch.size() < size && rejections < max_rejections && total > 0) {
@@ -188,7 +188,7 @@ public:
   /// \pre `level` is not below `finest_level()` nor above `coarsest_level()`
   const Level_space& operator[](Index level) const { return *m_spaces[level - finest_level()]; }
 
-  /// What shortens loops along the edges of the finest level.
+  /// The shortening of loops along the edges of the finest level.
   Separator_shortening make_shortening() const
   {
     const Triangulated_surface& surface = m_levels.finest().surface;
@@ -203,8 +203,8 @@ public:
   }
 
 private:
-  /// Vertices of a level from which on there is no use in a coarser one: solves take little time, and estimated
-  /// distances need edges that are short compared with the limbs.
+  /// A level of at most so many vertices needs no coarser one: solves take little time, and estimated distances need
+  /// edges that are short compared with the limbs.
   static constexpr Index coarsest_size = 6000;
 
   const Surface_levels& m_levels;
@@ -212,9 +212,9 @@ private:
   std::vector<std::unique_ptr<const Level_space>> m_spaces;
 };
 
-/// Searches on the coarsest level from points in its faces. Where the loop has too few edges there, or there is none,
-/// it searches again on the next finer level. What is found is carried to the finest level, by shortest paths between
-/// its vertices, and shortened there: only once, since each shortening may let it slide. With one level only, this is
+/// Searches on the coarsest level from points in its faces. Where it finds no loop, or a loop of too few edges, it
+/// searches again on the next finer level. Loops are carried to the finest level, by shortest paths between their
+/// vertices, and shortened there: only once, since each shortening may let a loop slide. With one level only, this is
 /// the search of `Field_group_search`.
 class Multiscale_group_search
 {
@@ -239,8 +239,8 @@ public:
   }
 
 private:
-  /// The least length of a loop in mean edge lengths of the level that it is found on, but for the finest of these.
-  /// Chosen on armadillo and warrior: with 8 errors are greater and tips fewer; with 16 nothing is gained.
+  /// The least length of a loop in mean edge lengths of its level, except on the finest level. Chosen on armadillo and
+  /// warrior: with 8 errors are greater and tips fewer; with 16 nothing is gained.
   static constexpr double min_edges_of_loop = 12;
 
   struct Finder

@@ -30,16 +30,16 @@
 
 namespace CSCD::internal {
 
-/// A polar frame at every vertex, in which vectors are complex numbers: angles between the edges around a vertex are
-/// scaled so that they add up to a full turn; on a border they stay as they are. The first outgoing halfedge points
-/// along the real axis.
+/// A polar frame at every vertex, where vectors are complex numbers: angles between the edges around a vertex are
+/// scaled to add up to a full turn; on a border they stay as they are. The first outgoing halfedge points along the
+/// real axis.
 ///
 /// \tparam Triangulation halfedge `h` runs along side `h % 3` of face `h / 3`, counterclockwise. It has the members
 ///         `number_of_vertices()`, `number_of_halfedges()`, `number_of_faces()`, static `next(h)`, `previous(h)` and
 ///         `face(h)`, and `origin(h)`, `target(h)`, `twin(h)`, which is `no_index` on a border, and `length(h)`: so it
 ///         may be intrinsic, with several edges between two vertices, and edges from a vertex to itself. The faces
-///         around each vertex form one fan. Faces for which there is a member `is_hole_filling(f)` that says so are no
-///         part of the surface.
+///         around each vertex form one fan. A face is not part of the surface if the optional member
+///         `is_hole_filling(f)` holds.
 template <class Triangulation>
 class Tangent_frames
 {
@@ -316,9 +316,9 @@ private:
   std::vector<Index> m_twins; // of every halfedge
 };
 
-/// A frame across the normal of every vertex, in which tangent vectors are complex numbers. It has the members of
-/// `Tangent_frames` that cut loci and loops ask for; directions are those of the edges as seen along the normal, since
-/// the triangles of a cloud need not go once around a vertex. The first halfedge points along the real axis.
+/// A frame across the normal of every vertex, where tangent vectors are complex numbers. It has the members of
+/// `Tangent_frames` that cut loci and loops need. Directions are those of the edges as seen along the normal, since the
+/// triangles of a cloud need not go once around a vertex. The first halfedge points along the real axis.
 class Point_frames
 {
 public:
@@ -406,7 +406,7 @@ private:
     return norm > 0 ? result / norm : Complex(1);
   }
 
-  /// Relative to what is projected: shorter projections have no direction that can be trusted.
+  /// Relative to the projected vector: shorter projections have no direction that can be trusted.
   static constexpr double min_projection = 1e-8;
 
   const Point_complex& m_complex;
@@ -476,7 +476,7 @@ private:
   /// Solves the normal equations of the slopes along the edges: each counts the same, however long its edge is.
   void fit_gradient(Index vertex)
   {
-    // Relative to its trace, the least determinant of a matrix of which the inverse is meaningful.
+    // The least determinant of a matrix with a meaningful inverse, relative to the square of its trace.
     constexpr double min_determinant = 1e-3;
     double xx = 0;
     double xy = 0;

@@ -50,7 +50,7 @@ public:
   }
 
   /// O(log n), or O(k) for k faces on the way.
-  /// \param near the face of a point nearby, from which the distance is followed downwards; `no_index` for none
+  /// \param near the face of a point nearby, where the descent of the distance begins; `no_index` for none
   Projected_point operator()(const Vector_3& point, Index near) const
   {
     const Surface_point nearest = near == no_index ? m_queries->closest_point(point) : descend(point, near);
@@ -89,10 +89,10 @@ private:
 /// the nearest vertex.
 ///
 /// The surface is where the weighted mean of (n + n_i) . (x - p_i) vanishes, over the points p_i near x with their
-/// normals n_i, n being the weighted mean of these. That is a plane fit with oriented normals, but for n beside n_i: a
-/// chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly where a plane
-/// fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019).
-/// Only points of the sheet of the site count, which is sought over edges from the last one: so no point jumps to
+/// normals n_i; n is the weighted mean of the n_i. This is a plane fit with oriented normals, except that n is added to
+/// n_i: a chord of a circle is perpendicular to the sum of the normals at its ends, so a sphere is met exactly, while a
+/// plane fit alone is too small (the same sum serves S. Rusinkiewicz, "A symmetric objective function for ICP", 2019).
+/// Only points of the sheet of the site count. The site is sought over edges from the last one: so no point jumps to
 /// another sheet. Const and thread safe; copies are cheap.
 class Moving_least_squares_projection
 {
@@ -108,7 +108,7 @@ public:
 
   /// O(k) for k points around the site, and the steps to it. Where no point is near enough, as over a hole of the
   /// cloud, the nearest one is the projection.
-  /// \param near a vertex from which the distance to `point` is followed downwards \pre it is one
+  /// \param near a vertex where the descent of the distance to `point` begins \pre it is one
   Projected_point operator()(const Vector_3& point, Index near) const
   {
     CGAL_precondition(near != no_index);
@@ -177,8 +177,8 @@ private:
 /// successor, -`coupling[i - 1]` for its predecessor. Linear.
 /// Eliminates from the first row to the last, with the last column carried along as a further right-hand side.
 /// \param diagonal is overwritten
-/// \pre there are at least three rows, and each diagonal entry is greater than the sum of its row's couplings, which are
-///      not negative
+/// \pre there are at least three rows, and each diagonal entry is greater than the sum of the couplings of its row,
+///      which are not negative
 inline void solve_cyclic_tridiagonal(std::vector<double>& diagonal, const std::vector<double>& coupling,
                                      std::vector<Vector_3>& right_side, std::vector<double>& last_column)
 {
@@ -240,7 +240,7 @@ inline void resample_polygon(const std::vector<Vector_3>& points, std::size_t nu
   }
 }
 
-/// What a variational shortening has done.
+/// The report of a variational shortening.
 struct Variational_report
 {
   Shortening_outcome outcome = Shortening_outcome::straight;

@@ -121,12 +121,12 @@ constexpr unsigned arc_of_octant(unsigned octant, unsigned axis)
   return 4 * axis + low + 2 * high;
 }
 
-/// What becomes of a corner.
+/// The sheets that a corner becomes.
 struct Corner_sheets
 {
   std::array<std::uint8_t, 12> sheet_of_arc{}; ///< of arcs that bound the label
   std::uint8_t number_of_vertices = 0;         ///< one a sheet; one a half-axis if there is a tube
-  std::uint8_t singular_half_axes = 0;         ///< a bit for each in which four faces meet
+  std::uint8_t singular_half_axes = 0;         ///< a bit for each where four faces meet
   bool has_tube = false;                       ///< whether two sheets are joined
 };
 
@@ -249,7 +249,7 @@ public:
   /// A volume has at most so many labels that are bodies of their own.
   static constexpr std::size_t max_number_of_labels = 65536;
 
-  /// \throw Input_error if there are no voxels, or the axes do not span the space
+  /// \throw Input_error if the grid has no voxels, or the axes do not span the space
   Voxel_surface_builder(const Volume_grid& grid, const Voxel_surface_settings& settings)
       : m_grid(grid), m_settings(settings), m_sheets(settings.connectivity), m_row(grid.size[0] + 2)
   {
@@ -310,7 +310,7 @@ private:
   {
     std::uint32_t label;
     std::uint8_t octants; ///< a bit for each voxel that has the label
-    Index first_vertex;   ///< of those that the corner has become
+    Index first_vertex;   ///< of the vertices that the corner has become
   };
   /// The corners between two slices.
   struct Corner_plane
@@ -525,7 +525,7 @@ private:
     append_polygon(shape, axis, lower_corner);
   }
 
-  /// The vertex in the middle of an edge in which four faces meet, on the sheet that goes around one of its voxels.
+  /// The vertex in the middle of an edge where four faces meet, on the sheet that goes around one of its voxels.
   /// \param place where the edge begins
   /// \param octant of the voxel, seen from there
   Index middle_of_edge(Shape& shape, const Place& place, int axis, unsigned octant)
@@ -609,7 +609,7 @@ private:
   std::size_t m_number_of_slices = 0;        ///< that were taken
   Corner_plane m_lower_corners;              ///< below the lower slice
   Corner_plane m_upper_corners;              ///< between the slices
-  std::map<Edge_copy, Index> m_open_middles; ///< of edges of which one of two faces is made
+  std::map<Edge_copy, Index> m_open_middles; ///< of edges with one of two faces made
   std::vector<Shape> m_shapes;
   std::unordered_map<std::uint32_t, Index> m_shape_of_label;
   Index m_last_shape = no_index;
@@ -617,8 +617,8 @@ private:
 };
 
 /// makes the surfaces of all labels of `volume`; see `Voxel_surface_builder`.
-/// \throw Input_error if there are no voxels, labels that do not fit the size, too many labels or triangles, or axes
-///        that do not span the space
+/// \throw Input_error if the volume has no voxels, labels that do not fit the size, too many labels or triangles, or
+///        axes that do not span the space
 inline std::vector<Voxel_surface> make_voxel_surfaces(const Volume& volume, const Voxel_surface_settings& settings = {})
 {
   if (volume.labels.size() != volume.grid.number_of_voxels()) {
