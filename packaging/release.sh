@@ -2,15 +2,16 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# release.sh OUT: builds all that is shipped, on Debian 12, from a clean clone of the last commit; tests each product where
-# nothing else of CSCD is installed; writes the products and their checksums to OUT and prints a table. The logs are in
+# release.sh OUT [PRODUCT...]: builds all products, or those named, on Debian 12, from a clean clone of the last commit. The
+# program of debian is compared with all others; linux comes from the build of wheel. Tests each product where
+# nothing else of CSCD is installed. Writes the products and their checksums to OUT and prints a table. The logs are in
 # OUT/work. The exit status is 0 if all products were built and passed their tests.
 # shellcheck disable=SC2317 # functions are called by name
 
 set -euo pipefail
 
-if (($# != 1)); then
-  echo "Usage: release.sh OUT" >&2
+if (($# == 0)); then
+  echo "Usage: release.sh OUT [debian] [wheel] [linux] [windows] [arm64] [npm] [integrations]" >&2
   exit 1
 fi
 out=$(realpath --canonicalize-missing "$1")
@@ -132,17 +133,15 @@ npm()
 
 integrations()
 {
-  integrations/build.sh "$out"
+  CSCD_PROGRAM=$native integrations/build.sh "$out"
 }
 
 rows=()
 status=0
-products=(debian wheel linux windows arm64)
-for folder in npm integrations; do
-  if [[ -x $folder/build.sh ]]; then
-    products+=("$folder")
-  fi
-done
+products=("${@:2}")
+if ((${#products[@]} == 0)); then
+  products=(debian wheel linux windows arm64 npm integrations)
+fi
 for product in "${products[@]}"; do
   echo "== $product"
   touch "$work/begin"

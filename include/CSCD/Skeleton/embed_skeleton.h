@@ -30,7 +30,7 @@ namespace CSCD::internal {
 inline void place_nodes(const Cut_solid& cut, Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
 {
   const Piece_vertices pieces(cut);
-  const Cut_graph_nodes nodes(cut, pieces, graph);
+  const Cut_graph_nodes nodes(cut, pieces, routing, graph);
   make_simple(graph);
   merge_junctions(graph);
   settle_on_sheets(cut.solid, graph);
