@@ -68,8 +68,8 @@ mv elephant.off data/meshes
 CGAL_DATA_DIR=data build/example | grep -c .
 END
   mmdebstrap --variant=apt --format=null \
-    --customize-hook="copy-in $work/debian/*.deb $work/in_chroot.sh $work/use_module.py $elephant \
-      $PWD/examples/readme_example.cpp /root" \
+    --customize-hook="cp $work/debian/*.deb $work/in_chroot.sh $work/use_module.py $elephant \
+      $PWD/examples/readme_example.cpp \$1/root" \
     --customize-hook='chroot "$1" sh /root/in_chroot.sh' bookworm /dev/null http://deb.debian.org/debian
   mv "$work"/debian/*.deb "$out"
   echo "lintian; installed in a fresh chroot: program, module, README's example of C++"
