@@ -2,10 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# release.sh OUT [PRODUCT...]: builds all products, or those named, on Debian 12, from a clean clone of the last commit. The
-# program of debian is compared with all others; linux comes from the build of wheel. Tests each product where
-# nothing else of CSCD is installed. Writes the products and their checksums to OUT and prints a table. The logs are in
-# OUT/work. The exit status is 0 if all products were built and passed their tests.
+# release.sh OUT [PRODUCT...]: builds all products, or the named ones, on Debian 12, from a clean clone of the last
+# commit. The product debian comes first, because the other programs are compared with its program; linux takes the
+# program that wheel builds. Each product is tested where nothing else of CSCD is installed. The products and their
+# checksums go to OUT, the logs to OUT/work, and a table is printed. The exit status is 0 if all products were built and
+# passed their tests.
 # shellcheck disable=SC2317 # functions are called by name
 
 set -euo pipefail

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Cuts the handles that no separator cuts.
+// The packing stage of the default engine: packs separators, and cuts the handles that no separator cuts.
 
 #ifndef CSCD_PACKING_CUT_HANDLES_H
 #define CSCD_PACKING_CUT_HANDLES_H
