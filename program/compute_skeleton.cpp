@@ -135,6 +135,7 @@ CSCD::Options engine_options(const Skeletonize_options& options)
   result.random_seed = options.seed;
   result.number_of_threads = options.number_of_threads;
   result.detail = options.detail;
+  result.node_spacing = options.spacing;
   if (options.maximum_number_of_sources > 0) {
     result.maximum_number_of_sources = options.maximum_number_of_sources;
   }
@@ -313,8 +314,8 @@ Skeletonization_result compute_surface_skeleton(const Surface_traits& traits, co
                                                 Progress_visitor& visitor)
 {
   Numbered_points::Skeleton skeleton;
-  Skeletonization_result result =
-      run_skeletonization(traits, CSCD::Local_policies(CSCD::Detail(options.detail)), options, visitor, skeleton);
+  Skeletonization_result result = run_skeletonization(
+      traits, CSCD::Local_policies(CSCD::Detail(options.detail), options.spacing), options, visitor, skeleton);
   result.skeleton = convert_skeleton(skeleton);
   result.is_of_points = true;
   return result;

@@ -138,13 +138,15 @@ std::string default_text(const cscd::Option& option)
   return text == "0" ? "" : text;
 }
 
-/// Sets the value of `option`. An r behind a length means radii: `rows` have an option for such lengths.
+/// Sets the value of `option`. An r behind a spacing means radii: `rows` may have an option of its own for such
+/// lengths.
 void assign(const cscd::Option& option, const std::vector<cscd::Option>& rows, const std::string& text)
 {
   const auto relative =
       std::find_if(rows.begin(), rows.end(), [](const cscd::Option& row) { return row.name == "spacing-over-radius"; });
   const bool is_relative = option.name == "spacing" && text.size() > 1 && text.back() == 'r';
-  cscd::assign(is_relative ? *relative : option, is_relative ? text.substr(0, text.size() - 1) : text);
+  cscd::assign(is_relative && relative != rows.end() ? *relative : option,
+               is_relative ? text.substr(0, text.size() - 1) : text);
 }
 
 void add_option(CLI::App& command, const cscd::Option& option, const std::vector<cscd::Option>& rows)

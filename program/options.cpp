@@ -209,6 +209,10 @@ std::vector<Option> options_of(Skeletonize_options& o)
          {Option{"detail", &o.detail, "D", "how small a limb may be to get a branch: 0 none, 1 every bump"}
               .in(0, 1)
               .of(mesh_input | point_input | volume_input)
+              .of_method(local_method),
+          Option{"spacing", &o.spacing, "S", "leave nodes out of straight branches, for edges of up to S local radii"}
+              .at_least(0)
+              .of(mesh_input | point_input | volume_input)
               .of_method(local_method)});
   append(table, detail_group, fragment_options(o.fragments, "vertices or points"));
   append(table, output_group,

@@ -91,6 +91,7 @@ struct Skeletonize_options
   std::string borders = automatic_borders;
   std::optional<double> wrap; ///< size of the gaps of a mesh that a wrap around it closes, relative to its diagonal
   double detail = CSCD::Options().detail;
+  double spacing = 0;
   unsigned seed = 0;
   unsigned number_of_threads = 0;            ///< 0 for as many as the machine has
   std::size_t maximum_number_of_sources = 0; ///< of separators; 0 for the default of the method

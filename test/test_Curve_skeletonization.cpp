@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -62,6 +63,18 @@ protected:
   Mesh m_mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::y_tube(0.15));
   Traits m_traits{m_mesh};
 };
+
+TEST_F(Curve_skeletonization, of_a_mesh_makes_its_traits)
+{
+  Skeleton whole;
+  Skeletonization(m_traits).run(whole);
+  CSCD::Curve_skeletonization of_mesh(m_mesh);
+  static_assert(std::is_same_v<decltype(of_mesh), Skeletonization>);
+  CSCD::Curve_skeletonization moved(std::move(of_mesh));
+  Skeleton skeleton;
+  moved.run(skeleton);
+  expect_equal(skeleton, whole);
+}
 
 TEST_F(Curve_skeletonization, step_by_step_equals_all_at_once)
 {

@@ -5,6 +5,7 @@
 
 #include <CSCD/Options.h>
 #include <CSCD/Skeleton.h>
+#include <CSCD/Skeletonization_report.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/skeletonize.h>
 
@@ -160,6 +161,36 @@ TEST_P(Plain_bodies, have_their_axis_as_skeleton)
       CSCD::skeletonize(soup.points, soup.faces, options, skeleton);
       expect_axis(skeleton, radius);
     }
+  }
+}
+
+TEST_P(Plain_bodies, of_few_vertices_have_few_nodes)
+{
+  const Soup soup = triangulated(GetParam(), 1, 1);
+  CSCD::Skeleton skeleton;
+  CSCD::skeletonize(soup.points, soup.faces, CSCD::Options(), skeleton);
+  EXPECT_LE(skeleton.points.size(), 12U);
+}
+
+TEST_P(Plain_bodies, keep_their_axis_at_any_spacing_of_nodes)
+{
+  const double radius = std::sqrt(area(GetParam().section) / pi);
+  const Soup soup = triangulated(GetParam(), 6, 24);
+  std::size_t number_of_nodes = soup.points.size();
+  for (const double spacing : {0., 1.5, 3.}) {
+    CSCD::Options options;
+    options.node_spacing = spacing;
+    CSCD::Skeleton skeleton;
+    const CSCD::Skeletonization_report report = CSCD::skeletonize(soup.points, soup.faces, options, skeleton);
+    expect_axis(skeleton, radius);
+    EXPECT_EQ(report.number_of_edges_outside, 0U);
+    EXPECT_LT(skeleton.points.size(), number_of_nodes);
+    number_of_nodes = skeleton.points.size();
+    std::size_t number_of_vertices = 0;
+    for (const auto& vertices : skeleton.vertices) {
+      number_of_vertices += vertices.size();
+    }
+    EXPECT_EQ(number_of_vertices, soup.points.size());
   }
 }
 

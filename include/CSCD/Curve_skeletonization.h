@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -36,8 +37,7 @@ namespace CSCD {
 /// Computes the curve skeleton of a surface, one stage after the other.
 ///
 /// \code
-/// CSCD::Triangle_mesh_traits traits(mesh);
-/// CSCD::Curve_skeletonization skeletonization(traits);
+/// CSCD::Curve_skeletonization skeletonization(mesh);
 /// skeletonization.find_separators();
 /// skeletonization.pack_separators();
 /// skeletonization.convert_to_skeleton(skeleton);
@@ -63,13 +63,19 @@ public:
 
   /// Prepares to skeletonize the surface of `traits`, which is referred to and must outlive this object.
   explicit Curve_skeletonization(const Traits& traits, Policies policies = Policies(), Visitor visitor = Visitor())
-      : m_traits(traits), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
+      : Curve_skeletonization(std::shared_ptr<const Traits>(std::shared_ptr<const Traits>(), &traits),
+                              std::move(policies), std::forward<Visitor>(visitor))
   {
-    check_skeletonization_traits<Traits>();
-    check_skeletonization_policies<Policies, typename Traits::Surface>();
-    check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
-    traits.describe_input(m_report);
-    m_number_of_input_warnings = m_report.warnings.size();
+  }
+  /// Prepares to skeletonize `input`, a mesh or another input that traits can be constructed from, which is not
+  /// referred to later: `Curve_skeletonization skeletonization(mesh);`.
+  /// \throw Input_error if the input cannot be skeletonized; the message names the element and the remedy
+  template <class Input,
+            std::enable_if_t<!std::is_same_v<Input, Traits> && std::is_constructible_v<Traits, const Input&>, int> = 0>
+  explicit Curve_skeletonization(const Input& input, Policies policies = Policies(), Visitor visitor = Visitor())
+      : Curve_skeletonization(std::make_shared<const Traits>(input), std::move(policies),
+                              std::forward<Visitor>(visitor))
+  {
   }
   /// Temporary traits are refused: the object would refer to them.
   template <class... Arguments>
@@ -130,7 +136,7 @@ public:
     run_stage(Skeletonization_stage::find_separators, [&] {
       constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, CGAL::Parallel_tag>;
       m_settings.number_of_threads = is_parallel ? m_number_of_threads : 1;
-      m_separators = m_policies.find_separators(m_traits.surface(), m_settings, m_report,
+      m_separators = m_policies.find_separators(m_traits->surface(), m_settings, m_report,
                                                 [&](double fraction) { run_stage.progress(fraction); });
       m_report.number_of_separators = m_separators.size();
     });
@@ -144,7 +150,7 @@ public:
   {
     Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::pack_separators, [this] {
       m_separators.resize(m_report.number_of_separators);
-      m_packing.emplace(m_policies.pack_separators(m_traits.surface(), m_separators, m_report));
+      m_packing.emplace(m_policies.pack_separators(m_traits->surface(), m_separators, m_report));
       m_report.number_of_packed_separators = m_packing->packed().size();
       m_report.number_of_open_separators =
           std::size_t(std::count_if(m_packing->packed().begin(), m_packing->packed().end(),
@@ -164,7 +170,7 @@ public:
     check_curve_skeleton_graph<OutputSkeleton>();
     OutputSkeleton result;
     Stage_runner(m_visitor, m_report.seconds)(Skeletonization_stage::build_skeleton, [&] {
-      result = make_graph<OutputSkeleton>(m_policies.build_skeleton(m_traits.surface(), std::as_const(m_separators),
+      result = make_graph<OutputSkeleton>(m_policies.build_skeleton(m_traits->surface(), std::as_const(m_separators),
                                                                     std::as_const(*m_packing), m_report));
     });
     skeleton = std::move(result);
@@ -199,17 +205,27 @@ public:
   std::vector<Point> polyline(const Separator& separator) const
   {
     std::vector<Vector_3> points;
-    internal::curve_points(m_traits.surface().triangulation(), separator, points);
+    internal::curve_points(m_traits->surface().triangulation(), separator, points);
     std::vector<Point> result;
     result.reserve(points.size());
     for (const Vector_3& point : points) {
-      result.push_back(m_traits.to_input_point(point));
+      result.push_back(m_traits->to_input_point(point));
     }
     return result;
   }
   /// @}
 
 private:
+  Curve_skeletonization(std::shared_ptr<const Traits> traits, Policies policies, Visitor visitor)
+      : m_traits(std::move(traits)), m_policies(std::move(policies)), m_visitor(std::forward<Visitor>(visitor))
+  {
+    check_skeletonization_traits<Traits>();
+    check_skeletonization_policies<Policies, typename Traits::Surface>();
+    check_skeletonization_visitor<std::remove_reference_t<Visitor>>();
+    m_traits->describe_input(m_report);
+    m_number_of_input_warnings = m_report.warnings.size();
+  }
+
   using Stage_runner = internal::Stage_runner<std::remove_reference_t<Visitor>>;
 
   template <class OutputSkeleton>
@@ -222,16 +238,16 @@ private:
     for (Index node = 0; node < builder.size(); ++node) {
       vertex.push_back(add_vertex(result));
       auto& bundle = result[vertex[node]];
-      bundle.point = m_traits.to_input_point(builder[node].position);
+      bundle.point = m_traits->to_input_point(builder[node].position);
       if constexpr (has_radius_v<OutputSkeleton>) {
-        bundle.radius = m_traits.to_input_length(skeleton.radius[node]);
+        bundle.radius = m_traits->to_input_length(skeleton.radius[node]);
       }
       if constexpr (has_is_opening_v<OutputSkeleton>) {
         bundle.is_opening = builder[node].is_opening;
       }
     }
     for (Index v = 0; v < skeleton.node_of_vertex.size(); ++v) {
-      for (const auto& descriptor : m_traits.descriptors(v)) {
+      for (const auto& descriptor : m_traits->descriptors(v)) {
         result[vertex[skeleton.node_of_vertex[v]]].vertices.push_back(descriptor);
       }
     }
@@ -242,7 +258,7 @@ private:
     return result;
   }
 
-  const Traits& m_traits;
+  std::shared_ptr<const Traits> m_traits; ///< not owned if the user constructed it
   Policies m_policies;
   Visitor m_visitor;
   Options m_settings;
@@ -253,18 +269,26 @@ private:
   Skeletonization_report m_report;
 };
 
+/// Deduces the traits of a triangle mesh.
+template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
+Curve_skeletonization(const TriangleMesh&) -> Curve_skeletonization<Triangle_mesh_traits<TriangleMesh>>;
+
 namespace internal {
 
-/// The policies that `np` gives; by default the local ones, with the detail that `np` gives.
+/// The policies that `np` gives; by default the local ones, with the detail and the spacing of nodes that
+/// `np` gives.
 template <class NamedParameters>
 auto skeletonization_policies(const NamedParameters& np)
 {
   if constexpr (has_policies_v<NamedParameters>) {
     static_assert(parameters::is_default_parameter<NamedParameters, internal_np::detail_t>::value,
                   "CSCD: detail belongs to the default policies and cannot be given with policies");
+    static_assert(parameters::is_default_parameter<NamedParameters, internal_np::node_spacing_t>::value,
+                  "CSCD: node_spacing belongs to the default policies and cannot be given with policies");
     return parameters::get_parameter(np, internal_np::policies);
   } else {
-    return Local_policies(Detail(to_options<CGAL::Sequential_tag>(np).detail));
+    const Options options = to_options<CGAL::Sequential_tag>(np);
+    return Local_policies(Detail(options.detail), options.node_spacing);
   }
 }
 

@@ -52,7 +52,11 @@ public:
   };
 
   /// \param detail how small a limb may be to get a branch
-  explicit Local_policies(const Detail& detail = Detail()) : m_detail(detail) {}
+  /// \param node_spacing the length that edges may have where nodes are left out, see `Options`
+  explicit Local_policies(const Detail& detail = Detail(), double node_spacing = 0)
+      : m_detail(detail), m_node_spacing(node_spacing)
+  {
+  }
 
   /// How small a limb may be to get a branch.
   const Detail& detail() const { return m_detail; }
@@ -78,6 +82,7 @@ public:
 
 private:
   Detail m_detail;
+  double m_node_spacing;
 };
 
 } // namespace CSCD

@@ -52,7 +52,8 @@ CSCD_INLINE Embedded_skeleton Local_policies::build_skeleton(const Triangulated_
                                                              const Packing& packing,
                                                              Skeletonization_report& report) const
 {
-  return internal::embed_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(), report);
+  return internal::embed_skeleton(solid, separators, packing.packed(), packing.m_packing->cut_graph(), m_node_spacing,
+                                  report);
 }
 
 } // namespace CSCD

@@ -254,6 +254,7 @@ Options to_options(const NamedParameters& np)
   options.maximum_number_of_sources = std::size_t(
       choose_parameter(get_parameter(np, internal_np::maximum_number_of_sources), options.maximum_number_of_sources));
   options.detail = double(choose_parameter(get_parameter(np, internal_np::detail), options.detail));
+  options.node_spacing = double(choose_parameter(get_parameter(np, internal_np::node_spacing), options.node_spacing));
   options.border_treatment =
       choose_parameter(get_parameter(np, internal_np::border_treatment), options.border_treatment);
   return options;

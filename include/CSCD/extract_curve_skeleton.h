@@ -74,6 +74,11 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, const Ve
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the vertex descriptor as key}
 ///     \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{accepted and not used: coordinates are computed with as `double`}
+///     \cgalParamType{any}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{the seed for the order of trying vertices as sources}
 ///     \cgalParamType{unsigned int}
@@ -99,6 +104,12 @@ Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, const Ve
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.5}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{node_spacing}
+///     \cgalParamDescription{the length that edges may have, in radii of the body, where nodes are left out of straight
+///                           branches; not with `policies`}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0: only nodes that no vertex belongs to are left out}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{border_treatment}
 ///     \cgalParamDescription{which components are sheets, with open separators from border to border}
 ///     \cgalParamType{`Border_treatment`}
@@ -122,9 +133,10 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class TriangleMesh, class
 Skeletonization_report extract_curve_skeleton(const TriangleMesh& mesh, Skeleton& skeleton,
                                               const NamedParameters& np = parameters::default_values())
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, CGAL::internal_np::random_seed_t,
-                                   CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
-                                   internal_np::number_of_threads_t, internal_np::detail_t, internal_np::policies_t,
+  internal::check_named_parameters<NamedParameters, CGAL::internal_np::geom_traits_t, CGAL::internal_np::vertex_point_t,
+                                   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
+                                   internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
+                                   internal_np::detail_t, internal_np::node_spacing_t, internal_np::policies_t,
                                    internal_np::border_treatment_t>();
   const auto point_map = internal::vertex_point_map(mesh, np);
   if constexpr (internal::has_policies_v<NamedParameters>) {

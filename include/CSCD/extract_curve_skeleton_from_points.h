@@ -47,6 +47,11 @@ namespace CSCD {
 ///     \cgalParamType{a model of `ReadablePropertyMap` with the elements of `points` as key}
 ///     \cgalParamDefault{`points.normal_map()` for a `CGAL::Point_set_3` that has normals, else none}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{geom_traits}
+///     \cgalParamDescription{accepted and not used: coordinates are computed with as `double`}
+///     \cgalParamType{any}
+///     \cgalParamDefault{none}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{random_seed}
 ///     \cgalParamDescription{the seed for the order of trying points as sources}
 ///     \cgalParamType{unsigned int}
@@ -73,6 +78,12 @@ namespace CSCD {
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0.5}
 ///   \cgalParamNEnd
+///   \cgalParamNBegin{node_spacing}
+///     \cgalParamDescription{the length that edges may have, in radii of the body, where nodes are left out of straight
+///                           branches; not with `policies`}
+///     \cgalParamType{double}
+///     \cgalParamDefault{0: only nodes that no point belongs to are left out}
+///   \cgalParamNEnd
 ///   \cgalParamNBegin{visitor}
 ///     \cgalParamDescription{is informed of progress and may stop the work}
 ///     \cgalParamType{a model of `SkeletonizationVisitor`, copied unless given as `std::ref(visitor)`}
@@ -89,10 +100,10 @@ template <class ConcurrencyTag = CGAL::Sequential_tag, class PointRange, class S
 Skeletonization_report extract_curve_skeleton(const PointRange& points, Skeleton& skeleton,
                                               const NamedParameters& np = parameters::default_values())
 {
-  internal::check_named_parameters<NamedParameters, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
-                                   CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
-                                   internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::detail_t, internal_np::policies_t>();
+  internal::check_named_parameters<
+      NamedParameters, CGAL::internal_np::geom_traits_t, CGAL::internal_np::point_t, CGAL::internal_np::normal_t,
+      CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t, internal_np::maximum_number_of_sources_t,
+      internal_np::number_of_threads_t, internal_np::detail_t, internal_np::node_spacing_t, internal_np::policies_t>();
   const auto point_map = internal::point_map(points, np);
   const auto policies = internal::skeletonization_policies(np);
   using Point_map = std::decay_t<decltype(point_map)>;

@@ -42,7 +42,7 @@ Skeletonization_report extract_curve_skeleton(const Voxel_surface& surface, Skel
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::random_seed_t, CGAL::internal_np::visitor_t,
                                    internal_np::maximum_number_of_sources_t, internal_np::number_of_threads_t,
-                                   internal_np::detail_t, internal_np::policies_t>();
+                                   internal_np::detail_t, internal_np::node_spacing_t, internal_np::policies_t>();
   using Vertex = typename boost::graph_traits<Skeleton>::vertex_descriptor;
   using Point = std::decay_t<decltype(std::declval<Skeleton&>()[std::declval<Vertex>()].point)>;
   const auto make_traits = [&] { return Voxel_surface_traits<Point>(surface); };

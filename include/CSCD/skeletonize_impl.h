@@ -99,8 +99,8 @@ CSCD_INLINE Skeletonization_report skeletonize(std::vector<Vector_3> points, std
   });
   Skeleton result;
   run_stage(Skeletonization_stage::build_skeleton, [&] {
-    const Embedded_skeleton embedded =
-        internal::embed_skeleton(mesh.solid(), separators, packing->packed(), packing->cut_graph(), report);
+    const Embedded_skeleton embedded = internal::embed_skeleton(mesh.solid(), separators, packing->packed(),
+                                                                packing->cut_graph(), options.node_spacing, report);
     result = internal::to_input(embedded, mesh);
     for (const Index separator : packing->packed()) {
       result.separators.push_back(internal::to_input(separators[separator], mesh.solid()));

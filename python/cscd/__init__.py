@@ -319,6 +319,7 @@ def skeletonize(
     wrap: float | None = None,
     root: npt.ArrayLike | str | None = None,
     detail: float | None = 0.5,
+    spacing: float = 0,
     min_component: int = 0,
     join: bool = False,
     method: str = "local",

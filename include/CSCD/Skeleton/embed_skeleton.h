@@ -20,6 +20,8 @@
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -51,11 +53,50 @@ inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
   }
 }
 
+/// Removes nodes from straight parts of branches: nodes that no vertex of the input belongs to, and all nodes whose
+/// neighbors are at most `node_spacing` radii apart. The edges that replace them stay inside the body.
+/// \return whether a node was removed
+inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignment& assignment, double node_spacing,
+                          Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
+{
+  // A node without vertices may be this far from the edge that replaces it, relative to R; its radius may differ as
+  // much. The edge is at most this long, relative to R, so that deviations do not add up.
+  constexpr double max_deviation = 0.1;
+  constexpr double max_length = 4;
+
+  std::vector<char> owns_vertex(graph.size(), 0);
+  for (Index vertex = 0; vertex < solid.triangulation().number_of_vertices(); ++vertex) {
+    owns_vertex[assignment.node(vertex)] |= char(solid.input_vertex(vertex) != no_index);
+  }
+  for (Index index = 0; index < graph.size(); ++index) {
+    const Skeleton_builder::Node& node = graph[index];
+    if (!graph.is_regular(index) || node.is_opening || !graph.is_bypassable(index)) {
+      continue;
+    }
+    const Skeleton_builder::Node& a = graph[node.neighbors[0]];
+    const Skeleton_builder::Node& b = graph[node.neighbors[1]];
+    const double to_a = (node.position - a.position).norm();
+    const double along = to_a / (to_a + (node.position - b.position).norm());
+    const double deviation = (a.position + along * (b.position - a.position) - node.position).norm() / node.radius;
+    const double change_of_radius = std::abs(a.radius + along * (b.radius - a.radius) - node.radius) / node.radius;
+    const double length = (a.position - b.position).norm() / node.radius;
+    const bool is_needed =
+        owns_vertex[index] || length > max_length || std::max(deviation, change_of_radius) > max_deviation;
+    if ((!is_needed || length <= node_spacing) && routing.is_free(node.neighbors[0], node.neighbors[1])) {
+      graph.bypass(index);
+    }
+  }
+  const Index number_of_nodes = graph.size();
+  graph.compact();
+  return graph.size() < number_of_nodes;
+}
+
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. Counts the
 /// nodes and edges that could not be led inside in `report`.
+/// \param node_spacing see `Options`
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
                                         const std::vector<Index>& packed, const Cut_graph& cut_graph,
-                                        Skeletonization_report& report)
+                                        double node_spacing, Skeletonization_report& report)
 {
   Embedded_skeleton result;
   Skeleton_builder& graph = result.graph;
@@ -67,17 +108,21 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   finish_on_sheets(solid, graph);
   routing.route_edges(true);
   graph.compact();
+  const auto assign_vertices = [&] { return Vertex_assignment(solid.triangulation(), cut_graph, graph); };
+  Vertex_assignment assignment = assign_vertices();
+  const bool is_thinned = thin_branches(solid, assignment, node_spacing, routing, graph);
   const auto outside = routing.count_outside();
   report.number_of_nodes_outside = outside.number_of_nodes;
   report.number_of_edges_outside = outside.number_of_edges;
-  Vertex_assignment(solid.triangulation(), cut_graph, graph).move_to(result);
+  (is_thinned ? assign_vertices() : std::move(assignment)).move_to(result);
   return result;
 }
 
 /// The same for separators that were packed without cutting the surface; separators that cross an earlier one are left
 /// out.
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                                        const std::vector<Index>& packed, Skeletonization_report& report)
+                                        const std::vector<Index>& packed, double node_spacing,
+                                        Skeletonization_report& report)
 {
   Separator_arrangement arrangement(solid.triangulation());
   std::vector<Index> inserted;
@@ -88,7 +133,7 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   }
   Cut_graph cut_graph(solid.triangulation(), arrangement);
   cut_graph.cut(arrangement);
-  return embed_skeleton(solid, separators, inserted, cut_graph, report);
+  return embed_skeleton(solid, separators, inserted, cut_graph, node_spacing, report);
 }
 
 } // namespace CSCD::internal

@@ -8,6 +8,7 @@
 CSCD_add_named_parameter(number_of_threads_t, number_of_threads, number_of_threads)
 CSCD_add_named_parameter(maximum_number_of_sources_t, maximum_number_of_sources, maximum_number_of_sources)
 CSCD_add_named_parameter(detail_t, detail, detail)
+CSCD_add_named_parameter(node_spacing_t, node_spacing, node_spacing)
 CSCD_add_named_parameter(border_treatment_t, border_treatment, border_treatment)
 CSCD_add_named_parameter(resolution_t, resolution, resolution)
 CSCD_add_named_parameter(use_skeleton_radii_t, use_skeleton_radii, use_skeleton_radii)
