@@ -14,8 +14,8 @@
 
 namespace CSCD {
 
-/// Files that appear together: each is written next to its place, and moved there when all are complete. If anything
-/// fails, no file is created or changed.
+/// Files that appear together: each is written next to its place, and moved there when all are complete. If a file
+/// cannot be written, none is created or changed; if one cannot be moved, files that were moved before it stay.
 class File_group
 {
 public:
