@@ -42,7 +42,7 @@ struct Cut_shape
     }
     packing = std::make_unique<CSCD::internal::Separator_packing>(solid.surface(), separators,
                                                                   std::vector<double>(places.size(), 1));
-    skeleton = CSCD::internal::embed_skeleton(*solid, separators, packing->packed(), packing->cut_graph(), report);
+    skeleton = CSCD::internal::embed_skeleton(*solid, separators, packing->packed(), packing->cut_graph(), 0, report);
   }
 
   Shape_solid solid;
@@ -83,7 +83,7 @@ TEST(Vertex_assignment, keeps_vertices_on_their_limb)
   const CSCD::internal::Separator_packing packing(solid.surface(), separators, {1, 1, 1, 1});
   CSCD::Skeletonization_report report;
   const CSCD::Embedded_skeleton skeleton =
-      CSCD::internal::embed_skeleton(*solid, separators, packing.packed(), packing.cut_graph(), report);
+      CSCD::internal::embed_skeleton(*solid, separators, packing.packed(), packing.cut_graph(), 0, report);
   const Vertex_assignment assignment(solid.surface(), packing.cut_graph(), skeleton.graph);
   for (Index vertex = 0; vertex < solid.surface().number_of_vertices(); ++vertex) {
     const std::vector<Index>& nodes = assignment.nodes(packing.cut_graph().piece_of_vertex(vertex));
