@@ -9,10 +9,10 @@ build_dir=$source_dir/build
 # shellcheck source=cmake/install_packages.sh
 source "$source_dir/cmake/install_packages.sh"
 
-# build_benchmarks <program>... installs missing packages (Debian, Ubuntu) and builds the programs in a Release build.
+# build_benchmarks [<program>...] installs missing packages (Debian, Ubuntu) and builds the programs in a Release build.
 build_benchmarks()
 {
-  install_packages "${library_packages[@]}" git libbenchmark-dev python3 gnuplot-nox
+  install_packages "${library_packages[@]}" git libbenchmark-dev python3
   # In a build folder that has the tests or examples, they stay.
   local -a configure=(
     cmake -S "$source_dir" -B "$build_dir" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCSCD_BUILD_BENCHMARKS=ON
@@ -21,5 +21,7 @@ build_benchmarks()
     configure+=(-DCSCD_BUILD_TESTS=OFF)
   fi
   "${configure[@]}" >/dev/null
-  cmake --build "$build_dir" --target "$@"
+  if (($#)); then
+    cmake --build "$build_dir" --parallel "$(number_of_jobs)" --target "$@"
+  fi
 }

@@ -23,7 +23,8 @@ import numpy as np
 
 from drawing import (BRANCHES, OUTSIDE, Picture, Scene, colors_of_radii, view)
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "benchmark"))
+BENCHMARK = pathlib.Path(__file__).resolve().parent.parent / "benchmark"
+sys.path += [str(BENCHMARK), str(BENCHMARK / "reproduce")]
 import volumes  # noqa: E402
 
 ARCHIVE = "/usr/share/doc/libcgal-dev/data.tar.gz"

@@ -47,7 +47,8 @@ take viewer_kitten_points points_3/kitten.xyz "points=1&repairs=1"
 take viewer_hippo_repairs points_3/hippo1.ply "repairs=1"
 take viewer_graph meshes/camel.off "up=y" --as graph
 # A tree of vessels as voxels, and points on the bark of a tree.
-PYTHONPATH=$(dirname "$0"):$(dirname "$0")/../benchmark /usr/bin/python3 -c "import numpy, make_figures, volumes
+PYTHONPATH=$(dirname "$0") /usr/bin/python3 -c "import numpy, make_figures
+volumes = make_figures.volumes
 vessels = volumes.vessel_tree(4, numpy.random.default_rng(volumes.RNG_SEED))
 volumes.write_nrrd('$work/data/vessels.nrrd', volumes.Tube(vessels).fill(96))
 numpy.savetxt('$work/data/tree.xyz', make_figures.tree_scan(numpy.random.default_rng(make_figures.SEED)), '%.5f')"

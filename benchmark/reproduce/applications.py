@@ -1,8 +1,13 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Tables of the applications, see applications.sh. Each mesh is measured in a process of its own, with a time limit."""
+"""Prints the tables of doc/applications.md.
+
+Usage: applications.py BUILD PRINCETON [TOSCA [FAUST]] [OPTION...]
+PRINCETON is the Princeton segmentation benchmark: off/N.off and seg/Benchmark/N/N_*.seg. TOSCA and FAUST, remeshed, are
+off/NAME.off with correspondences vts/NAME.vts (J. Ren et al., 2018). All tables take about an hour, most of it for
+CGAL's rays. Each mesh is measured in a process of its own, with a time limit.
+"""
 
 import argparse
 import collections
@@ -10,330 +15,225 @@ import concurrent.futures
 import json
 import math
 import pathlib
-import random
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
-import time
 
-import measurements
-from markdown_tables import markdown
+import numpy as np
 
-PRINCETON_CLASSES = ("human", "cup", "glasses", "airplane", "ant", "chair", "octopus", "table", "teddy", "hand", "pliers",
-                     "fish", "bird", "", "armadillo", "bust", "mechanical part", "bearing", "vase", "four-legged")
+import tables
+from programs import Failure, Laboratory, read_off, run
+from tables import markdown
+
+PRINCETON_CLASSES = ("human", "cup", "glasses", "airplane", "ant", "chair", "octopus", "table", "teddy", "hand",
+                     "pliers", "fish", "bird", "", "armadillo", "bust", "mechanical part", "bearing", "vase",
+                     "four-legged")
 MESHES_IN_A_CLASS = 20  # with consecutive numbers
 ERRORS = ("rand_error", "cut_discrepancy", "hamming_distance", "global_consistency_error", "local_consistency_error")
 TITLES = ("1 - Rand index", "cut discrepancy", "Hamming", "global consistency", "local consistency")
 
 
-class Runner:
-    """Runs the programs, keeps the measurements of the first, and reports runs that failed or took too long."""
-
-    def __init__(self, folder, timeout, jobs):
-        self.folder, self.timeout, self.jobs, self.kept, self.failed = pathlib.Path(folder), timeout, jobs, {}, []
-
-    def run(self, *command):
-        """The output of a program, or None."""
-        try:
-            return subprocess.run(command, capture_output=True, text=True, timeout=self.timeout, check=True).stdout
-        except (subprocess.TimeoutExpired, subprocess.CalledProcessError) as error:
-            reason = "time" if isinstance(error, subprocess.TimeoutExpired) else "error"
-            self.failed.append(f"{' '.join(map(str, command[1:3]))}: {reason}")
-            return None
-
-    def measure(self, mesh, method, people=None):
-        key = (str(mesh), method)
-        if key not in self.kept:
-            program = self.folder / "benchmark/benchmark_applications"
-            text = self.run(program, mesh, method, *([people] if people else []))
-            self.kept[key] = json.loads(text) if text else None
-            print(mesh.name, method, self.kept[key] and self.kept[key].get("rand_error"), file=sys.stderr, flush=True)
-        return self.kept[key]
-
-    def measure_all(self, arguments):
-        """Measures several at once; the cost of a run is CPU time."""
-        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
-            for _ in pool.map(lambda one: self.measure(*one), arguments):
-                pass
-
-
-def princeton_meshes(folder, parity, step):
-    """Numbers and files of meshes whose number is even (0) or odd (1); one in `step` of them."""
-    for number in range(2 - parity, MESHES_IN_A_CLASS * len(PRINCETON_CLASSES) + 1, 2 * step):
-        mesh = folder / "off" / f"{number}.off"
-        if mesh.exists():
-            yield number, mesh
-
-
-def class_of(number):
-    return PRINCETON_CLASSES[(number - 1) // MESHES_IN_A_CLASS]
+def measure(lab, options, mesh, method, *people):
+    """What measure_applications writes of a mesh, or None."""
+    try:
+        program = lab.benchmarks / "measure_applications"
+        return json.loads(run(program, mesh, method, *people, timeout=options.timeout)[0])
+    except Failure as failure:
+        print(f"{mesh} {method}: {failure}", file=sys.stderr)
+        return None
 
 
 def mean_cells(runs):
     def mean(key):
-        values = [run[key] for run in runs if run.get(key) is not None]
+        values = [run[key] for run in runs if run[key] is not None]
         return statistics.fmean(values) if values else math.nan
 
-    seconds = mean("skeleton_seconds") + mean("diameter_seconds") + mean("segmentation_seconds")
+    seconds = sum(map(mean, ("skeleton_seconds", "diameter_seconds", "segmentation_seconds")))
     return [f"{mean(key):.3f}" for key in ERRORS] + [f"{mean('parts'):.1f}", f"{seconds:.2f}", str(len(runs))]
 
 
-def segmentation_table(runner, folder, method, parities, step):
-    rows = []
-    runner.measure_all([(mesh, method, folder / "seg/Benchmark" / str(number)) for parity in parities
-                        for number, mesh in princeton_meshes(folder, parity, step)])
-    for parity in parities:
-        runs = collections.defaultdict(list)
-        for number, mesh in princeton_meshes(folder, parity, step):
-            run = runner.measure(mesh, method, folder / "seg/Benchmark" / str(number))
-            if run:
-                runs[class_of(number)].append(run)
-        if parity == 0:
-            rows += [[name] + mean_cells(runs[name]) for name in PRINCETON_CLASSES if runs[name]]
-        name = "all odd-numbered" if parity else "**all even-numbered**"
-        rows.append([name] + mean_cells([run for group in runs.values() for run in group]))
+def segmentation_table(lab, options, method, parity):
+    """A row for each class, and one for all meshes whose number is even (0) or odd (1)."""
+    numbers = [number for number in range(2 - parity, MESHES_IN_A_CLASS * len(PRINCETON_CLASSES) + 1, 2 * options.step)
+               if (options.princeton / f"off/{number}.off").exists()]
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        runs = list(pool.map(lambda number: measure(lab, options, options.princeton / f"off/{number}.off", method,
+                                                    options.princeton / f"seg/Benchmark/{number}"), numbers))
+    of_class = collections.defaultdict(list)
+    for number, run_of_mesh in zip(numbers, runs):
+        if run_of_mesh:
+            of_class[PRINCETON_CLASSES[(number - 1) // MESHES_IN_A_CLASS]].append(run_of_mesh)
+    rows = [[name, *mean_cells(found)] for name, found in of_class.items()]
+    rows.append([f"**all {'odd' if parity else 'even'}-numbered**", *mean_cells(list(filter(None, runs)))])
     return f"Method `{method}`:\n\n" + markdown(["meshes", *TITLES, "parts", "CPU s", "meshes"], rows)
 
 
-def read_off(path):
-    words = path.read_text().split()
-    number, faces = int(words[1]), int(words[2])
-    points = [tuple(map(float, words[4 + 3 * i:7 + 3 * i])) for i in range(number)]
-    at = 4 + 3 * number
-    return points, [tuple(map(int, words[at + 4 * i + 1:at + 4 * i + 4])) for i in range(faces)]
+# Shape diameters.
 
-
-def write_off(path, points, faces):
-    lines = ["OFF", f"{len(points)} {len(faces)} 0"] + [f"{x} {y} {z}" for x, y, z in points]
-    path.write_text("\n".join(lines + [f"3 {a} {b} {c}" for a, b, c in faces]) + "\n")
-
-
-def cross(a, b):
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def face_normals(points, faces):
-    """As long as twice the areas."""
-    result = []
-    for a, b, c in faces:
-        p, q, r = points[a], points[b], points[c]
-        result.append(cross([q[k] - p[k] for k in range(3)], [r[k] - p[k] for k in range(3)]))
-    return result
-
-
-def rank_correlation(first, second):
-    def ranks(values):
-        result = [0] * len(values)
-        for rank, i in enumerate(sorted(range(len(values)), key=values.__getitem__)):
-            result[i] = rank
-        return result
-
-    n = len(first)
-    return 1 - 6 * sum((a - b) ** 2 for a, b in zip(ranks(first), ranks(second))) / (n * (n * n - 1))
-
-
-def difference(first, second):
-    """The mean difference of two lists of diameters, relative to the mean of both."""
-    return 2 * sum(abs(a - b) for a, b in zip(first, second)) / (sum(first) + sum(second))
-
-
-def same_vertices(points):
-    return [(v, v) for v in range(len(points))]
-
-
-def noisy(points, faces, rng):
+def noisy(points, faces, random):
     """Moves vertices along their normals by one percent of the diagonal of the bounding box (standard deviation)."""
-    normals = [[0., 0., 0.] for _ in points]
-    for face, normal in zip(faces, face_normals(points, faces)):
-        for vertex in face:
-            normals[vertex] = [a + b for a, b in zip(normals[vertex], normal)]
-    diagonal = math.dist(*[[choose(p[k] for p in points) for k in range(3)] for choose in (min, max)])
-    result = []
-    for point, normal in zip(points, normals):
-        step = rng.gauss(0, .01 * diagonal) / (math.hypot(*normal) or 1)
-        result.append(tuple(p + step * n for p, n in zip(point, normal)))
-    return result, faces, same_vertices(points)
+    corners = points[faces]
+    normals = np.zeros_like(points)
+    for corner in range(3):
+        np.add.at(normals, faces[:, corner], np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]))
+    normals /= np.maximum(np.linalg.norm(normals, axis=1), 1e-300)[:, None]
+    steps = random.normal(0, 0.01 * np.linalg.norm(np.ptp(points, axis=0)), (len(points), 1))
+    return points + steps * normals, faces, np.arange(len(points))
 
 
-def with_holes(points, faces, rng):
+def with_holes(points, faces, random):
     """Removes the faces around ten vertices, and those around these."""
-    removed = set(rng.sample(range(len(points)), 10))
-    removed |= {v for face in faces if removed & set(face) for v in face}
-    faces = [face for face in faces if not removed & set(face)]
-    kept = sorted({v for face in faces for v in face})
-    number = {v: i for i, v in enumerate(kept)}
-    return [points[v] for v in kept], [tuple(number[v] for v in face) for face in faces], list(zip(kept, range(len(kept))))
+    removed = random.choice(len(points), 10, replace=False)
+    removed = faces[np.isin(faces, removed).any(axis=1)]
+    faces = faces[~np.isin(faces, removed).any(axis=1)]
+    kept, faces = np.unique(faces, return_inverse=True)
+    return points[kept], faces.reshape(-1, 3), kept
 
 
 def divided(points, faces, _):
     """Divides each face into four."""
-    same, points, middle, result = same_vertices(points), list(points), {}, []
-
-    def between(a, b):
-        key = (min(a, b), max(a, b))
-        if key not in middle:
-            middle[key] = len(points)
-            points.append(tuple((p + q) / 2 for p, q in zip(points[a], points[b])))
-        return middle[key]
-
-    for a, b, c in faces:
-        d, e, f = between(a, b), between(b, c), between(c, a)
-        result += [(a, d, f), (d, b, e), (f, e, c), (d, e, f)]
-    return points, result, same
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    edges, middle = np.unique(sides, axis=0, return_inverse=True)
+    d, e, f = (len(points) + middle.reshape(3, -1))
+    a, b, c = faces.T
+    faces = np.concatenate([np.stack(face, axis=1) for face in ((a, d, f), (d, b, e), (f, e, c), (d, e, f))])
+    return np.concatenate([points, points[edges].mean(axis=1)]), faces, np.arange(len(points))
 
 
-def diameters_table(runner, meshes, poses):
+def write_off(path, points, faces):
+    with path.open("w") as file:
+        file.write(f"OFF\n{len(points)} {len(faces)} 0\n")
+        np.savetxt(file, points, "%.17g")
+        np.savetxt(file, np.insert(faces, 0, 3, axis=1), "%d")
+
+
+def agreement(first, second):
+    """The rank correlation of two lists of diameters, and their mean difference relative to the mean of both."""
+    has_faces = (first > 0) & (second > 0)  # other vertices have no diameter
+    first, second = first[has_faces], second[has_faces]
+    ranks = [np.argsort(np.argsort(values)) for values in (first, second)]
+    return np.corrcoef(*ranks)[0, 1], 2 * np.abs(first - second).sum() / (first + second).sum()
+
+
+def diameters_table(lab, options, bodies):
     """Agreement of shape diameters by skeletons and by rays, their stability, and their cost."""
-    columns = collections.defaultdict(lambda: collections.defaultdict(list))
+    methods = ("skeleton", "rays")
+    rows, costs = collections.defaultdict(lambda: collections.defaultdict(list)), collections.defaultdict(list)
 
-    def compare(row, method, first, second, vertices):
-        """`vertices`: pairs of the same place."""
-        if first and second:
-            a, b = ([run["diameters"][pair[k]] for pair in vertices] for k, run in ((0, first), (1, second)))
-            # Vertices without a face have no diameter.
-            a, b = zip(*[(x, y) for x, y in zip(a, b) if x > 0 and y > 0])
-            columns[row][method].append((rank_correlation(a, b), difference(a, b)))
+    def diameters(mesh, method):
+        found = measure(lab, options, mesh, method)
+        if not found:
+            return None
+        costs[method].append((found["vertices"], found["skeleton_seconds"], found["diameter_seconds"]))
+        return np.array(found["diameters"])
 
-    with tempfile.TemporaryDirectory() as folder:
-        for mesh in meshes:
-            points, faces = read_off(mesh)
-            runs = {method: runner.measure(mesh, method) for method in ("skeleton", "rays")}
-            compare("by the other method", "skeleton", runs["skeleton"], runs["rays"], same_vertices(points))
-            for name, change in (("noise of 1 % of the diagonal", noisy), ("ten holes", with_holes),
-                                 ("faces divided into four", divided)):
-                changed = pathlib.Path(folder) / f"{mesh.stem}_{change.__name__}.off"
-                *shape, same = change(points, faces, random.Random(1))
-                write_off(changed, *shape)
-                for method, run in runs.items():
-                    compare(name, method, run, runner.measure(changed, method), same)
-    for first, second, same in poses:
-        for method in ("skeleton", "rays"):
-            compare("pose", method, runner.measure(first, method), runner.measure(second, method), same)
-    rows = []
-    for name, methods in columns.items():
-        cells = []
-        for method in ("skeleton", "rays"):
-            values = list(zip(*methods[method])) or [[math.nan]] * 2
-            cells += [f"{statistics.fmean(value):.3f}" for value in values]
-        rows.append([name] + cells)
-    times = []
-    for method in ("skeleton", "rays"):
-        runs = [run for (_, kept), run in runner.kept.items() if kept == method and run]
-        for key in ("skeleton_seconds", "diameter_seconds"):
-            times.append(f"{1e5 * sum(run[key] for run in runs) / sum(run['vertices'] for run in runs):.2f}")
-    table = markdown(["compared with", "skeleton: rank correlation", "difference", "rays: rank correlation", "difference"],
-                     rows)
-    return (f"{table}\n\nCPU seconds for 100 000 vertices: skeleton {times[0]} and {times[1]} for its diameters, "
-            f"rays {times[3]}.")
+    def compare(name, method, first, second):
+        if first is not None and second is not None:
+            rows[name][method].append(agreement(first, second))
 
-
-def read_numbers(path):
-    return [int(word) - 1 for word in path.read_text().split()]
+    for files in bodies:
+        points, faces = map(np.array, read_off(files[0]))
+        first = {method: diameters(files[0], method) for method in methods}
+        compare("by the other method", "skeleton", first["skeleton"], first["rays"])
+        for name, change in (("noise of 1 % of the diagonal", noisy), ("ten holes", with_holes),
+                             ("faces divided into four", divided)):
+            changed = lab.folder / "changed.off"
+            *shape, kept = change(points, faces, np.random.default_rng(1))
+            write_off(changed, *shape)
+            for method in methods:
+                second = diameters(changed, method)
+                if first[method] is not None and second is not None:
+                    compare(name, method, first[method][kept], second[:len(kept)])
+        vertices = [read_correspondence(file) for file in (files[0], files[2])]
+        for method in methods:
+            second = diameters(files[2], method)
+            if first[method] is not None and second is not None:
+                compare("another pose", method, first[method][vertices[0]], second[vertices[1]])
+    cells = [[name] + [f"{value:.3f}" for method in methods
+                       for value in np.mean(found[method] or [[math.nan] * 2], axis=0)]
+             for name, found in rows.items()]
+    seconds = {method: 1e5 * np.array(found)[:, 1:].sum(axis=0) / np.array(found)[:, 0].sum()
+               for method, found in costs.items()}
+    return (markdown(["the same vertices", "skeleton: rank correlation", "difference", "rays: rank correlation",
+                      "difference"], cells)
+            + "\n\nCPU seconds for 100 000 vertices: " + ", ".join(
+                f"{method} {own:.2f} and {diameter:.2f} for its diameters"
+                for method, (own, diameter) in seconds.items()) + ".")
 
 
-def pose_files(folder):
-    """The meshes of each body that have a correspondence, in order: FOLDER/off and FOLDER/vts."""
+def read_correspondence(mesh):
+    """The vertices of a mesh, in the order of the common numbering of its body."""
+    return np.loadtxt(mesh.parent.parent / f"vts/{mesh.stem}.vts", dtype=int) - 1
+
+
+def poses_of(folder):
+    """The meshes of each body that have a correspondence, in order."""
     bodies = collections.defaultdict(list)
     for mesh in folder.glob("off/*.off"):
-        if (folder / "vts" / f"{mesh.stem}.vts").exists():
+        if (folder / f"vts/{mesh.stem}.vts").exists():
             name, number = re.fullmatch(r"(.*?)_?(\d+)", mesh.stem).groups()
             if name == "tr_reg":  # FAUST: ten poses of each body
                 name = number[:-1]
             bodies[name].append((int(number), mesh))
-    return {name: [mesh for _, mesh in sorted(meshes)] for name, meshes in sorted(bodies.items())}
+    return [[mesh for _, mesh in sorted(meshes)] for _, meshes in sorted(bodies.items())]
 
 
-def center(points):
-    return [statistics.fmean(point[k] for point in points) for k in range(3)]
+# Constrictions.
 
-
-def nearest_vertices(loop, points):
-    """Numbers of the vertices that are nearest to the points of a loop."""
-    return {min(range(len(points)), key=lambda v, at=at: math.dist(points[v], at)) for at in loop}
-
-
-def constrictions_table(runner, folder):
+def constrictions_table(lab, options):
     """The number of poses of all bodies that have the constrictions of the first pose, by the correspondence."""
-    program = runner.folder / "cscd"
-    (first, *others), *bodies = pose_files(folder).values()
-    poses = [first] + others + [mesh for body in bodies for mesh in body]
+    poses = [mesh for body in poses_of(options.faust) for mesh in body][::options.step]
 
-    def constrictions(mesh):
-        return json.loads(runner.run(program, "loops", mesh, "--constrictions", "-o", "-") or "[]")
+    def loops_of(mesh):
+        return json.loads(run(lab.cscd, "loops", mesh, "--constrictions", "-o", "-", timeout=options.timeout)[0])
 
-    with concurrent.futures.ThreadPoolExecutor(runner.jobs) as pool:
-        found = dict(zip(poses, pool.map(constrictions, poses)))
-    points_of_first, _ = read_off(first)
-    near = (max(p[1] for p in points_of_first) - min(p[1] for p in points_of_first)) / 15  # of the height of the body
-    to_first = read_numbers(folder / "vts" / f"{first.stem}.vts")
-    centers = {}
-    for mesh in poses:
-        points, _ = read_off(mesh)
-        place = {}
-        for v, w in zip(read_numbers(folder / "vts" / f"{mesh.stem}.vts"), to_first):
-            place.setdefault(v, points_of_first[w])
-        centers[mesh] = []
-        for loop in found[mesh]:
-            vertices = nearest_vertices(loop["points"], points) & place.keys()
-            if vertices:
-                centers[mesh].append(center([place[v] for v in vertices]))
-    rows = []
-    for loop, middle in zip(found[first], centers[first]):
-        number = sum(any(math.dist(middle, other) < near for other in centers[mesh]) for mesh in poses)
-        rows.append([" ".join(f"{x:.2f}" for x in middle), f"{loop['length']:.3f}", f"{loop['depth']:.2f}", str(number)])
-    number = statistics.fmean(len(loops) for loops in found.values())
-    return (markdown(["middle of a constriction in the first pose", "length", "depth", f"found in {len(poses)} poses"], rows)
-            + f"\n\n{number:.1f} constrictions a pose.")
-
-
-def boundaries_text(runner, folder, step):
-    """The lengths of boundaries of parts, compared with the separators that they follow."""
-    meshes = [mesh for _, mesh in princeton_meshes(folder, 0, step)]
-    runner.measure_all([(mesh, "skeleton", folder / "seg/Benchmark" / mesh.stem) for mesh in meshes])
-    runs = [run for run in (runner.measure(mesh, "skeleton") for mesh in meshes) if run]
-    boundaries = [boundary for run in runs for boundary in run["closed_boundaries"]]
-    in_closed = sum(b["edges"] for b in boundaries) / sum(run["boundary_edges"] for run in runs)
-    ratios = statistics.quantiles([b["length_ratio"] for b in boundaries], n=10)
-    distances = statistics.quantiles([b["distance"] for b in boundaries], n=10)
-    return (f"{len(boundaries)} boundaries that are closed curves, {in_closed:.2f} of all edges between parts. Length, "
-            f"relative to that of the nearest packed separator: median {ratios[4]:.2f}, deciles {ratios[0]:.2f} and "
-            f"{ratios[8]:.2f}. Mean distance from it, relative to its radius: median {distances[4]:.2f}, deciles "
-            f"{distances[0]:.2f} and {distances[8]:.2f}.")
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        found = list(pool.map(loops_of, poses))
+    first_points = np.array(read_off(poses[0])[0])
+    near = np.ptp(first_points[:, 1]) / 15  # of the height of the body
+    to_first = read_correspondence(poses[0])
+    middles = []
+    for mesh, loops in zip(poses, found):
+        points = np.array(read_off(mesh)[0])
+        known, place = np.unique(read_correspondence(mesh), return_index=True)
+        middles.append([])
+        for loop in loops:
+            distances = np.linalg.norm(points[known][:, None] - np.array(loop["points"]), axis=2)
+            middles[-1].append(first_points[to_first[place[np.unique(distances.argmin(axis=0))]]].mean(axis=0))
+    rows = [[" ".join(f"{x:.2f}" for x in middle), f"{loop['length']:.3f}", f"{loop['depth']:.2f}",
+             str(sum(any(np.linalg.norm(middle - other) < near for other in others) for others in middles))]
+            for loop, middle in zip(found[0], middles[0])]
+    return (markdown(["middle of a constriction in the first pose", "length", "depth", f"found in {len(poses)} poses"],
+                     rows)
+            + f"\n\n{statistics.fmean(map(len, found)):.1f} constrictions a pose.")
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--programs", type=pathlib.Path, required=True, help="folder bin of the build")
-    parser.add_argument("--princeton", type=pathlib.Path, help="off/N.off and seg/Benchmark/N/N_*.seg")
-    parser.add_argument("--tosca", type=pathlib.Path, help="off/NAME.off, vts/NAME.vts")
-    parser.add_argument("--faust", type=pathlib.Path, help="likewise")
-    parser.add_argument("--tables", nargs="+", default=["segmentation", "boundaries", "diameters", "constrictions"])
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("princeton", type=pathlib.Path)
+    parser.add_argument("tosca", type=pathlib.Path, nargs="?")
+    parser.add_argument("faust", type=pathlib.Path, nargs="?")
+    parser.add_argument("--tables", nargs="+", default=["segmentation", "diameters", "constrictions"])
     parser.add_argument("--methods", nargs="+", default=["skeleton", "diameter", "rays"], help="of segmentation")
     parser.add_argument("--parities", nargs="+", type=int, default=[0, 1], help="of numbers: 0 is even; 1 was tuned on")
     parser.add_argument("--timeout", type=float, default=60, help="seconds for each mesh and method")
     parser.add_argument("--step", type=int, default=1, help="take one in so many shapes, for a quick look")
     parser.add_argument("--jobs", type=int, default=1, help="meshes at once")
     options = parser.parse_args()
-    runner = Runner(options.programs.resolve(), options.timeout, options.jobs)
-    print(f"Made by `benchmark/reproduce/applications.sh` on {time.strftime('%Y-%m-%d')} at commit {measurements.commit()}, "
-          f"{measurements.processor()}, one thread; time limit {options.timeout:g} s a mesh.")
-    if options.princeton and "segmentation" in options.tables:
-        for method in options.methods:
-            print("\n" + segmentation_table(runner, options.princeton, method, options.parities, options.step), flush=True)
-    if options.princeton and "boundaries" in options.tables:
-        print("\n" + boundaries_text(runner, options.princeton, options.step), flush=True)
-    poses = [files for folder in (options.tosca, options.faust) if folder for files in pose_files(folder).values()]
-    if poses and "diameters" in options.tables:
-        correspondences = [
-            (files[0], files[2], list(zip(*(read_numbers(m.parent.parent / "vts" / f"{m.stem}.vts") for m in files[:3:2]))))
-            for files in poses[::options.step] if len(files) > 2]
-        print("\n" + diameters_table(runner, [first for first, _, _ in correspondences], correspondences), flush=True)
-    if options.faust and "constrictions" in options.tables:
-        print("\n" + constrictions_table(runner, options.faust), flush=True)
-    if runner.failed:
-        print("\nWithout an answer: " + "; ".join(runner.failed) + ".")
+    print(tables.circumstances("benchmark/reproduce/run.sh applications", options.build))
+    with tempfile.TemporaryDirectory() as folder:
+        lab = Laboratory(options.build / "bin", folder)
+        if "segmentation" in options.tables:
+            for method in options.methods:
+                for parity in options.parities:
+                    print("\n" + segmentation_table(lab, options, method, parity), flush=True)
+        bodies = [files for folder in (options.tosca, options.faust) if folder for files in poses_of(folder)]
+        if bodies and "diameters" in options.tables:
+            print("\n" + diameters_table(lab, options, [files for files in bodies[::options.step] if len(files) > 2]))
+        if options.faust and "constrictions" in options.tables:
+            print("\n" + constrictions_table(lab, options))
 
 
 if __name__ == "__main__":

@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Geodesic distances by the heat method compared with CGAL's: time to prepare a mesh, time for each source, alone and
-// eight at a time, and the errors against exact shortest paths. CPU time of one thread. Then tubes of growing length,
-// where the heat at the far end is less than any number.
+// eight at a time, and the errors against exact shortest paths. CPU time of one thread.
 
-#include "convert_shape.h"
-#include "swept_shapes.h"
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/estimate_geodesic_distances.h>
 
@@ -21,9 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <exception>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -125,20 +119,12 @@ void count_errors(benchmark::State& state, const Prepared& input)
   state.counters["percent_error"] = 100 * relative_sum / relative_number;
 }
 
+template <class AnyEstimator>
 void prepare(benchmark::State& state, const std::string& name)
 {
   const Prepared& input = prepared(name);
   for (auto _ : state) {
-    const Estimator estimator(input.mesh);
-    benchmark::DoNotOptimize(&estimator);
-  }
-}
-
-void prepare_cgal(benchmark::State& state, const std::string& name)
-{
-  const Prepared& input = prepared(name);
-  for (auto _ : state) {
-    const Cgal_estimator estimator(input.mesh);
+    const AnyEstimator estimator(input.mesh);
     benchmark::DoNotOptimize(&estimator);
   }
 }
@@ -152,7 +138,6 @@ void one_by_one(benchmark::State& state, const std::string& name)
       estimator.estimate(std::array<Vertex, 1>{input.sources[i]}, input.maps[i]);
     }
   }
-  count_errors(state, input);
 }
 
 void together(benchmark::State& state, const std::string& name)
@@ -183,68 +168,21 @@ void cgal_one_by_one(benchmark::State& state, const std::string& name)
   count_errors(state, input);
 }
 
-/// The distance between the ends of a tube with eight edges around, relative to its length.
-void tube(benchmark::State& state, bool is_cgal)
-{
-  const double edge = 2 * std::sin(CSCD::test::pi / 8);
-  const double length = double(state.range(0)) * edge;
-  Mesh mesh = CSCD::test::to_mesh<Mesh>(CSCD::test::tube(length, 1, 8, CSCD::test::Tube_end::open));
-  Distances distances = mesh.add_property_map<Vertex, double>().first;
-  for (auto _ : state) {
-    if (is_cgal) {
-      CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distances, Vertex(0));
-    } else {
-      const Estimator estimator(mesh);
-      estimator.estimate(std::array<Vertex, 1>{Vertex(0)}, distances);
-    }
-  }
-  Vertex end(0);
-  for (const Vertex vertex : mesh.vertices()) {
-    // The vertex of the last ring straight along the tube.
-    const auto offset = mesh.point(vertex) - mesh.point(Vertex(0));
-    end = std::hypot(offset.y(), offset.z()) < 1e-9 && offset.x() > mesh.point(end).x() ? vertex : end;
-  }
-  state.counters["relative_distance"] = std::min(distances[end] / mesh.point(end).x(), 1e9);
-}
-
 void add(const std::string& name, void (*run)(benchmark::State&, const std::string&), const std::string& mesh)
 {
   benchmark::RegisterBenchmark((name + '/' + mesh).c_str(), run, mesh)->Unit(benchmark::kMillisecond);
 }
 
-void register_benchmarks()
-{
+/// Registers the benchmarks before main() runs them.
+[[maybe_unused]] const bool is_registered = [] {
   for (const char* mesh : {"elephant", "homer", "camel", "armadillo"}) {
-    add("prepare", prepare, mesh);
+    add("prepare", prepare<Estimator>, mesh);
     add("one_by_one", one_by_one, mesh);
     add("together", together, mesh);
-    add("prepare_cgal", prepare_cgal, mesh);
+    add("prepare_cgal", prepare<Cgal_estimator>, mesh);
     add("cgal_one_by_one", cgal_one_by_one, mesh);
   }
-  for (const bool is_cgal : {false, true}) {
-    const char* name = is_cgal ? "tube_cgal" : "tube";
-    auto* registered = benchmark::RegisterBenchmark(name, [is_cgal](benchmark::State& state) { tube(state, is_cgal); });
-    for (const std::int64_t edges : {250, 500, 1000, 2000, 4000}) {
-      registered->Arg(edges);
-    }
-    registered->Unit(benchmark::kMillisecond);
-  }
-}
+  return true;
+}();
 
 } // namespace
-
-int main(int argc, char** argv)
-{
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-    return 1;
-  }
-  try {
-    register_benchmarks();
-    benchmark::RunSpecifiedBenchmarks();
-  } catch (const std::exception& error) {
-    std::cerr << error.what() << '\n';
-    return 1;
-  }
-  benchmark::Shutdown();
-}

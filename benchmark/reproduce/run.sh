@@ -2,31 +2,65 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Makes all tables, plots and pictures of doc and README.md anew: runs all benchmarks, then makes the
-# pictures of doc and takes those of the viewer page by Chromium. Installs missing packages (Debian, Ubuntu). Takes
-# about an hour.
-# Usage: benchmark/reproduce/run.sh [--quick] [REPETITIONS], by default 1. With --quick only small benchmarks are run, which
-# takes some minutes, and all is written to build/quick.
-# If the environment variable CSCD_MODELS names a folder of OFF files, they are measured besides CGAL's.
+# Installs missing packages (Debian, Ubuntu), builds the programs of an experiment, runs it, and prints its tables.
+# Usage: benchmark/reproduce/run.sh NAME [PATH...] [OPTION...]
+#
+# NAME          page of doc           PATH...
+# performance   performance.md
+# geodesics     geodesics.md
+# published     published.md,         folders of closed meshes in OFF format, besides CGAL's
+#               reproduction.md
+# points        points.md             likewise
+# graphs        graphs.md             likewise
+# trees         trees.md              scans in XYZ format
+# compile_time  performance.md
+# volumes       volumes.md            a folder that gets the volumes, about 400 MB; optionally the size of the largest
+# applications  applications.md       PRINCETON [TOSCA [FAUST]]: see applications.py
+# quality       measures.md           folders of meshes; by default CGAL's
+# pictures      all
+#
+# Options of the first seven: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
+# is for what is timed; --quick measures little, as a test of the scripts. applications.py and quality.py have others.
 
 set -euo pipefail
 
+command="benchmark/reproduce/run.sh $*"
 # shellcheck source=benchmark/build_benchmarks.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../build_benchmarks.sh"
-quick=()
-figures=$source_dir/doc/fig
-if [[ ${1:-} == --quick ]]; then
-  quick=(--quick)
-  figures=$build_dir/quick/doc/fig
-  shift
+
+declare -A targets=(
+  [performance]=benchmark_meshes
+  [geodesics]=benchmark_geodesics
+  [published]="cscd make_input mcf_skeleton"
+  [points]="cscd make_input"
+  [graphs]="cscd make_input"
+  [trees]=measure_trees
+  [compile_time]=
+  [volumes]=cscd
+  [applications]="cscd measure_applications"
+  [quality]=cscd
+  [pictures]="cscd mcf_skeleton cut_locus_example point_cut_locus_example"
+)
+name=${1:-}
+if [[ -z ${targets[$name]+is_set} ]]; then
+  sed -n '6,25s/^# \?//p' "$0" >&2
+  exit 1
 fi
-
-"$source_dir/benchmark/reproduce/tables.sh" "${quick[@]}" "${1:-1}"
-
-install_packages "${library_packages[@]}" chromium python3-numpy python3-matplotlib python3-pil
-cmake -S "$source_dir" -B "$build_dir" -DCSCD_BUILD_EXAMPLES=ON >/dev/null
-cmake --build "$build_dir" --target cscd cut_locus_example point_cut_locus_example
-"$source_dir/doc/make_screenshots.sh" "$build_dir/bin/cscd" "$figures"
-/usr/bin/python3 "$source_dir/doc/make_figures.py" --program "$build_dir/bin/cscd" --output "$figures"
-"$source_dir/doc/make_cut_locus_pictures.sh" "$build_dir/bin/cut_locus_example" "$figures"
-"$source_dir/doc/make_point_cut_locus_pictures.sh" "$build_dir/bin/point_cut_locus_example" "$figures"
+shift
+install_packages python3-numpy
+read -r -a programs <<<"${targets[$name]}"
+build_benchmarks "${programs[@]}" >&2
+export PYTHONPATH=$source_dir/benchmark PYTHONDONTWRITEBYTECODE=1
+scripts=$source_dir/benchmark/reproduce
+case $name in
+  volumes | applications | quality) exec /usr/bin/python3 "$scripts/$name.py" "$build_dir" "$@" ;;
+  pictures)
+    install_packages chromium python3-matplotlib python3-pil
+    figures=$source_dir/doc/fig
+    "$source_dir/doc/make_screenshots.sh" "$build_dir/bin/cscd" "$figures"
+    /usr/bin/python3 "$source_dir/doc/make_figures.py" --program "$build_dir/bin/cscd" --output "$figures"
+    "$source_dir/doc/make_cut_locus_pictures.sh" "$build_dir/bin/cut_locus_example" "$figures"
+    "$source_dir/doc/make_point_cut_locus_pictures.sh" "$build_dir/bin/point_cut_locus_example" "$figures"
+    ;;
+  *) exec /usr/bin/python3 "$scripts/experiments.py" "$build_dir" "$command" "$name" "$@" ;;
+esac

@@ -3,34 +3,31 @@
 """Skeletons of volumes: Betti numbers of generated shapes at three resolutions, center lines and radii of a generated
 vessel tree, time and memory of a volume with many labels, beside the thinning of scikit-image where it is installed.
 
-Usage: volumes.py PROGRAM FOLDER [SIZE_OF_LABELS]
+Usage: volumes.py BUILD FOLDER [SIZE_OF_LABELS], by default 512
+FOLDER gets the volumes.
 """
 
-import json
 import math
-import os
-import subprocess
+import pathlib
+import statistics
 import sys
 import time
 
 import numpy as np
 
+from programs import Laboratory, run
+from tables import markdown
+
 RESOLUTIONS = (48, 96, 160)  # voxels along each side
 RNG_SEED = 7
 
 
-def write_nrrd(filename, labels, spacing=(1.0, 1.0, 1.0), origin=(0.0, 0.0, 0.0)):
+def write_nrrd(filename, labels):
     """Writes an array indexed by z, y, x."""
-    names = {np.dtype(np.uint8): "uint8", np.dtype(np.uint16): "uint16"}
-    directions = " ".join(f"({','.join(str(spacing[i] if i == j else 0) for j in range(3))})" for i in range(3))
-    header = (
-        f"NRRD0004\ntype: {names[labels.dtype]}\ndimension: 3\nspace dimension: 3\n"
-        f"sizes: {' '.join(str(n) for n in labels.shape[::-1])}\nspace directions: {directions}\n"
-        f"space origin: ({','.join(str(x) for x in origin)})\nendian: little\nencoding: raw\n\n"
-    )
-    with open(filename, "wb") as out:
-        out.write(header.encode())
-        out.write(labels.tobytes())
+    header = (f"NRRD0004\ntype: {labels.dtype.name}\ndimension: 3\nspace dimension: 3\n"
+              f"sizes: {' '.join(map(str, labels.shape[::-1]))}\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n"
+              "space origin: (0,0,0)\nendian: little\nencoding: raw\n\n")
+    pathlib.Path(filename).write_bytes(header.encode() + labels.tobytes())
 
 
 class Tube:
@@ -99,20 +96,18 @@ def vessel_tree(depth, rng):
 
 
 def shapes():
-    """Names, segments, components and handles."""
+    """By kind, the shapes: segments, components and handles."""
     half = np.array([0.5, 0.5, 0.5])
     rng = np.random.default_rng(RNG_SEED)
-    ball = [(half, half, 0.3)]
-    result = [("ball", ball, 1, 0)]
-    result += [(f"genus{g}", chain_of_tori(g), 1, g) for g in (1, 2, 3, 4)]
-    result.append(("linked", ring(half - [0.1, 0, 0], 0.22, 2, 0.05) + ring(half + [0.1, 0, 0], 0.22, 1, 0.05), 2, 2))
-    result.append(("trefoil", curve(trefoil, 0.05, 240), 1, 1))
+    rings = ring(half - [0.1, 0, 0], 0.22, 2, 0.05) + ring(half + [0.1, 0, 0], 0.22, 1, 0.05)
     corners = [np.array([x, y, z]) for x in (0.2, 0.8) for y in (0.2, 0.8) for z in (0.2, 0.8)]
     edges = [(a, b, 0.05) for i, a in enumerate(corners) for b in corners[:i] if np.isclose(np.abs(a - b).sum(), 0.6)]
-    result.append(("cube_frame", edges, 1, 5))
-    result.append(("vessels3", vessel_tree(3, rng), 1, 0))
-    result.append(("vessels4", vessel_tree(4, rng), 1, 0))
-    return result
+    return {"ball": [([(half, half, 0.3)], 1, 0)],
+            "chains of 1 to 4 tori": [(chain_of_tori(genus), 1, genus) for genus in (1, 2, 3, 4)],
+            "two linked rings": [(rings, 2, 2)],
+            "trefoil knot": [(curve(trefoil, 0.05, 240), 1, 1)],
+            "edges of a cube": [(edges, 1, 5)],
+            "two trees of vessels": [(vessel_tree(depth, rng), 1, 0) for depth in (3, 4)]}
 
 
 def euler_number(image):
@@ -131,37 +126,16 @@ def euler_number(image):
     return total
 
 
-def run(program, arguments):
-    """Runs the program. Returns seconds, seconds of CPU, and the greatest memory in MB."""
-    start = time.monotonic()
-    process = subprocess.Popen([program, "skeletonize", *arguments, "-q"])
-    memory = 0
-    while True:
-        pid, status, usage = os.wait4(process.pid, os.WNOHANG)
-        if pid != 0:
-            break
-        # wait4() reports at least the memory of this script.
-        with open(f"/proc/{process.pid}/status", encoding="ascii") as file:
-            peaks = [int(line.split()[1]) for line in file if line.startswith("VmHWM")]
-        memory = max([memory, *peaks])
-        time.sleep(0.01)
-    if status != 0:
-        raise RuntimeError(f"failed: {arguments}")
-    return time.monotonic() - start, usage.ru_utime + usage.ru_stime, memory / 1024
-
-
 def thin(image):
     """Time, components and handles of the thinning of scikit-image, as those of its voxels."""
     try:
         from scipy import ndimage
-        from skimage.morphology import skeletonize, skeletonize_3d
+        from skimage import morphology
     except ImportError:
         return None
+    thinning = getattr(morphology, "skeletonize_3d", morphology.skeletonize)  # newer versions have one for both
     start = time.monotonic()
-    try:
-        thinned = skeletonize_3d(image) > 0
-    except Exception:  # newer versions have one function for both
-        thinned = skeletonize(image) > 0
+    thinned = thinning(image) > 0
     seconds = time.monotonic() - start
     components = ndimage.label(thinned, np.ones((3, 3, 3)))[1]
     return seconds, components, components - euler_number(thinned)
@@ -179,57 +153,59 @@ def distances_to_segments(points, segments):
     return best, radius
 
 
-def measure_shapes(program, folder):
-    print("| shape | size | components, handles | right | s | thinning s | thinning right |")
-    print("|---|---|---|---|---|---|---|")
-    right = thinned_right = 0
-    for name, segments, components, handles in shapes():
-        for size in RESOLUTIONS:
-            image = Tube(segments).fill(size)
-            volume = os.path.join(folder, f"{name}_{size}.nrrd")
-            report_file = os.path.join(folder, f"{name}_{size}.json")
-            write_nrrd(volume, image)
-            seconds, _, _ = run(program, [volume, "--report", report_file, "-o", volume.replace(".nrrd", ".swc"),
-                                       "-o", volume.replace(".nrrd", ".graph"), "--threads", "1"])
-            with open(report_file, encoding="utf-8") as file:
-                report = json.load(file)
-            found = (report["number_of_skeleton_components"], report["betti_number"])
-            # The topology of the voxels may differ from that of the shape where it is thinner than a voxel.
-            euler = euler_number(image)
-            is_right = found == (components, handles) and found[0] - found[1] == euler
-            right += is_right
-            thinned = thin(image)
-            thinned_right += bool(thinned and thinned[1:] == (components, handles))
-            print(f"| {name} | {size} | {found[0]}, {found[1]} | {'yes' if is_right else 'no'} | {seconds:.2f} | "
-                  + (f"{thinned[0]:.2f} | {'yes' if thinned[1:] == (components, handles) else 'no'} |" if thinned else "| |"))
-    print(f"\nright: {right} of {len(shapes()) * len(RESOLUTIONS)}; thinning: {thinned_right}\n")
+def measure_shapes(lab, folder):
+    """The tables of topology and, for the trees, of center lines and radii."""
+    rows, tree_rows, right, thinned_right, total = [], [], 0, 0, 0
+    for kind, bodies in shapes().items():
+        seconds, thin_seconds = ({size: [] for size in RESOLUTIONS} for _ in range(2))
+        of_kind = thinned_of_kind = 0
+        for number, (segments, components, handles) in enumerate(bodies):
+            for size in RESOLUTIONS:
+                image = Tube(segments).fill(size)
+                volume, skeleton = (folder / f"{kind}_{number}_{size}{ending}" for ending in (".nrrd", ".swc"))
+                write_nrrd(volume, image)
+                report, cost = lab.skeletonize(volume, skeleton=skeleton)
+                seconds[size].append(cost.wall)
+                found = (report["number_of_skeleton_components"], report["betti_number"])
+                # The topology of the voxels may differ from that of the shape where it is thinner than a voxel.
+                of_kind += found == (components, handles) and found[0] - found[1] == euler_number(image)
+                thinned = thin(image)
+                if thinned:
+                    thin_seconds[size].append(thinned[0])
+                    thinned_of_kind += thinned[1:] == (components, handles)
+                if "vessels" in kind:
+                    tree_rows.append([f"{4 << number} ends, {size}³", *vessel_errors(skeleton, segments, size)])
+        number = len(bodies) * len(RESOLUTIONS)
+        right, thinned_right, total = right + of_kind, thinned_right + thinned_of_kind, total + number
+        means = [[f"{statistics.fmean(times):.2f}" if times else "" for times in kept.values()]
+                 for kept in (seconds, thin_seconds)]
+        rows.append([kind, f"{of_kind} of {number}", *means[0],
+                     f"{thinned_of_kind} of {number}" if any(means[1]) else "", *means[1]])
+    rows.append(["**all**", f"**{right} of {total}**", "", "", "", f"{thinned_right} of {total}", "", "", ""])
+    sizes = [f"{'s at ' if size == RESOLUTIONS[0] else ''}{size}³" for size in RESOLUTIONS]
+    print(markdown(["shapes at " + ", ".join(f"{size}³" for size in RESOLUTIONS), "components and handles right",
+                    *sizes, "thinning right", *sizes], rows), end="\n\n")
+    print(markdown(["tree", "radii, voxels", "offset, mean", "offset, 95 %", "radius error, mean",
+                    "radius error, 95 %"], tree_rows), end="\n\n")
 
 
-def read_nodes(filename):
-    rows = [line.split() for line in open(filename, encoding="utf-8") if line.strip() and not line.startswith("#")]
-    table = np.array(rows, float)
-    return table[:, 2:5], table[:, 5], table[:, 6].astype(int)
-
-
-def measure_vessels(program, folder):
-    print("| vessel tree | size | offset, mean | offset, 95 % | radius error, mean | radius error, 95 % |")
-    print("|---|---|---|---|---|---|")
-    for name, segments, _, _ in shapes():
-        if not name.startswith("vessels"):
-            continue
-        for size in RESOLUTIONS:
-            points, radii, parents = read_nodes(os.path.join(folder, f"{name}_{size}.swc"))
-            degree = np.bincount(parents[parents > 0] - 1, minlength=len(points)) + (parents > 0)
-            places = (points + 0.5) / size
-            # Within 1.5 radii of forks and tips, center and radius differ from those of a segment.
-            ends = np.array([end for a, b, r in segments for end in (a, b)])
-            to_end = np.linalg.norm(places[:, None] - ends, axis=2) / np.repeat([r for _, _, r in segments], 2)
-            in_limb = (degree == 2) & (to_end.min(axis=1) > 1.5)
-            offset, radius = distances_to_segments(places[in_limb], segments)
-            error = np.abs(radii[in_limb] - radius * size)
-            print(f"| {name} | {size} | {offset.mean() * size:.2f} | {np.quantile(offset, 0.95) * size:.2f} | "
-                  f"{error.mean():.2f} | {np.quantile(error, 0.95):.2f} |")
-    print()
+def vessel_errors(skeleton, segments, size):
+    """The radii of the segments, and the errors of center lines and radii, in voxels, of a skeleton in SWC format."""
+    lines = skeleton.read_text().splitlines()
+    nodes = np.array([line.split() for line in lines if line.strip() and not line.startswith("#")], float)
+    points, radii, parents = nodes[:, 2:5], nodes[:, 5], nodes[:, 6].astype(int)
+    degree = np.bincount(parents[parents > 0] - 1, minlength=len(points)) + (parents > 0)
+    places = (points + 0.5) / size
+    # Within 1.5 radii of forks and tips, center and radius differ from those of a segment.
+    ends = np.array([end for a, b, r in segments for end in (a, b)])
+    to_end = np.linalg.norm(places[:, None] - ends, axis=2) / np.repeat([r for _, _, r in segments], 2)
+    in_limb = (degree == 2) & (to_end.min(axis=1) > 1.5)
+    offset, radius = distances_to_segments(places[in_limb], segments)
+    error = np.abs(radii[in_limb] - radius * size)
+    true_radii = [radius * size for _, _, radius in segments]
+    return [f"{min(true_radii):.1f} to {max(true_radii):.1f}",
+            *(f"{number:.2f}" for values in (offset * size, error)
+              for number in (values.mean(), np.quantile(values, 0.95)))]
 
 
 def lattice_of_vessels(size, rng):
@@ -261,23 +237,29 @@ def ellipsoids(size, rng):
     return image
 
 
-def measure_labels(program, folder, size):
-    print("| a hundred labels | voxels in bodies | s | CPU s | MB |")
-    print("|---|---|---|---|---|")
-    volume = os.path.join(folder, "labels.nrrd")
+def measure_labels(lab, folder, size):
+    rows = []
     for name, make in (("trees of vessels", lattice_of_vessels), ("ellipsoids", ellipsoids)):
         image = make(size, np.random.default_rng(RNG_SEED))
-        write_nrrd(volume, image)
+        write_nrrd(folder / "labels.nrrd", image)
         number = int((image > 0).sum())
         del image
-        seconds, cpu, memory = run(program, [volume, "--all-labels", "-o", os.path.join(folder, "label.graph")])
-        print(f"| {name}, {size}^3 | {number} | {seconds:.1f} | {cpu:.1f} | {memory:.0f} |")
+        _, cost = run(lab.cscd, "skeletonize", folder / "labels.nrrd", "--all-labels", "-o", folder / "label.graph",
+                      "--quiet")
+        rows.append([name, f"{number / 1e6:.1f} million", f"{cost.wall:.1f}", f"{cost.cpu:.1f}",
+                     f"{cost.megabytes:.0f}"])
+    print(markdown([f"a hundred labels in {size}³", "voxels in bodies", "s", "CPU s", "MB"], rows))
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    folder = pathlib.Path(sys.argv[2])
+    folder.mkdir(parents=True, exist_ok=True)
+    lab = Laboratory(pathlib.Path(sys.argv[1]) / "bin", folder)
+    measure_shapes(lab, folder)
+    measure_labels(lab, folder, int(sys.argv[3]) if len(sys.argv) > 3 else 512)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    os.makedirs(sys.argv[2], exist_ok=True)
-    measure_shapes(sys.argv[1], sys.argv[2])
-    measure_vessels(sys.argv[1], sys.argv[2])
-    measure_labels(sys.argv[1], sys.argv[2], int(sys.argv[3]) if len(sys.argv) > 3 else 512)
+    main()

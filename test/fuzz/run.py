@@ -17,9 +17,9 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "benchmark/reproduce"))
+sys.path.insert(0, str(ROOT / "benchmark"))
 
-from markdown_tables import markdown, replace_between_markers  # noqa: E402
+from tables import markdown, replace_between_markers  # noqa: E402
 
 PAGE = ROOT / "doc/reliability.md"
 # Share of the time; the whole pipeline takes a thousand times as long for an input as a reader.

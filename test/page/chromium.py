@@ -117,10 +117,11 @@ class Chromium:
         self.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in fingers])
 
     def downloaded(self, name, timeout=60):
-        """The content of the download `name`, which is removed."""
+        """The content of the download `name`, which must not be empty. The file is removed."""
         file = self.downloads / name
         deadline = time.monotonic() + timeout
-        while not file.exists():  # it gets this name when it is complete
+        # The browser makes an empty file of this name, and then renames the complete download to it.
+        while not file.exists() or file.stat().st_size == 0:
             if time.monotonic() > deadline:
                 raise TimeoutError(f"{name} was not downloaded; there is {os.listdir(self.downloads)}")
             time.sleep(0.05)
