@@ -252,7 +252,7 @@ void write_comparison(std::ostream& out, const Compare_options& options, const C
 void check_skeleton_argument(const std::string& filename)
 {
   if (filename != standard_stream) {
-    check_name([&] { CSCD::check_readable_skeleton_filename(filename); });
+    check_name([&] { CSCD::check_skeleton_filename(filename); });
   }
 }
 

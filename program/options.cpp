@@ -5,7 +5,7 @@
 
 #include "options.h"
 
-#include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -187,7 +187,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
   std::vector<Option> table;
   append(table, input_group,
          {Option{"INPUT", &o.input, "", "file of a mesh, of points or of a volume, or - for standard input"}.required(),
-          format_option(o.format, input_endings(), {"graph", "edges", "json", "swc"})});
+          format_option(o.format, input_endings(), {"graph", "json", "swc"})});
   append(table, skeleton_group,
          {Option{"as", &o.domain, "graph", "skeletonize the edges of INPUT, which need not be of a surface"}
               .one_of({graph_domain})

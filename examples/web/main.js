@@ -16,7 +16,6 @@ const formats = [
   ['.ply', 'output', 'nodes, radii, edges'],
   ['.swc', 'output', 'for tools of neurons'],
   ['.vtp', 'output', 'for ParaView'],
-  ['.graphml', 'output', 'for graph tools'],
   ['.glb', 'output', 'rig of the mesh'],
   ['_branches.csv', 'branches', 'table of branches'],
   ['_nodes.csv', 'nodes', 'table of nodes'],

@@ -237,7 +237,7 @@ class Skeleton:
 
     def save(self, filename: str | os.PathLike[str]) -> None:
         """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
-        .graphml, .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
+        .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
         decides where .swc and .glb begin.
 
         Raises FileError if the ending is not known or the file cannot be written, InputError if there is no mesh for a
@@ -367,8 +367,8 @@ def skeletonize(
 
 def read(filename: str | os.PathLike[str]) -> Shape:
     """Reads a mesh, points, a skeleton or a graph, in the format that the ending names: .off .obj .ply .stl .vtp .vtk .glb
-    .gltf .ngmesh, points as .xyz .pwn .pts .txt .csv .asc .pcd .las, skeletons as .graph .json .swc .polylines.txt, lists
-    of .edges; each also with .gz or .zst behind. Nothing is repaired. Linear in the size of the file.
+    .gltf, points as .xyz .pwn .pts .txt .csv .asc .pcd .las, skeletons as .graph .json .swc .polylines.txt; each also with
+    .gz behind. Nothing is repaired. Linear in the size of the file.
 
     Raises FileError if the file cannot be read or is malformed. The message names the place and the remedy.
     """

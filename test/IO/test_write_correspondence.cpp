@@ -137,7 +137,7 @@ TEST(Write_labelled_ply, is_read_as_the_same_mesh)
   write_labelled_ply(out, y.mesh, y.labels);
   std::istringstream in(out.str());
   Mesh read;
-  EXPECT_TRUE(CSCD::read_triangle_mesh(in, CSCD::Mesh_format::ply, "y.ply", read).is_empty());
+  EXPECT_TRUE(CSCD::read_triangle_mesh(in, ".ply", "y.ply", read).is_empty());
   ASSERT_EQ(num_vertices(y.mesh), num_vertices(read));
   ASSERT_EQ(num_faces(y.mesh), num_faces(read));
   for (const auto vertex : vertices(read)) {

@@ -18,7 +18,7 @@ MAX_MODULE_SIZE = 1_500_000  # bytes
 MESHES = ["elephant", "knot1", "homer", "camel", "refined_elephant"]
 # Endings of texts and the option of the program for them; numbers may differ in their last digits.
 TEXTS = {".graph": "-o", ".json": "-o", ".obj": "-o", ".polylines.txt": "-o", ".ply": "-o", ".swc": "-o", ".vtp": "-o",
-         ".graphml": "-o", "_branches.csv": "--branches", "_nodes.csv": "--nodes",
+         "_branches.csv": "--branches", "_nodes.csv": "--nodes",
          "_vertices.csv": "--correspondence"}
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 # The C libraries and the order of sums differ.

@@ -6,9 +6,7 @@
 #ifndef CSCD_IO_READ_TRIANGLE_MESH_H
 #define CSCD_IO_READ_TRIANGLE_MESH_H
 
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/read_points.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
@@ -60,7 +58,7 @@ struct Manifold_triangles
 /// Reads the polygons of a file.
 /// \throw File_error if it cannot be read, is malformed or has no polygons
 Shape_file read_polygons(const std::string& filename);
-Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string& name);
+Shape_file read_polygons(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Reads the polygons or the points of a stream in the format that `ending` names.
 /// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
@@ -206,14 +204,14 @@ Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::st
 
 } // namespace internal
 
-/// reads the triangle mesh that the file `filename` holds, in the `Mesh_format` that its ending names, and repairs it.
-/// With a further ending ".gz" or ".zst" it is decompressed by zlib or zstd first. Polygons are cut into triangles. If
-/// these do not form an oriented closed manifold, points of equal coordinates are merged. If they still do not form a
-/// manifold, degenerate and duplicate faces and small flaps are removed, faces turned to agree with their neighbors,
-/// and points duplicated where the surface is not a manifold. If it is closed, components that face inwards are turned,
-/// except cavities. Vertices and faces are numbered as in the file, as far as nothing had to be repaired; vertices
-/// without a face are kept then. Near linear.
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
+/// reads the triangle mesh that the file `filename` holds and repairs it. Its ending, in lower or upper case, names the
+/// format: `.off`, `.obj`, `.ply`, `.stl`, `.vtp` and `.vtk` of VTK's PolyData, `.glb` and `.gltf`. With a further
+/// ending `.gz` it is decompressed by zlib first. Polygons are cut into triangles. If these do not form an oriented
+/// closed manifold, points of equal coordinates are merged. If they still do not form a manifold, degenerate and
+/// duplicate faces and small flaps are removed, faces turned to agree with their neighbors, and points duplicated where
+/// the surface is not a manifold. If it is closed, components that face inwards are turned, except cavities. Vertices
+/// and faces are numbered as in the file, as far as nothing had to be repaired; vertices without a face are kept then.
+/// Near linear. \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
 /// \return the repairs that were made
 /// \throw File_error if the file cannot be read, is malformed, or has no faces
@@ -226,34 +224,13 @@ Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh&
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
 /// files.
+/// \param ending of the format, such as `.off`
 /// \param name the name of the stream in messages
 template <class TriangleMesh>
-Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, const std::string& name, TriangleMesh& mesh)
+Mesh_repair_report read_triangle_mesh(std::istream& in, const std::string& ending, const std::string& name,
+                                      TriangleMesh& mesh)
 {
-  return internal::convert_to_triangle_mesh(internal::read_polygons(in, format, name), name, mesh);
-}
-
-/// reads a stream that holds a triangle mesh, or points, if it has no faces.
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
-/// \tparam Point, Vector constructible from three coordinates
-/// \param format the ending of a file name, or the whole name: an ending of `Mesh_format` or `Point_format`
-/// \param name the name of the stream in messages
-/// \param mesh is replaced if there are faces
-/// \param points, normals are replaced if there are only points
-/// \return the repairs that were made, if there are faces
-/// \throw File_error if the stream cannot be read, is malformed, or has neither faces nor points
-/// \throw Input_error if the faces cannot be made a surface
-template <class TriangleMesh, class Point, class Vector>
-std::optional<Mesh_repair_report> read_mesh_or_points(std::istream& in, const std::string& format,
-                                                      const std::string& name, TriangleMesh& mesh,
-                                                      std::vector<Point>& points, std::vector<Vector>& normals)
-{
-  Shape_file file = internal::read_polygons_or_points(in, format, name);
-  if (file.number_of_polygons() == 0) {
-    internal::convert_to_points(file, points, normals);
-    return std::nullopt;
-  }
-  return internal::convert_to_triangle_mesh(std::move(file), name, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_polygons(in, ending, name), name, mesh);
 }
 
 } // namespace CSCD
