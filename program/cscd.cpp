@@ -82,7 +82,7 @@ std::vector<Command> make_commands(All_options& all)
            options_of(all.evaluate), [&all] { cscd::evaluate(all.evaluate); }},
           {"compare", "measure how alike two skeletons are", "  cscd compare bunny.graph other.swc\n",
            options_of(all.compare), [&all] { cscd::compare(all.compare); }},
-          {"simplify", "prune, merge, join, resample or smooth parts of a skeleton",
+          {"simplify", "prune, join or resample parts of a skeleton",
            R"(  cscd simplify bunny.json -o less.json --min-significance 1     without limbs that hardly stand out
   cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
 )",

@@ -261,7 +261,8 @@ def constrictions_table(runner, folder):
     poses = [first] + others + [mesh for body in bodies for mesh in body]
 
     def constrictions(mesh):
-        return json.loads(runner.run(program, "loops", mesh, "--constrictions", "-o", "-") or "[]")
+        loops = json.loads(runner.run(program, "loops", mesh, "-o", "-") or "[]")
+        return [loop for loop in loops if loop["kind"] == "constriction"]
 
     with concurrent.futures.ThreadPoolExecutor(runner.jobs) as pool:
         found = dict(zip(poses, pool.map(constrictions, poses)))

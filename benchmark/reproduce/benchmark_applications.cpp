@@ -212,7 +212,8 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
       result.update(compare_with_separators(skeletonization, mesh, labels));
     } else {
       CSCD::estimate_face_shape_diameters(mesh, skeleton, face_diameters);
-      number_of_parts = segment_by_diameters(mesh, face_diameters, 0.1, labels); // as `cscd segment --by diameter`
+      number_of_parts =
+          segment_by_diameters(mesh, face_diameters, 0.1, labels); // less than CGAL's 0.26, for smoother values
     }
   } else {
     throw std::invalid_argument(method + ": the methods are skeleton, diameter, rays and mcf");

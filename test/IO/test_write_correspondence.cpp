@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of labels of vertices: of meshes, points and repaired files, as CSV and as PLY.
+// Tests of labels of vertices: of meshes, points and repaired files, as CSV.
 
-#include "mesh_files.h"
 #include "support/convert_shape.h"
 #include "support/limb_shapes.h"
-#include <CSCD/IO/read_points.h>
-#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -22,10 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace {
@@ -128,47 +123,6 @@ TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
   EXPECT_EQ(2u, result[1].node);
   EXPECT_EQ(no_index, result[2].node);
   EXPECT_EQ(0u, result[3].node);
-}
-
-TEST(Write_labelled_ply, is_read_as_the_same_mesh)
-{
-  const Labelled_mesh y = labelled_y_tube();
-  std::ostringstream out;
-  write_labelled_ply(out, y.mesh, y.labels);
-  std::istringstream in(out.str());
-  Mesh read;
-  EXPECT_TRUE(CSCD::read_triangle_mesh(in, ".ply", "y.ply", read).is_empty());
-  ASSERT_EQ(num_vertices(y.mesh), num_vertices(read));
-  ASSERT_EQ(num_faces(y.mesh), num_faces(read));
-  for (const auto vertex : vertices(read)) {
-    EXPECT_EQ(y.mesh.point(vertex), read.point(vertex));
-  }
-}
-
-TEST(Write_labelled_ply, has_the_labels_behind_the_coordinates)
-{
-  const std::vector<Point> points{Point(1, 2, 3), Point(4, 5, 6)};
-  std::vector<Vertex_label> labels(2);
-  labels[0] = {7, 8, 0.5, 0.25};
-  std::ostringstream out;
-  write_labelled_ply(out, points, labels);
-  const std::string text = out.str();
-  const std::string end = "property int node\nproperty int branch\nproperty double radius\nproperty double distance\n"
-                          "end_header\n";
-  const std::size_t begin = text.find(end) + end.size();
-  constexpr std::size_t size_of_vertex = 3 * 8 + 2 * 4 + 2 * 8;
-  ASSERT_EQ(begin + 2 * size_of_vertex, text.size());
-  const auto number = [&](std::size_t offset, auto value) { // on a machine of this byte order, as all that are tested
-    std::memcpy(&value, text.data() + begin + offset, sizeof(value));
-    return value;
-  };
-  EXPECT_EQ(2, number(8, 0.));
-  EXPECT_EQ(7, number(24, std::int32_t(0)));
-  EXPECT_EQ(8, number(28, std::int32_t(0)));
-  EXPECT_EQ(0.5, number(32, 0.));
-  EXPECT_EQ(0.25, number(40, 0.));
-  EXPECT_EQ(-1, number(size_of_vertex + 24, std::int32_t(0)));
-  EXPECT_TRUE(std::isnan(number(size_of_vertex + 32, 0.)));
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Measure/reconstruct_surface.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 
@@ -322,27 +321,6 @@ TEST(Evaluate_skeleton, edges_without_length_and_repeated_nodes_do_no_harm)
   EXPECT_LT(m.round_cones.mean * m.diagonal, 0.05);
   EXPECT_TRUE(std::isfinite(m.convolution.mean));
   EXPECT_EQ(1u, m.counts.betti_number); // the edge from a node to itself
-}
-
-TEST(Reconstruct_surface, is_the_surface_that_is_measured)
-{
-  const Shape shape = capsule(8, 1, 32);
-  const Mesh mesh = mesh_of(shape);
-  const Skeleton skeleton = centreline(shape);
-  const Skeleton_measures m = evaluate_skeleton(mesh, skeleton);
-  Mesh surface;
-  CSCD::reconstruct_surface(mesh, skeleton, surface,
-                            parameters::reconstruction_method(CSCD::Reconstruction_method::round_cones));
-  EXPECT_EQ(m.round_cones.number_of_faces, num_faces(surface));
-  EXPECT_TRUE(CGAL::is_closed(surface));
-  for (const auto v : vertices(surface)) { // in the coordinates of the input
-    const Triple p = to_triple(surface.point(v));
-    const double x = std::clamp(p[0], 0., 8.);
-    EXPECT_NEAR(1, norm(p - Triple{x, 0, 0}), 0.005);
-  }
-  CSCD::reconstruct_surface(mesh, skeleton, surface, parameters::resolution(50));
-  EXPECT_TRUE(CGAL::is_closed(surface));
-  EXPECT_GT(m.convolution.number_of_faces, 10 * num_faces(surface));
 }
 
 } // namespace

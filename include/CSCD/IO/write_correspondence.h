@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which node and branch each vertex or point of the input belongs to, as tables and as labelled meshes.
+// Which node and branch each vertex or point of the input belongs to.
 
 #ifndef CSCD_IO_WRITE_CORRESPONDENCE_H
 #define CSCD_IO_WRITE_CORRESPONDENCE_H
 
-#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -16,15 +15,12 @@
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <ostream>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -53,9 +49,6 @@ std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
 std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
                                          const std::vector<Vector_3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels);
-
-/// Writes a mesh or points in binary PLY.
-void write_labelled_ply(std::ostream& out, const Shape_file& file, const std::vector<Vertex_label>& labels);
 
 /// The points of a range as vectors.
 template <class PointRange>
@@ -106,38 +99,6 @@ std::vector<Vertex_label> label_vertices(const PointRange& points, const Skeleto
 /// writes labels as CSV: a line `vertex,node,branch` for each vertex under a line of names, all counted from 0; node
 /// and branch are empty for vertices of no node. Linear. \throw File_error if `out` fails
 void write_correspondence(std::ostream& out, const std::vector<Vertex_label>& labels);
-
-/// writes a mesh in binary PLY, its vertices with the properties `node` and `branch`, -1 for none, `radius` and
-/// `distance`. Linear.
-/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
-/// \param labels one for each vertex
-/// \pre all faces of `mesh` are triangles
-/// \throw File_error if `out` fails
-template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
-void write_labelled_ply(std::ostream& out, const TriangleMesh& mesh, const std::vector<Vertex_label>& labels)
-{
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  internal::Assigned_surface surface = internal::assigned_surface(mesh, Skeleton_graph<Vector_3, Vertex>());
-  Shape_file file;
-  file.points = std::move(surface.points);
-  for (const std::array<Index, 3>& triangle : surface.triangles) {
-    file.corners.insert(file.corners.end(), triangle.begin(), triangle.end());
-    file.end_polygon();
-  }
-  internal::write_labelled_ply(out, file, labels);
-}
-
-/// writes points in binary PLY with the same properties. Linear.
-/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
-/// \param labels one for each point
-/// \throw File_error if `out` fails
-template <class PointRange, std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-void write_labelled_ply(std::ostream& out, const PointRange& points, const std::vector<Vertex_label>& labels)
-{
-  Shape_file file;
-  file.points = internal::to_vectors(points);
-  internal::write_labelled_ply(out, file, labels);
-}
 
 } // namespace CSCD
 

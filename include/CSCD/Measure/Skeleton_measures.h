@@ -15,13 +15,6 @@
 
 namespace CSCD {
 
-/// How a surface is made of a skeleton with radii.
-enum class Reconstruction_method
-{
-  convolution, ///< convolution with the inverse quartic kernel, see `doc/measures.md`
-  round_cones  ///< union of the convex hulls of the two balls of each edge
-};
-
 /// The value of a measure that is not defined for the input.
 inline constexpr double undefined_measure = std::numeric_limits<double>::quiet_NaN();
 
@@ -152,9 +145,6 @@ struct Skeleton_comparison
   Skeleton_distance from_second_to_first; ///< of the points of the second from the first
   Match_count tips;                       ///< nodes with one edge
   Match_count junctions;                  ///< nodes with three edges or more
-  Match_count branches;                   ///< paths between nodes of degree other than two, and cycles
-  /// Whether branches are joined in the same way, wherever they are: the skeletons of a body in two poses should agree.
-  bool has_same_structure = false;
 
   /// The mean of both mean distances.
   double mean_distance() const { return (from_first_to_second.mean + from_second_to_first.mean) / 2; }
