@@ -10,11 +10,11 @@
 // Writes one JSON object: CPU seconds, shape diameters of the vertices, the mean errors of the segmentation
 // over the people, and for segment_mesh() the boundaries compared with separators.
 
+#include "compare_segmentations.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/Curve_skeletonization.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Measure/compare_segmentations.h>
 #include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Traits/Triangle_mesh_traits.h>
 #include <CSCD/Vector_3.h>
@@ -244,11 +244,11 @@ Json compare_with_people(const std::filesystem::path& folder, const Mesh& mesh, 
 {
   double people = 0;
   double people_with_cuts = 0;
-  CSCD::Segmentation_comparison sum{};
+  benchmark_applications::Segmentation_comparison sum{};
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     Mesh copy = mesh;
-    const CSCD::Segmentation_comparison one =
-        CSCD::compare_segmentations(mesh, labels, read_labels(entry.path(), copy));
+    const benchmark_applications::Segmentation_comparison one =
+        benchmark_applications::compare_segmentations(mesh, labels, read_labels(entry.path(), copy));
     people += 1;
     sum.rand_error += one.rand_error;
     sum.hamming_distance += one.hamming_distance;
