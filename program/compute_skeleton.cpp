@@ -58,7 +58,7 @@ using Point_map = CGAL::Pointer_property_map<Vector_3>::const_type;
 /// A skeleton whose nodes hold numbers of points.
 using Number_graph = CSCD::Skeleton_graph<Vector_3, std::size_t>;
 
-/// The numbers of the points of an input, from which surface traits are made.
+/// The numbers of the points of an input, to make surface traits of.
 class Numbered_points
 {
 public:
@@ -324,8 +324,8 @@ Skeletonization_result compute_skeleton(Input& input, const Skeletonize_options&
 
 std::vector<CSCD::Vertex_label> labels_of_file(const Input& input, const Skeletonization_result& result)
 {
-  std::vector<CSCD::Vertex_label> labels = CSCD::internal::label_vertices(
-      input.points, assigned_surface(input, result.skeleton).node_of_vertex, result.skeleton, result.branches);
+  std::vector<CSCD::Vertex_label> labels =
+      CSCD::internal::label_vertices(assigned_surface(input, result.skeleton).node_of_vertex, result.branches);
   if (input.is_point_set) {
     labels.resize(input.number_of_points);
     return labels;

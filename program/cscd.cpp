@@ -100,7 +100,8 @@ std::vector<Command> make_commands(All_options& all)
 constexpr const char* explanations =
     R"(Meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf; points: .xyz .pwn .pts .txt .csv .asc .pcd .las, or .ply
 .off .vtp .vtk without faces; both also with .gz behind. Volumes: .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff.
-Skeletons: .graph .json .obj .ply .polylines.txt .swc .vtp. A file appears only when it is complete. Repairs of the input are named on standard error.
+Skeletons: .graph .json .obj .ply .polylines.txt .swc .vtp. A file appears only when it is complete. Repairs of the
+input are named on standard error.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
 /// Puts examples before the rest of a help.

@@ -57,9 +57,7 @@ Json to_json(const CSCD::Position_measures& p)
           {"fraction_of_nodes_inside", p.fraction_of_nodes_inside},
           {"fraction_of_length_inside", p.fraction_of_length_inside},
           {"largest_distance_outside", p.max_distance_outside},
-          {"deviation_at_nodes", p.deviation_at_nodes},
           {"deviation_by_length", p.deviation_by_length},
-          {"offset_at_nodes", p.offset_at_nodes},
           {"offset_by_length", p.offset_by_length}};
 }
 
@@ -137,9 +135,9 @@ void write_position(std::ostream& out, const CSCD::Position_measures& p)
 {
   out << "inside: " << percent(p.fraction_of_nodes_inside) << " % of the nodes, "
       << percent(p.fraction_of_length_inside) << " % of the length"
-      << "\noff center: by " << percent(p.offset_by_length) << " % of the distance to the surface (at nodes "
-      << percent(p.offset_at_nodes) << " %); that distance deviates by " << percent(p.deviation_by_length)
-      << " % around the skeleton (at nodes " << percent(p.deviation_at_nodes) << " %)\n";
+      << "\noff center: by " << percent(p.offset_by_length)
+      << " % of the distance to the surface; that distance deviates by " << percent(p.deviation_by_length)
+      << " % around the skeleton\n";
 }
 
 void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)

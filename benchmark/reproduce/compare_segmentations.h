@@ -167,7 +167,7 @@ public:
       halfedge_of[origin(h)] = h;
     }
     search.spread([&](Index vertex, float distance) {
-      CSCD::internal::for_each_in_fan(m_pairing, halfedge_of[vertex], [&](Index h) {
+      CSCD::for_each_in_fan(m_pairing, halfedge_of[vertex], [&](Index h) {
         for (const Index end :
              {CSCD::Halfedge_pairing::next(h), CSCD::Halfedge_pairing::previous(h)}) { // both sides of the face
           const CSCD::Vector_3 edge = m_triangles.points[origin(end)] - m_triangles.points[vertex];

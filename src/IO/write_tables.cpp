@@ -8,7 +8,6 @@
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_cylinders.h>
@@ -49,21 +48,12 @@ void write_field(std::ostream& out, const std::optional<std::size_t>& number)
 
 } // namespace
 
-std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
-                                         const Skeleton& skeleton, const Skeleton_branches& branches)
+std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_vertex, const Skeleton_branches& branches)
 {
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
-  std::vector<Vertex_label> result(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const Index node = node_of_vertex[v];
-    if (node == no_index) {
-      continue;
-    }
-    Vertex_label& label = result[v];
-    label.node = node;
-    label.branch = branches.branch_of_node[node];
-    label.radius = skeleton.has_radii() ? skeleton.radii[node] : label.radius;
-    label.distance = distance_to_edges(skeleton, neighbors, node, points[v]);
+  std::vector<Vertex_label> result;
+  result.reserve(node_of_vertex.size());
+  for (const Index node : node_of_vertex) {
+    result.push_back({node, node == no_index ? no_index : branches.branch_of_node[node]});
   }
   return result;
 }

@@ -435,7 +435,7 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
   Skeleton_measures result = evaluation.measure();
   if (measured.body) {
     const Measured_body& body = *measured.body;
-    result.position = Position_measurement(body.queries(), evaluation.skeleton())();
+    result.position = measure_position(body.queries(), evaluation.skeleton());
     result.position.number_of_surface_components = body.number_of_components();
     result.position.genus = body.genus();
     result.position.number_of_borders = body.number_of_borders();

@@ -427,7 +427,7 @@ TEST(Read_triangle_mesh, keeps_borders)
 TEST(Read_triangle_mesh, refuses_malformed_files)
 {
   for (const Malformed_file& file : malformed_files("meshes")) {
-    refusal(file.content, CSCD::mesh_format("file" + file.ending));
+    refusal(file.content, file.ending);
   }
   EXPECT_EQ("input, line 4: a coordinate is not finite; correct or remove this line",
             refusal("OFF\n3 1 0\n0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", ".off"));
@@ -639,7 +639,7 @@ TEST(Read_triangle_mesh, refuses_noise)
     for (int k = 0; k < 300; ++k) {
       noise.push_back(static_cast<char>(random()));
     }
-    for (const std::string& format : {".off", ".obj", ".ply", ".stl", ".vtk", ".glb"}) {
+    for (const char* const format : {".off", ".obj", ".ply", ".stl", ".vtk", ".glb"}) {
       refusal(noise, format);
     }
   }

@@ -14,11 +14,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <sstream>
 #include <vector>
@@ -30,7 +27,6 @@ using CSCD::no_index;
 using CSCD::Vector_3;
 using CSCD::Vertex_label;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Segment = CGAL::Simple_cartesian<double>::Segment_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 
@@ -62,40 +58,16 @@ TEST(Label_vertices, agrees_with_the_skeleton)
       const Vertex_label& label = y.labels[std::size_t(vertex)];
       EXPECT_EQ(node, label.node);
       EXPECT_EQ(y.branches.branch_of_node[node], label.branch);
-      EXPECT_EQ(y.skeleton[node].radius, label.radius);
-      double distance = 1e9;
-      for (const auto edge : boost::make_iterator_range(out_edges(node, y.skeleton))) {
-        const Segment segment(y.skeleton[node].point, y.skeleton[target(edge, y.skeleton)].point);
-        distance = std::min(distance, std::sqrt(CGAL::squared_distance(y.mesh.point(vertex), segment)));
-      }
-      EXPECT_NEAR(distance, label.distance, 1e-9);
       ++number_of_labels;
     }
   }
   EXPECT_EQ(y.labels.size(), number_of_labels);
 }
 
-TEST(Label_vertices, of_points_measures_to_the_edges_of_their_node)
+TEST(Write_correspondence, leaves_fields_of_vertices_without_a_node_empty)
 {
-  CSCD::Skeleton_graph<Point, std::size_t> skeleton(3);
-  skeleton[0].point = Point(0, 0, 0);
-  skeleton[1].point = Point(4, 0, 0);
-  skeleton[2].point = Point(8, 0, 0);
-  skeleton[1].radius = 2;
-  skeleton[1].vertices = {0, 2};
-  add_edge(0, 1, skeleton);
-  add_edge(1, 2, skeleton);
-  const std::vector<Point> points{Point(3, 2, 0), Point(7, 7, 7), Point(5, 0, -3)};
-  const std::vector<Vertex_label> labels = label_vertices(points, skeleton, CSCD::measure_branches(skeleton));
-  EXPECT_EQ(1u, labels[0].node);
-  EXPECT_EQ(0u, labels[0].branch);
-  EXPECT_EQ(2, labels[0].radius);
-  EXPECT_EQ(2, labels[0].distance);
-  EXPECT_EQ(3, labels[2].distance);
-  EXPECT_EQ(no_index, labels[1].node);
-  EXPECT_TRUE(std::isnan(labels[1].distance));
   std::ostringstream out;
-  write_correspondence(out, labels);
+  CSCD::write_correspondence(out, {{1, 0}, {no_index, no_index}, {1, 0}});
   EXPECT_EQ("vertex,node,branch\n0,1,0\n1,,\n2,1,0\n", out.str());
 }
 

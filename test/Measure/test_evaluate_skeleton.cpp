@@ -96,7 +96,6 @@ TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
   EXPECT_EQ(0, m.position.max_distance_outside);
   EXPECT_NEAR(0, m.position.offset_by_length, 1e-3);
   EXPECT_NEAR(0, m.position.deviation_by_length, 2e-3);
-  EXPECT_NEAR(0, m.position.offset_at_nodes, 1e-3);
   EXPECT_NEAR(0, m.counts.mean_turning, 1e-6);
   // The vertices are on the round cones exactly; the triangulation differs by the square of a cell over the radius.
   EXPECT_NEAR(0, m.mean_distance_from_round_cones, 1e-12);
@@ -125,7 +124,6 @@ TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
   EXPECT_NEAR(2 * pi / n, m.counts.max_turning, 1e-9);
   EXPECT_NEAR(1. / 4, m.counts.mean_turning, 0.005); // the radius of the body over that of the circle
   EXPECT_NEAR(0, m.position.offset_by_length, 0.005);
-  EXPECT_NEAR(0, m.position.deviation_at_nodes, 0.01);
   EXPECT_LT(m.mean_distance_from_round_cones * m.diagonal, 0.01);
   EXPECT_LT(m.round_cones.mean * m.diagonal, 0.01);
   // A bent line swells: towards the center of the torus more of it is near.
@@ -176,7 +174,6 @@ TEST(Evaluate_skeleton, off_the_axis_of_a_cylinder_the_ray_star_is_known)
     // vectors d/2, the mean of their squares 1.
     const double mean = 2 / pi * boost::math::ellint_2(d);
     EXPECT_NEAR(d / 2 / mean, m.position.offset_by_length, 2e-3) << d;
-    EXPECT_NEAR(d / 2 / mean, m.position.offset_at_nodes, 2e-3) << d;
     EXPECT_NEAR(std::sqrt(1 - mean * mean) / mean, m.position.deviation_by_length, 2e-3) << d;
   }
 }

@@ -7,18 +7,13 @@
 #define CSCD_IO_WRITE_CORRESPONDENCE_H
 
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/range/iterator_range_core.hpp>
-
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <type_traits>
 #include <vector>
@@ -28,17 +23,14 @@ namespace CSCD {
 /// The relation of a vertex or point of the input to the skeleton.
 struct Vertex_label
 {
-  Index node = no_index;                                      ///< the node of the vertex; `no_index` if none
-  Index branch = no_index;                                    ///< the branch of that node
-  double radius = std::numeric_limits<double>::quiet_NaN();   ///< of the node
-  double distance = std::numeric_limits<double>::quiet_NaN(); ///< to the edges at the node, in the unit of the input
+  Index node = no_index;   ///< the node of the vertex; `no_index` if none
+  Index branch = no_index; ///< the branch of that node
 };
 
 namespace internal {
 
 /// \param node_of_vertex `no_index` for vertices of no node
-std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
-                                         const Skeleton& skeleton, const Skeleton_branches& branches);
+std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_vertex, const Skeleton_branches& branches);
 
 /// For each point of a file, the vertex at its place of the mesh that was made from the file; `no_index` if none.
 /// Repairs merge, double and drop points, but never move one. Linear.
@@ -72,28 +64,7 @@ template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_
 std::vector<Vertex_label> label_vertices(const TriangleMesh& mesh, const Skeleton& skeleton,
                                          const Skeleton_branches& branches)
 {
-  const internal::Assigned_surface surface = internal::assigned_surface(mesh, skeleton);
-  return internal::label_vertices(surface.points, surface.node_of_vertex, internal::index_skeleton(skeleton), branches);
-}
-
-/// returns the node and branch of `skeleton` of every point, in the order of the points. Expectedly linear.
-/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
-/// \tparam Skeleton a model of `CurveSkeletonGraph` that holds the numbers of the points
-/// \param branches of `skeleton`, as `measure_branches()` gives them
-template <class PointRange, class Skeleton, std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-std::vector<Vertex_label> label_vertices(const PointRange& points, const Skeleton& skeleton,
-                                         const Skeleton_branches& branches)
-{
-  const std::vector<Vector_3> places = internal::to_vectors(points);
-  std::vector<Index> node_of_point(places.size(), no_index);
-  Index node = 0;
-  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    for (const std::size_t number : skeleton[v].vertices) {
-      node_of_point[number] = node;
-    }
-    ++node;
-  }
-  return internal::label_vertices(places, node_of_point, internal::index_skeleton(skeleton), branches);
+  return internal::label_vertices(internal::assigned_surface(mesh, skeleton).node_of_vertex, branches);
 }
 
 /// writes labels as CSV: a line `vertex,node,branch` for each vertex under a line of names, all counted from 0; node

@@ -61,13 +61,11 @@ struct Position_measures
   double fraction_of_length_inside = undefined_measure; ///< of the length of all edges, by samples
   double max_distance_outside = undefined_measure;      ///< of nodes and samples; relative to the diagonal
   /// From rays across the skeleton to the surface: the standard deviation of their lengths over their mean. 0 in the
-  /// center of a round section, never 0 in one that is not round. The mean over nodes with one or two edges.
-  double deviation_at_nodes = undefined_measure;
-  double deviation_by_length = undefined_measure; ///< the mean over the length of the edges
-  /// Likewise: the length of the mean of the rays' end points, as seen from the node, over the mean length. 0 in the
-  /// center of any section that is symmetric about a point.
-  double offset_at_nodes = undefined_measure;
-  double offset_by_length = undefined_measure; ///< the mean over the length of the edges
+  /// center of a round section, never 0 in one that is not round. The mean over the length of the edges.
+  double deviation_by_length = undefined_measure;
+  /// Likewise: the length of the mean of the rays' end points, as seen from where they begin, over the mean length. 0
+  /// in the center of any section that is symmetric about a point.
+  double offset_by_length = undefined_measure;
 };
 
 /// A limb of the surface: a part that reaches out of the rest, `doc/measures.md` says how far.
