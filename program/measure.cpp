@@ -5,7 +5,6 @@
 
 #include "commands.h"
 #include "types.h"
-#include "write_measures.h"
 #include "write_report.h"
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_skeleton.h>
@@ -185,6 +184,8 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
   out << dump_json(document) << '\n';
 }
 
+namespace {
+
 void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
 {
   const CSCD::Skeleton_counts& c = measures.counts;
@@ -242,6 +243,8 @@ void write_comparison(std::ostream& out, const Compare_options& options, const C
   write_distance(out, "first to second   ", comparison.from_first_to_second);
   write_distance(out, "second to first   ", comparison.from_second_to_first);
 }
+
+} // namespace
 
 void check_skeleton_argument(const std::string& filename)
 {

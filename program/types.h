@@ -158,6 +158,10 @@ void check_viewer_source();
 /// Measures `skeleton` against `input`. \throw `CSCD::Input_error`
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);
 
+/// Writes the measures as a JSON object; undefined measures are null.
+void write_measures_as_json(std::ostream& out, const Evaluate_options& options,
+                            const CSCD::Skeleton_measures& measures);
+
 /// Simplifies a skeleton that has radii.
 /// \param mesh that the skeleton stays inside of, or null
 /// \throw `CSCD::Input_error`

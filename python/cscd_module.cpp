@@ -7,7 +7,6 @@
 #include "compute_skeleton.h"
 #include "options.h"
 #include "types.h"
-#include "write_measures.h"
 #include "write_report.h"
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
