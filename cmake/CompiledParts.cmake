@@ -10,7 +10,6 @@ set(cscd_core_sources consolidation.cpp geodesics.cpp mesh_pipeline.cpp points.c
 set(cscd_measure_sources
     Measure/Rooted_forest.cpp
     Measure/Skeleton_branches.cpp
-    Measure/compare_segmentations.cpp
     Measure/compare_skeletons.cpp
     Measure/evaluate_skeleton.cpp
     Measure/simplify_skeleton.cpp)

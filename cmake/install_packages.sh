@@ -41,7 +41,7 @@ number_of_jobs()
 # Packages for the library, its examples and the program cscd; libcgal-demo has the meshes of the examples.
 library_packages=(
   g++ cmake ninja-build libcgal-dev libcgal-demo libeigen3-dev libboost-dev libtbb-dev
-  libcli11-dev nlohmann-json3-dev libjs-three zlib1g-dev libzstd-dev libtiff-dev
+  libcli11-dev nlohmann-json3-dev libjs-three zlib1g-dev libtiff-dev
 )
 
 # Packages for the Python module and its tests.

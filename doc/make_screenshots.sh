@@ -31,7 +31,7 @@ take() {
   shift 3
   page=$work/data/$input.html
   if [ ! -e "$page" ] || [ $# -gt 0 ]; then
-    "$program" skeletonize "$work/data/$input" --html "$page" --quiet "$@"
+    "$program" skeletonize "$work/data/$input" -o "$page" --quiet "$@"
   fi
   timeout 120 chromium --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
     --ignore-gpu-blocklist --no-first-run --disable-background-networking --disable-component-update --disable-sync \

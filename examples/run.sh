@@ -33,12 +33,12 @@ echo "Skeletonizing $mesh"
 mkdir -p "$output_dir"
 "$build_dir/bin/cscd" skeletonize "$mesh" \
   --output "$output_dir/elephant.graph" --output "$output_dir/elephant.obj" \
-  --report "$output_dir/elephant.json" --html "$output_dir/elephant.html"
+  --report "$output_dir/elephant.json" --output "$output_dir/elephant.html"
 
 echo "Skeletonizing $points of CGAL's data"
 tar --extract --gzip --file "$archive" --directory "$output_dir" --strip-components 2 "$points"
 "$build_dir/bin/cscd" skeletonize "$output_dir/kitten.xyz" \
-  --output "$output_dir/kitten.graph" --html "$output_dir/kitten.html"
+  --output "$output_dir/kitten.graph" --output "$output_dir/kitten.html"
 
 cat <<END
 

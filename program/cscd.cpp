@@ -82,7 +82,7 @@ std::vector<Command> make_commands(All_options& all)
            options_of(all.evaluate), [&all] { cscd::evaluate(all.evaluate); }},
           {"compare", "measure how alike two skeletons are", "  cscd compare bunny.graph other.swc\n",
            options_of(all.compare), [&all] { cscd::compare(all.compare); }},
-          {"simplify", "prune, merge, join, resample or smooth parts of a skeleton",
+          {"simplify", "prune, join or resample parts of a skeleton",
            R"(  cscd simplify bunny.json -o less.json --min-significance 1     without limbs that hardly stand out
   cscd simplify neuron.swc -o one.swc --join --min-component 20 --spacing 0.5r
 )",
@@ -98,10 +98,10 @@ std::vector<Command> make_commands(All_options& all)
 }
 
 constexpr const char* explanations =
-    R"(Meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf .ngmesh; points: .xyz .pwn .pts .txt .csv .asc .pcd .las, or .ply
-.off .vtp .vtk without faces; both also with .gz or .zst behind. Volumes: .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff.
-Skeletons: .graph .json .obj .ply .polylines.txt .swc .vtp, and .graphml, which is only written. A file appears only
-when it is complete. Repairs of the input are named on standard error.
+    R"(Meshes: .off .obj .ply .stl .vtp .vtk .glb .gltf; points: .xyz .pwn .pts .txt .csv .asc .pcd .las, or .ply
+.off .vtp .vtk without faces; both also with .gz behind. Volumes: .nrrd .nhdr .nii .nii.gz .mha .mhd .tif .tiff.
+Skeletons: .graph .json .obj .ply .polylines.txt .swc .vtp. A file appears only when it is complete. Repairs of the
+input are named on standard error.
 Exit status: 0 done, 1 bad usage, 2 bad input or a file that cannot be read or written, 3 internal failure.)";
 
 /// Puts examples before the rest of a help.

@@ -32,7 +32,7 @@ COUNTS = ("number_of_sites", "number_of_nodes", "number_of_edges", "number_of_sk
           "number_of_tips", "number_of_junctions")  # members of the report
 COLUMNS = ("input", "status", *COUNTS, "seconds", "megabytes", "message")
 FINISHED = ("done", "failed")  # not tried again by --resume
-OUTPUT_OPTIONS = ("-o", "--output", "--html", "--branches", "--nodes", "--cylinders", "--correspondence", "--labelled")
+OUTPUT_OPTIONS = ("-o", "--output", "--branches", "--nodes", "--cylinders", "--correspondence")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 
 
@@ -50,10 +50,9 @@ class Parser(argparse.ArgumentParser):
 
 
 class Manifest:
-    """A table that grows by one row at a time, as CSV or JSON lines, and is locked while this process runs."""
+    """A table as CSV that grows by one row at a time, and is locked while this process runs."""
 
     def __init__(self, path, resumes):
-        self.path, self.is_json = path, path.suffix == ".jsonl"
         try:
             self.file = os.open(path, os.O_RDWR | os.O_APPEND | os.O_CREAT | (0 if resumes else os.O_EXCL), 0o666)
             fcntl.flock(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -61,7 +60,7 @@ class Manifest:
             raise Refusal(f"{path}: exists already; add --resume to continue it, or name another folder") from None
         except BlockingIOError:
             raise Refusal(f"{path}: another cscd-batch writes it; wait for its end, or name another folder", 2) from None
-        header = b"" if self.is_json else ",".join(COLUMNS).encode() + b"\n"
+        header = ",".join(COLUMNS).encode() + b"\n"
         old = path.read_bytes()
         try:
             if old[:len(header)] != header[:len(old)]:
@@ -78,16 +77,11 @@ class Manifest:
         os.write(self.file, new[same:])
 
     def read(self, text):
-        if self.is_json:
-            return [json.loads(line) for line in text.split("\n") if line]
         return [dict(zip(COLUMNS, row)) for row in csv.reader(io.StringIO(text, newline="")) if len(row) == len(COLUMNS)]
 
     def line(self, row):
         text = io.StringIO(newline="")
-        if self.is_json:
-            print(json.dumps(row), file=text)
-        else:
-            csv.DictWriter(text, COLUMNS, lineterminator="\n").writerow(row)
+        csv.DictWriter(text, COLUMNS, lineterminator="\n").writerow(row)
         return text.getvalue().encode(errors="surrogateescape")
 
     def append(self, row):
@@ -127,7 +121,6 @@ def parse_arguments(arguments):
     add("--timeout", metavar="S", type=positive, help="seconds after which a process is stopped")
     add("--memory", metavar="SIZE", type=memory_size, help="memory of each process: megabytes, or a size such as 2G")
     add("--resume", action="store_true", help="skip inputs that the manifest lists as done or failed")
-    add("--json-lines", action="store_true", help="write manifest.jsonl in place of manifest.csv")
     add("--program", metavar="FILE", help="the program cscd; default: the one next to this file, or in PATH")
     add("-q", "--quiet", action="store_true", help="print errors only")
     options = parser.parse_args(arguments[:end])
@@ -186,8 +179,7 @@ class Batch:
         self.options = options
         suffix = "_{}_of_{}".format(*options.part) if options.part[1] > 1 else ""
         options.output_dir.mkdir(parents=True, exist_ok=True)
-        ending = "jsonl" if options.json_lines else "csv"
-        self.manifest = Manifest(options.output_dir / f"manifest{suffix}.{ending}", options.resume)
+        self.manifest = Manifest(options.output_dir / f"manifest{suffix}.csv", options.resume)
         self.work = options.output_dir / f".cscd_batch{suffix}"  # in the same file system: results are moved
         shutil.rmtree(self.work, ignore_errors=True)  # of a batch that was killed
         self.work.mkdir()

@@ -5,18 +5,15 @@
 
 #include "commands.h"
 #include "types.h"
-#include "write_measures.h"
 #include "write_report.h"
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/read_skeleton.h>
-#include <CSCD/IO/write_triangle_mesh.h>
+#include <CSCD/IO/write_skeleton.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/compare_skeletons.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Measure/reconstruct_surface.h>
-#include <CSCD/Named_parameters.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_report.h>
-#include <CSCD/exceptions.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/version.h>
 
 #include <nlohmann/json.hpp>
@@ -27,6 +24,8 @@
 #include <locale>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace cscd {
 
@@ -57,9 +56,7 @@ Json to_json(const CSCD::Position_measures& p)
           {"fraction_of_nodes_inside", p.fraction_of_nodes_inside},
           {"fraction_of_length_inside", p.fraction_of_length_inside},
           {"largest_distance_outside", p.max_distance_outside},
-          {"deviation_at_nodes", p.deviation_at_nodes},
           {"deviation_by_length", p.deviation_by_length},
-          {"offset_at_nodes", p.offset_at_nodes},
           {"offset_by_length", p.offset_by_length}};
 }
 
@@ -137,9 +134,9 @@ void write_position(std::ostream& out, const CSCD::Position_measures& p)
 {
   out << "inside: " << percent(p.fraction_of_nodes_inside) << " % of the nodes, "
       << percent(p.fraction_of_length_inside) << " % of the length"
-      << "\noff center: by " << percent(p.offset_by_length) << " % of the distance to the surface (at nodes "
-      << percent(p.offset_at_nodes) << " %); that distance deviates by " << percent(p.deviation_by_length)
-      << " % around the skeleton (at nodes " << percent(p.deviation_at_nodes) << " %)\n";
+      << "\noff center: by " << percent(p.offset_by_length)
+      << " % of the distance to the surface; that distance deviates by " << percent(p.deviation_by_length)
+      << " % around the skeleton\n";
 }
 
 void write_limbs(std::ostream& out, const CSCD::Limb_measures& l)
@@ -187,6 +184,8 @@ void write_measures_as_json(std::ostream& out, const Evaluate_options& options, 
   out << dump_json(document) << '\n';
 }
 
+namespace {
+
 void write_measures(std::ostream& out, const Evaluate_options& options, const CSCD::Skeleton_measures& measures)
 {
   const CSCD::Skeleton_counts& c = measures.counts;
@@ -229,19 +228,15 @@ void write_comparison_as_json(std::ostream& out, const Compare_options& options,
                       {"from_first_to_second", to_json(comparison.from_first_to_second)},
                       {"from_second_to_first", to_json(comparison.from_second_to_first)},
                       {"tips", to_json(comparison.tips)},
-                      {"junctions", to_json(comparison.junctions)},
-                      {"branches", to_json(comparison.branches)},
-                      {"has_same_structure", comparison.has_same_structure}};
+                      {"junctions", to_json(comparison.junctions)}};
   out << dump_json(document) << '\n';
 }
 
 void write_comparison(std::ostream& out, const Compare_options& options, const CSCD::Skeleton_comparison& comparison)
 {
-  out << printable(options.first) << " and " << printable(options.second) << ": branches are joined "
-      << (comparison.has_same_structure ? "in the same way\n" : "in different ways\n");
+  out << printable(options.first) << " and " << printable(options.second) << ":\n";
   write_match(out, "tips:      ", comparison.tips);
   write_match(out, "junctions: ", comparison.junctions);
-  write_match(out, "branches:  ", comparison.branches);
   out << "distances in thousandths of the diagonal, and the length within " << percent(comparison.match_distance)
       << " % of it:\n"
       << "                       mean      max   within\n";
@@ -249,82 +244,42 @@ void write_comparison(std::ostream& out, const Compare_options& options, const C
   write_distance(out, "second to first   ", comparison.from_second_to_first);
 }
 
+} // namespace
+
 void check_skeleton_argument(const std::string& filename)
 {
   if (filename != standard_stream) {
-    check_name([&] { CSCD::check_readable_skeleton_filename(filename); });
+    check_name([&] { CSCD::check_skeleton_filename(filename); });
   }
 }
 
-bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton)
+Skeleton read_skeleton_argument(const std::string& filename)
 {
-  return filename == standard_stream ? CSCD::read_skeleton(std::cin, ".graph", "standard input", skeleton)
-                                     : CSCD::read_skeleton(filename, skeleton);
+  return filename == standard_stream ? CSCD::internal::read_indexed_skeleton(std::cin, ".graph", "standard input")
+                                     : CSCD::internal::read_indexed_skeleton(filename);
 }
 
-namespace {
-
-Skeleton skeleton_argument(const std::string& filename)
+CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)
 {
-  Skeleton skeleton;
-  read_skeleton_argument(filename, skeleton);
-  return skeleton;
+  CSCD::internal::Measured_input measured;
+  if (input.is_point_set) {
+    measured.points.assign(input.points.begin(), input.points.begin() + std::ptrdiff_t(input.number_of_points));
+  } else {
+    CSCD::Checked_triangles checked = CSCD::check_triangles(std::vector(input.points), std::vector(input.faces));
+    measured = {std::move(checked.triangles), std::move(checked.pairing), {}, true};
+  }
+  return CSCD::internal::evaluate_skeleton(std::move(measured), Skeleton(skeleton),
+                                           {options.radii == own_radii, options.resolution});
 }
 
-void check_options(const Evaluate_options& options)
+void evaluate(const Evaluate_options& options)
 {
   check_skeleton_argument(options.skeleton);
   if (options.input == standard_stream && options.skeleton == standard_stream) {
     throw Usage_error("only one of INPUT and SKELETON can be standard input");
   }
-  for (const std::string& filename : {options.convolution_surface, options.round_cones}) {
-    if (!filename.empty()) {
-      check_name([&] { CSCD::written_mesh_format(filename); });
-      check_is_not_input(filename, options.input, "reconstructed surface");
-      check_is_not_input(filename, options.skeleton, "reconstructed surface");
-    }
-  }
-}
-
-/// \tparam Surface of a mesh or of points
-template <class Surface>
-void write_reconstruction(const std::string& filename, const Surface& surface, const Skeleton& skeleton,
-                          const Evaluate_options& options, CSCD::Reconstruction_method method)
-{
-  if (filename.empty()) {
-    return;
-  }
-  Mesh reconstruction;
-  CSCD::reconstruct_surface(surface, skeleton, reconstruction,
-                            CSCD::parameters::resolution(options.resolution)
-                                .use_skeleton_radii(options.radii == own_radii)
-                                .reconstruction_method(method));
-  CSCD::write_triangle_mesh(filename, reconstruction);
-}
-
-template <class Surface>
-CSCD::Skeleton_measures measure(const Surface& surface, const Skeleton& skeleton, const Evaluate_options& options)
-{
-  write_reconstruction(options.convolution_surface, surface, skeleton, options,
-                       CSCD::Reconstruction_method::convolution);
-  write_reconstruction(options.round_cones, surface, skeleton, options, CSCD::Reconstruction_method::round_cones);
-  return CSCD::evaluate_skeleton(
-      surface, skeleton,
-      CSCD::parameters::resolution(options.resolution).use_skeleton_radii(options.radii == own_radii));
-}
-
-} // namespace
-
-CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options)
-{
-  return input.is_point_set ? measure(input.points, skeleton, options) : measure(input.mesh, skeleton, options);
-}
-
-void evaluate(const Evaluate_options& options)
-{
-  check_options(options);
   const Input input = read_input(options.input, options.format, options.is_quiet);
-  const Skeleton skeleton = skeleton_argument(options.skeleton);
+  const Skeleton skeleton = read_skeleton_argument(options.skeleton);
   const CSCD::Skeleton_measures measures = measure_skeleton(input, skeleton, options);
   if (options.is_json) {
     write_measures_as_json(std::cout, options, measures);
@@ -340,10 +295,10 @@ void compare(const Compare_options& options)
   if (options.first == standard_stream && options.second == standard_stream) {
     throw Usage_error("only one of the skeletons can be standard input");
   }
-  const Skeleton first = skeleton_argument(options.first);
-  const Skeleton second = skeleton_argument(options.second);
+  Skeleton first = read_skeleton_argument(options.first);
+  Skeleton second = read_skeleton_argument(options.second);
   const CSCD::Skeleton_comparison comparison =
-      CSCD::compare_skeletons(first, second, CSCD::parameters::match_distance(options.match_distance));
+      CSCD::internal::compare_skeletons(std::move(first), std::move(second), options.match_distance);
   if (options.is_json) {
     write_comparison_as_json(std::cout, options, comparison);
   } else {

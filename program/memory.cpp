@@ -39,18 +39,13 @@ std::size_t left_by(const std::string& bound, const std::string& used, std::size
   return most && now ? *most - std::min(*most, *now - std::min(*now, free)) : unbounded;
 }
 
-/// The bytes that one control group leaves. It has files of version 2 or 1.
+/// The bytes that one control group leaves.
 std::size_t memory_left_in_group(const std::string& group, std::size_t swap)
 {
   const std::size_t cache = number_in(group + "/memory.stat", "file").value_or(0);
-  const std::size_t old_cache = number_in(group + "/memory.stat", "total_cache").value_or(0);
   const std::size_t swap_left = std::min(swap, left_by(group + "/memory.swap.max", group + "/memory.swap.current", 0));
-  const std::size_t left =
-      std::min(left_by(group + "/memory.max", group + "/memory.current", cache),
-               left_by(group + "/memory.limit_in_bytes", group + "/memory.usage_in_bytes", old_cache));
-  const std::size_t left_with_swap =
-      left_by(group + "/memory.memsw.limit_in_bytes", group + "/memory.memsw.usage_in_bytes", old_cache);
-  return std::min(left > unbounded - swap_left ? unbounded : left + swap_left, left_with_swap);
+  const std::size_t left = left_by(group + "/memory.max", group + "/memory.current", cache);
+  return left > unbounded - swap_left ? unbounded : left + swap_left;
 }
 
 #ifdef __linux__
@@ -58,16 +53,13 @@ std::size_t memory_left_in_group(const std::string& group, std::size_t swap)
 std::size_t memory_left_in_own_groups(std::size_t swap)
 {
   const std::string root = "/sys/fs/cgroup";
-  std::size_t result = unbounded;
-  std::ifstream groups("/proc/self/cgroup"); // number:controllers:/path, in version 2 0::/path
+  std::ifstream groups("/proc/self/cgroup");
   for (std::string line; std::getline(groups, line);) {
-    const bool is_old = line.find(":memory:/") != std::string::npos;
-    if (is_old || line.rfind("0::/", 0) == 0) {
-      const std::string top = is_old ? root + "/memory" : root;
-      result = std::min(result, memory_left_in_groups(top + line.substr(line.find(":/") + 1), top, swap));
+    if (line.rfind("0::/", 0) == 0) { // the path of the group of version 2 is behind the colons
+      return memory_left_in_groups(root + line.substr(line.find('/')), root, swap);
     }
   }
-  return result;
+  return unbounded;
 }
 #endif
 

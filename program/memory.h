@@ -11,7 +11,7 @@
 
 namespace cscd {
 
-/// The bytes that the control groups of Linux, of version 1 or 2, from `group` up to `root`, which are folders, leave
+/// The bytes that the control groups of Linux, of version 2, from `group` up to `root`, which are folders, leave
 /// to their processes; the largest number if none has a bound. The cache of files counts as free.
 /// \param swap the bytes of swap that the machine has left
 /// \pre `group` is `root`, or begins with `root` and a slash

@@ -5,7 +5,7 @@
 
 #include "options.h"
 
-#include <CSCD/IO/Mesh_format.h>
+#include <CSCD/IO/Shape_file.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/join.hpp>
@@ -187,7 +187,7 @@ std::vector<Option> options_of(Skeletonize_options& o)
   std::vector<Option> table;
   append(table, input_group,
          {Option{"INPUT", &o.input, "", "file of a mesh, of points or of a volume, or - for standard input"}.required(),
-          format_option(o.format, input_endings(), {"graph", "edges", "json", "swc"})});
+          format_option(o.format, input_endings(), {"graph", "json", "swc"})});
   append(table, skeleton_group,
          {Option{"as", &o.domain, "graph", "skeletonize the edges of INPUT, which need not be of a surface"}
               .one_of({graph_domain})
@@ -218,12 +218,9 @@ std::vector<Option> options_of(Skeletonize_options& o)
   append(table, output_group,
          {skeleton_outputs(o.outputs, ".html page, .glb rig, else skeleton"),
           file_option("report", o.report, "counts, times and warnings as JSON"),
-          file_option("html", o.html, "page that shows surface and skeleton, whatever the ending"),
           file_option("branches", o.branches, "table of branches as CSV"),
           file_option("nodes", o.nodes, "table of nodes as CSV"),
           file_option("correspondence", o.correspondence, "node and branch of each vertex as CSV")
-              .of(any_input & ~volume_input, "write the node of each voxel by -o FILE.nrrd"),
-          file_option("labelled", o.labelled, "INPUT as PLY with node, branch, radius and distance")
               .of(any_input & ~volume_input, "write the node of each voxel by -o FILE.nrrd")});
   append(table, output_group, swc_options(o.swc));
   append(table, output_group, {quiet_option(o.is_quiet)});
@@ -270,12 +267,7 @@ std::vector<Option> options_of(Evaluate_options& o)
               {estimated_radii, own_radii}),
           Option{"resolution", &o.resolution, "N", "cells of the reconstructed surfaces along the diagonal"}.in(
               1, 10000)});
-  append(
-      table, output_group,
-      {file_option("convolution-surface", o.convolution_surface, "convolution surface as a mesh: .off .obj .ply .stl"),
-       file_option("round-cones", o.round_cones, "union of round cones as a mesh"),
-       {"json", &o.is_json, "", "write all measures as JSON"},
-       quiet_option(o.is_quiet)});
+  append(table, output_group, {{"json", &o.is_json, "", "write all measures as JSON"}, quiet_option(o.is_quiet)});
   return table;
 }
 
@@ -285,10 +277,10 @@ std::vector<Option> options_of(Compare_options& o)
   append(table, input_group,
          {Option{"A", &o.first, "", "skeleton file; - reads .graph from standard input"}.required(),
           Option{"B", &o.second, "", "skeleton file; - reads .graph from standard input"}.required()});
-  append(table, detail_group,
-         {Option{"match-distance", &o.match_distance, "D",
-                 "tips, junctions and branches nearer than D of the diagonal are the same"}
-              .at_least(0)});
+  append(
+      table, detail_group,
+      {Option{"match-distance", &o.match_distance, "D", "tips and junctions nearer than D of the diagonal are the same"}
+           .at_least(0)});
   append(table, output_group, {{"json", &o.is_json, "", "write all figures as JSON"}});
   return table;
 }
@@ -306,11 +298,8 @@ std::vector<Option> options_of(Simplify_options& o)
            .at_least(0),
        Option{"min-length", &o.min_length, "L", "prune limbs shorter than L"}.at_least(0),
        Option{"min-length-over-radius", &o.min_length_over_radius, "X", "prune limbs shorter than X radii"}.at_least(0),
-       Option{"merge-junctions", &o.junction_distance, "X", "merge junctions nearer along a branch than X radii"}
-           .at_least(0),
        Option{"spacing", &o.spacing, "D", "distance of nodes along branches; Xr means X local radii"}.at_least(0),
-       Option{"spacing-over-radius", &o.spacing_over_radius, "X", "the same in local radii"}.at_least(0),
-       Option{"smooth", &o.number_of_smoothing_steps, "N", "number of steps of smoothing"}.at_least(1)});
+       Option{"spacing-over-radius", &o.spacing_over_radius, "X", "the same in local radii"}.at_least(0)});
   append(table, skeleton_group, fragment_options(o.fragments, "nodes"));
   append(table, skeleton_group, {root_option(o.root)});
   append(table, output_group, {skeleton_outputs(o.outputs, "skeleton by its ending").required()});
@@ -327,7 +316,7 @@ std::vector<Option> options_of(Application_options& o, const std::string& output
           format_option(o.format, CSCD::mesh_endings())});
   append(table, output_group,
          {Option{"output", &o.output, "FILE", output + "; - is standard output"}.with_letter('o').required(),
-          file_option("report", o.report, "counts and measures as JSON"), quiet_option(o.is_quiet)});
+          quiet_option(o.is_quiet)});
   return table;
 }
 
@@ -335,9 +324,7 @@ std::vector<Option> options_of(Segment_options& o)
 {
   std::vector<Option> table = options_of(o, "number of the part of each face, one a line");
   append(table, detail_group,
-         {Option{"parts", &o.number_of_parts, "N", "number of parts; by default the shape decides"}.at_least(1),
-          Option{"by", &o.by, "skeleton|diameter", "decide by skeleton and shape, or by thickness alone"}.one_of(
-              {by_skeleton, by_diameter})});
+         {Option{"parts", &o.number_of_parts, "N", "number of parts; by default the shape decides"}.at_least(1)});
   return table;
 }
 
@@ -345,10 +332,7 @@ std::vector<Option> options_of(Loops_options& o)
 {
   std::vector<Option> table = options_of(o, "loops as .json, page .html, or skeleton by its ending");
   append(table, detail_group,
-         {{"handles", &o.handles, "", "write handle loops; without such options all kinds are written"},
-          {"tunnels", &o.tunnels, "", "write tunnel loops"},
-          {"constrictions", &o.constrictions, "", "write constrictions"},
-          Option{"min-depth", &o.min_depth, "D",
+         {Option{"min-depth", &o.min_depth, "D",
                  "least depth of constrictions: relative extra length of neighboring loops"}
               .at_least(0)});
   return table;

@@ -47,8 +47,6 @@ inline constexpr const char* lowest_root = "lowest";
 inline constexpr const char* longest_root = "longest";
 inline constexpr const char* estimated_radii = "estimated";
 inline constexpr const char* own_radii = "own";
-inline constexpr const char* by_skeleton = "skeleton";
-inline constexpr const char* by_diameter = "diameter";
 /// @}
 
 /// The treatment of components of a skeleton that are fragments.
@@ -103,9 +101,7 @@ struct Skeletonize_options
   std::string cylinders;      ///< likewise for the cylinders of a scan of trees
   double breast_height = 1.3; ///< in the unit of the input
   std::string correspondence; ///< likewise for the node and branch of every vertex
-  std::string labelled;       ///< likewise for the input with node, branch, radius and distance at its vertices
-  std::string report;         ///< file name for the report as JSON, `standard_stream`, or empty
-  std::string html;           ///< likewise for the viewer page
+  std::string report;         ///< likewise for the report as JSON
   bool is_quiet = false;
 };
 
@@ -117,8 +113,6 @@ struct Evaluate_options
   std::string skeleton;                ///< a file name, or `standard_stream` for GEL's graph format
   std::string radii = estimated_radii; ///< or `own_radii`
   std::size_t resolution = 200;        ///< cells of the reconstructed surfaces along the diagonal of the bounding box
-  std::string convolution_surface;     ///< file name for it as a mesh, or empty
-  std::string round_cones;             ///< likewise
   bool is_json = false;
   bool is_quiet = false;
 };
@@ -142,10 +136,8 @@ struct Simplify_options
   double min_significance = 0;
   double min_length = 0; ///< in the unit of the skeleton
   double min_length_over_radius = 0;
-  double junction_distance = 0; ///< in radii
-  double spacing = 0;           ///< in the unit of the skeleton
+  double spacing = 0; ///< in the unit of the skeleton
   double spacing_over_radius = 0;
-  std::size_t number_of_smoothing_steps = 0;
   Fragment_options fragments;
   std::string root; ///< three coordinates with commas between, the name of a rule, or empty
   Swc_arguments swc;
@@ -158,7 +150,6 @@ struct Application_options
   std::string input;  ///< a file name, or `standard_stream`
   std::string format; ///< of the input: an ending without its dot; by that of its name if empty
   std::string output; ///< a file name, or `standard_stream`
-  std::string report; ///< file for the report, or empty
   bool is_quiet = false;
 };
 
@@ -166,15 +157,11 @@ struct Application_options
 struct Segment_options : Application_options
 {
   std::size_t number_of_parts = 0; ///< 0 lets the shape decide
-  std::string by = by_skeleton;
 };
 
-/// The options of `cscd loops`; all kinds of loops are written if none is chosen.
+/// The options of `cscd loops`.
 struct Loops_options : Application_options
 {
-  bool handles = false;
-  bool tunnels = false;
-  bool constrictions = false;
   double min_depth = CSCD::default_min_constriction_depth;
 };
 

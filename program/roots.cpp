@@ -22,7 +22,7 @@
 
 namespace cscd {
 
-std::optional<Point> root_point(const std::string& root)
+std::optional<Vector_3> root_point(const std::string& root)
 {
   std::array<double, 3> coordinates{};
   std::istringstream in(root);
@@ -33,8 +33,7 @@ std::optional<Point> root_point(const std::string& root)
       return std::nullopt;
     }
   }
-  return (in >> std::ws).eof() ? std::optional<Point>(Point(coordinates[0], coordinates[1], coordinates[2]))
-                               : std::nullopt;
+  return (in >> std::ws).eof() ? std::optional(Vector_3(coordinates[0], coordinates[1], coordinates[2])) : std::nullopt;
 }
 
 std::string check_root(const std::string& root)
@@ -43,22 +42,21 @@ std::string check_root(const std::string& root)
   return is_rule || root_point(root) ? "" : "must be X,Y,Z, thickest, lowest or longest, not " + root;
 }
 
-std::vector<CSCD::Index> find_roots(const CSCD::Skeleton& skeleton, const std::string& root)
+std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root)
 {
   if (root.empty()) {
     return {};
   }
-  if (const std::optional<Point> point = root_point(root)) {
-    return CSCD::internal::find_roots(skeleton, CSCD::Vector_3(point->x(), point->y(), point->z()));
+  if (const std::optional<Vector_3> point = root_point(root)) {
+    return CSCD::internal::find_roots(skeleton, *point);
   }
   return CSCD::internal::find_roots(skeleton, root == thickest_root ? CSCD::Root_rule::thickest
                                               : root == lowest_root ? CSCD::Root_rule::lowest
                                                                     : CSCD::Root_rule::longest);
 }
 
-void write_skeleton_output(CSCD::File_group& files, const std::string& output,
-                           const CSCD::internal::Skeleton_content& skeleton, const std::vector<CSCD::Index>& roots,
-                           const Swc_arguments& swc)
+void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
+                           const std::vector<Index>& roots, const Swc_arguments& swc)
 {
   if (output == standard_stream) {
     CSCD::write_gel_graph(std::cout, skeleton);

@@ -8,7 +8,6 @@
 
 #include "options.h"
 #include "types.h"
-#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Vector_3.h>
@@ -21,16 +20,15 @@ namespace cscd {
 
 /// The coordinates that the value of `--root` gives; none if it names a rule.
 /// \pre `check_root()` has accepted it
-std::optional<Point> root_point(const std::string& root);
+std::optional<Vector_3> root_point(const std::string& root);
 
 /// The roots that the value of `--root` chooses; none if it is empty.
 /// \throw CSCD::Input_error if they cannot be chosen
-std::vector<CSCD::Index> find_roots(const CSCD::Skeleton& skeleton, const std::string& root);
+std::vector<Index> find_roots(const Skeleton& skeleton, const std::string& root);
 
 /// Writes a skeleton to a file of `files` in the format of its ending, or to standard output as a graph of GEL.
-void write_skeleton_output(CSCD::File_group& files, const std::string& output,
-                           const CSCD::internal::Skeleton_content& skeleton, const std::vector<CSCD::Index>& roots,
-                           const Swc_arguments& swc);
+void write_skeleton_output(CSCD::File_group& files, const std::string& output, const Skeleton& skeleton,
+                           const std::vector<Index>& roots, const Swc_arguments& swc);
 
 } // namespace cscd
 

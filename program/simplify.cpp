@@ -6,17 +6,15 @@
 #include "commands.h"
 #include "roots.h"
 #include "types.h"
-#include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/evaluate_skeleton.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Named_parameters.h>
-#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Options.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Triangles.h>
+#include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
-
-#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <iostream>
@@ -43,24 +41,9 @@ void check_options(const Simplify_options& options)
   }
 }
 
-/// Gives the skeleton radii that are estimated from the vertices of the mesh, as `cscd evaluate` does.
-void estimate_radii(const Mesh& mesh, Skeleton& skeleton)
-{
-  std::vector<CSCD::Vector_3> points;
-  for (const auto vertex : mesh.vertices()) {
-    const Point& p = mesh.point(vertex);
-    points.emplace_back(p.x(), p.y(), p.z());
-  }
-  const std::vector<double> radii = CSCD::internal::estimate_radii(points, CSCD::internal::index_skeleton(skeleton));
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    skeleton[node].radius = radii[node];
-  }
-}
-
 void write_summary(const Simplify_options& options, const CSCD::Simplification_report& report)
 {
   std::cout << printable(options.skeleton) << ": " << counted(report.number_of_removed_nodes, "node") << " pruned, "
-            << counted(report.number_of_merged_branches, "branch", "branches") << " merged, "
             << counted(report.number_of_removed_components, "component") << " removed, "
             << counted(report.number_of_joined_edges, "edge")
             << " added\nskeleton: " << counted(report.number_of_nodes, "node") << ", "
@@ -71,19 +54,24 @@ void write_summary(const Simplify_options& options, const CSCD::Simplification_r
 
 } // namespace
 
-CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton)
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Input* mesh, Skeleton& skeleton)
 {
-  const auto np = CSCD::parameters::minimum_significance(options.min_significance)
-                      .minimum_branch_length(options.min_length)
-                      .minimum_length_over_radius(options.min_length_over_radius)
-                      .junction_distance(options.junction_distance)
-                      .spacing(options.spacing)
-                      .spacing_over_radius(options.spacing_over_radius)
-                      .number_of_smoothing_steps(options.number_of_smoothing_steps)
-                      .join_components(options.fragments.joins_components)
-                      .minimum_component_size(options.fragments.min_component_size);
+  CSCD::internal::Simplification_parameters parameters;
+  parameters.min_component_size = options.fragments.min_component_size;
+  parameters.min_significance = options.min_significance;
+  parameters.min_length = options.min_length;
+  parameters.min_length_over_radius = options.min_length_over_radius;
+  parameters.joins_components = options.fragments.joins_components;
+  parameters.spacing = options.spacing;
+  parameters.spacing_over_radius = options.spacing_over_radius;
   try {
-    return mesh != nullptr ? CSCD::simplify_skeleton(skeleton, *mesh, np) : CSCD::simplify_skeleton(skeleton, np);
+    if (mesh == nullptr) {
+      return CSCD::internal::simplify_skeleton(skeleton, parameters, nullptr);
+    }
+    const CSCD::internal::Prepared_mesh prepared(
+        [mesh] { return CSCD::check_triangles(std::vector(mesh->points), std::vector(mesh->faces)); },
+        CSCD::Border_treatment::bridge, 1);
+    return CSCD::internal::simplify_skeleton(skeleton, parameters, &prepared.solid());
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(options.skeleton + ": " + error.what());
   }
@@ -99,20 +87,15 @@ void simplify(const Simplify_options& options)
       throw CSCD::Input_error(options.mesh + ": has no faces: only a mesh tells what is inside; leave out --mesh");
     }
   }
-  Skeleton skeleton;
-  const bool has_radii = read_skeleton_argument(options.skeleton, skeleton);
-  if (!has_radii && input) {
-    estimate_radii(input->mesh, skeleton);
+  Skeleton skeleton = read_skeleton_argument(options.skeleton);
+  if (!skeleton.has_radii() && input) {
+    skeleton.radii = CSCD::internal::estimate_radii(input->points, skeleton);
   }
-  const CSCD::Simplification_report report = simplify_skeleton(options, input ? &input->mesh : nullptr, skeleton);
-  CSCD::internal::Skeleton_content content(skeleton);
-  if (!has_radii && !input) {
-    content.remove_radii();
-  }
-  const std::vector<CSCD::Index> roots = find_roots(content, options.root);
+  const CSCD::Simplification_report report = simplify_skeleton(options, input ? &*input : nullptr, skeleton);
+  const std::vector<Index> roots = find_roots(skeleton, options.root);
   CSCD::File_group files;
   for (const std::string& output : options.outputs) {
-    write_skeleton_output(files, output, content, roots, options.swc);
+    write_skeleton_output(files, output, skeleton, roots, options.swc);
   }
   files.publish();
   if (!options.is_quiet && std::count(options.outputs.begin(), options.outputs.end(), standard_stream) == 0) {
@@ -125,9 +108,10 @@ void treat_fragments(const Fragment_options& options, Skeletonization_result& re
   if (options.min_component_size == 0 && !options.joins_components) {
     return;
   }
-  const CSCD::Simplification_report report = CSCD::simplify_skeleton(
-      result.skeleton,
-      CSCD::parameters::minimum_component_size(options.min_component_size).join_components(options.joins_components));
+  CSCD::internal::Simplification_parameters parameters;
+  parameters.min_component_size = options.min_component_size;
+  parameters.joins_components = options.joins_components;
+  const CSCD::Simplification_report report = CSCD::internal::simplify_skeleton(result.skeleton, parameters, nullptr);
   CSCD::Skeletonization_report& counts = result.report;
   counts.number_of_nodes = report.number_of_nodes;
   counts.number_of_edges = report.number_of_edges;

@@ -13,7 +13,6 @@
 #include "write_html_page.h"
 #include "write_report.h"
 #include <CSCD/Application/make_rig.h>
-#include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
@@ -23,12 +22,13 @@
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeletonization_report.h>
 #include <CSCD/Skeletonization_visitor.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Tree/Tree_cylinders.h>
 #include <CSCD/Tree/Tree_report.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <array>
@@ -84,10 +84,7 @@ void check_outputs(const Skeletonize_options& options)
     check_is_not_input(file, options.input, option);
   }
   if (std::any_of(options.outputs.begin(), options.outputs.end(), is_page)) {
-    check_viewer_source("--output");
-  }
-  if (!options.html.empty()) {
-    check_viewer_source("--html");
+    check_viewer_source();
   }
 }
 
@@ -105,9 +102,9 @@ void check_options(const Skeletonize_options& options)
   check_standard_output(number_of_results_on_standard_output(options));
 }
 
-std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
+std::vector<Vector_3> centers(const std::vector<CSCD::Reconstruction_repair>& repairs)
 {
-  std::vector<Point> result;
+  std::vector<Vector_3> result;
   result.reserve(repairs.size());
   for (const CSCD::Reconstruction_repair& repair : repairs) {
     result.emplace_back(repair.center[0], repair.center[1], repair.center[2]);
@@ -116,23 +113,22 @@ std::vector<Point> centers(const std::vector<CSCD::Reconstruction_repair>& repai
 }
 
 /// The points and repairs of a point set for the page; nothing for a mesh.
-CSCD::Html_page_cloud<Point> make_cloud(const Input& input, const Skeletonization_result& result)
+CSCD::Html_page_cloud make_cloud(const Input& input, const Skeletonization_result& result)
 {
+  CSCD::Html_page_cloud cloud;
+  if (result.tree || input.graph || result.report.reconstruction) {
+    cloud.number_of_points = input.number_of_points;
+  }
   if (result.tree) {
-    std::vector<Point> gaps;
     for (const CSCD::Tree_gap& gap : result.tree->gaps) {
-      gaps.emplace_back((gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2, (gap.from[2] + gap.to[2]) / 2);
+      cloud.joined_gaps.emplace_back((gap.from[0] + gap.to[0]) / 2, (gap.from[1] + gap.to[1]) / 2,
+                                     (gap.from[2] + gap.to[2]) / 2);
     }
-    return {input.points.size(), {}, gaps};
+  } else if (result.report.reconstruction) {
+    cloud.cut_handles = centers(result.report.reconstruction->cut_handles);
+    cloud.joined_gaps = centers(result.report.reconstruction->joined_gaps);
   }
-  if (input.graph) {
-    return {input.points.size(), {}, {}};
-  }
-  if (!result.report.reconstruction) {
-    return {};
-  }
-  return {input.points.size(), centers(result.report.reconstruction->cut_handles),
-          centers(result.report.reconstruction->joined_gaps)};
+  return cloud;
 }
 
 /// Whether the mesh of `input` is the surface of a body, unlike the mesh of a tree or graph, which has no faces, and
@@ -146,7 +142,7 @@ bool bounds_body(const Skeletonization_result& result, const Skeletonize_options
 void write_labels(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                   const Skeletonize_options& options)
 {
-  if (options.correspondence.empty() && options.labelled.empty()) {
+  if (options.correspondence.empty()) {
     return;
   }
   const std::vector<CSCD::Vertex_label> labels = labels_of_file(input, result);
@@ -158,13 +154,7 @@ void write_labels(CSCD::File_group& files, const Input& input, const Skeletoniza
                                 input.is_point_set ? "points" : "vertices") +
             " of " + std::to_string(labels.size()) + " in the file without a node");
   }
-  if (!options.correspondence.empty()) {
-    write_to(files, options.correspondence, [&](std::ostream& out) { CSCD::write_correspondence(out, labels); });
-  }
-  if (!options.labelled.empty()) {
-    write_to(files, options.labelled,
-             [&](std::ostream& out) { CSCD::internal::write_labelled_ply(out, input.as_read, labels); });
-  }
+  write_to(files, options.correspondence, [&](std::ostream& out) { CSCD::write_correspondence(out, labels); });
 }
 
 /// \throw CSCD::Input_error if the rig needs the surface of a body, and the input has no such surface
@@ -175,9 +165,10 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
     throw CSCD::Input_error(name_of(options.input) +
                             ": has no surface that a rig could move; name another format by --output");
   }
-  const CSCD::Rig rig = CSCD::make_rig(input.mesh, result.skeleton, result.roots);
+  const CSCD::internal::Assigned_surface surface = assigned_surface(input, result.skeleton);
+  const CSCD::Rig rig = CSCD::internal::make_rig(result.skeleton, surface, result.roots, CSCD::default_bend_tolerance);
   files.write(output, [&](std::ostream& out) {
-    CSCD::write_glb(out, input.mesh, rig, std::filesystem::path(name_of(options.input)).stem().string());
+    CSCD::internal::write_glb(out, surface, rig, std::filesystem::path(name_of(options.input)).stem().string());
   });
 }
 
@@ -185,31 +176,27 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
 
 void measure_branches(const Input& input, const Skeletonize_options& options, Skeletonization_result& result)
 {
-  result.roots = find_roots(CSCD::internal::index_skeleton(result.skeleton), options.root);
+  result.roots = find_roots(result.skeleton, options.root);
+  if (result.tree && (result.roots.empty() || root_point(options.root))) {
+    result.roots = {0}; // the first node of each object is its root
+  }
+  result.branches = CSCD::internal::measure_branches(result.skeleton, result.roots);
   if (result.tree) {
-    if (result.roots.empty() || root_point(options.root)) {
-      result.roots = {0}; // the first node of each object is its root
-    }
-    result.branches = CSCD::measure_branches(result.skeleton, result.roots);
     CSCD::assign_limbs(*result.tree, result.branches);
-    result.trees = CSCD::measure_trees(result.skeleton, *result.tree, options.breast_height);
-  } else {
-    const bool is_surface_measured =
-        bounds_body(result, options) && !(options.branches.empty() && options.report.empty());
-    result.branches = is_surface_measured ? CSCD::measure_branches(result.skeleton, input.mesh, result.roots)
-                                          : CSCD::measure_branches(result.skeleton, result.roots);
+    result.trees = CSCD::internal::measure_trees(result.skeleton, *result.tree, options.breast_height);
+  } else if (bounds_body(result, options) && !(options.branches.empty() && options.report.empty())) {
+    CSCD::internal::measure_surface_parts(result.skeleton, assigned_surface(input, result.skeleton), result.branches);
   }
 }
 
 void write_results(CSCD::File_group& files, const Input& input, const Skeletonization_result& result,
                    const Skeletonize_options& options)
 {
-  const auto write_page_of_input = [&](std::ostream& out) {
-    write_page(out, input, result, std::filesystem::path(name_of(options.input)).filename().string());
-  };
   for (const std::string& output : options.outputs) {
     if (is_page(output)) {
-      write_to(files, output, write_page_of_input);
+      files.write(output, [&](std::ostream& out) {
+        write_page(out, input, result, std::filesystem::path(name_of(options.input)).filename().string());
+      });
     } else if (is_rig(output)) {
       write_rig(files, output, input, result, options);
     } else {
@@ -220,21 +207,19 @@ void write_results(CSCD::File_group& files, const Input& input, const Skeletoniz
     write_to(files, options.branches, [&](std::ostream& out) { CSCD::write_branch_table(out, result.branches); });
   }
   if (!options.nodes.empty()) {
-    const std::vector<CSCD::Node_measures> measures = bounds_body(result, options)
-                                                          ? CSCD::measure_nodes(result.skeleton, input.mesh)
-                                                          : std::vector<CSCD::Node_measures>();
+    const std::vector<CSCD::Node_measures> measures =
+        bounds_body(result, options)
+            ? CSCD::internal::measure_nodes(result.skeleton, assigned_surface(input, result.skeleton))
+            : std::vector<CSCD::Node_measures>();
     write_to(files, options.nodes,
              [&](std::ostream& out) { CSCD::write_node_table(out, result.skeleton, result.branches, measures); });
   }
   if (!options.cylinders.empty()) {
     write_to(files, options.cylinders, [&](std::ostream& out) {
-      CSCD::write_cylinders(out, CSCD::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
+      CSCD::write_cylinders(out, CSCD::internal::make_tree_cylinders(result.skeleton, *result.tree), *result.tree);
     });
   }
   write_labels(files, input, result, options);
-  if (!options.html.empty()) {
-    write_to(files, options.html, write_page_of_input);
-  }
   if (!options.report.empty()) {
     write_to(files, options.report,
              [&](std::ostream& out) { write_report(out, options, input.repairs.sentences(), result); });
@@ -261,17 +246,6 @@ void tell_results(const Skeletonization_result& result, const Skeletonize_option
 
 } // namespace
 
-CSCD::Shape_file read_soup(const std::string& name, const std::string& format)
-{
-  const std::string ending = format.empty() ? name : "." + format;
-  if (name == standard_stream) {
-    check_format_of_standard_input(format);
-    return CSCD::internal::read_polygons_or_points(std::cin, ending, name_of(name));
-  }
-  std::ifstream in = CSCD::internal::open_file(name);
-  return CSCD::internal::read_polygons_or_points(in, ending, name);
-}
-
 void check_format_of_standard_input(const std::string& format)
 {
   if (format.empty()) {
@@ -281,24 +255,35 @@ void check_format_of_standard_input(const std::string& format)
   }
 }
 
-Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
+Input make_input(CSCD::Indexed_triangles&& triangles)
+{
+  Input input;
+  input.points = std::move(triangles.points);
+  input.faces = std::move(triangles.faces);
+  for (std::array<Index, 3>& face : input.faces) {
+    std::rotate(face.begin(), face.begin() + 1, face.end()); // as CGAL's meshes number the corners of their faces
+  }
+  return input;
+}
+
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
                unsigned number_of_threads)
 {
   Input input;
-  if (keeps_file) {
-    input.as_read = soup;
-  }
-  input.is_point_set = soup.number_of_polygons() == 0;
-  if (input.is_point_set) {
-    CSCD::internal::convert_to_points(soup, input.points, input.normals);
+  CSCD::Shape_file as_read = keeps_file ? soup : CSCD::Shape_file();
+  if (soup.number_of_polygons() == 0) {
+    input.is_point_set = true;
+    input.number_of_points = soup.points.size();
+    input.points = std::move(soup.points);
+    input.normals = std::move(soup.normals);
     input.has_other_columns = soup.has_other_columns;
-  } else if (makes_mesh) {
-    input.repairs =
-        CSCD::internal::convert_to_triangle_mesh(std::move(soup), name_of(name), input.mesh, number_of_threads);
   } else {
-    input.triangles = CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
-    input.repairs = input.triangles->report;
+    CSCD::internal::Manifold_triangles manifold =
+        CSCD::internal::make_manifold(std::move(soup), name_of(name), number_of_threads);
+    input = make_input(std::move(manifold.triangles));
+    input.repairs = manifold.report;
   }
+  input.as_read = std::move(as_read);
   if (!is_quiet) {
     for (const std::string& sentence : input.repairs.sentences()) {
       say(name, sentence);
@@ -310,10 +295,19 @@ Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, 
   return input;
 }
 
-Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file, bool makes_mesh,
+Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file,
                  unsigned number_of_threads)
 {
-  return to_input(read_soup(name, format), name, is_quiet, keeps_file, makes_mesh, number_of_threads);
+  const std::string ending = format.empty() ? name : "." + format;
+  CSCD::Shape_file soup;
+  if (name == standard_stream) {
+    check_format_of_standard_input(format);
+    soup = CSCD::internal::read_polygons_or_points(std::cin, ending, name_of(name));
+  } else {
+    std::ifstream in = CSCD::internal::open_file(name);
+    soup = CSCD::internal::read_polygons_or_points(in, ending, name);
+  }
+  return to_input(std::move(soup), name, is_quiet, keeps_file, number_of_threads);
 }
 
 std::string name_of(const std::string& input)
@@ -398,19 +392,19 @@ Skeletonization_result skeletonize_input(Input& input, const Skeletonize_options
   check_options(result, options);
   treat_fragments(options.fragments, result);
   measure_branches(input, options, result);
-  for (const auto node : boost::make_iterator_range(vertices(result.skeleton))) {
-    const auto& bundle = result.skeleton[node];
-    if (bundle.is_opening) {
-      result.openings.push_back({node, {bundle.point.x(), bundle.point.y(), bundle.point.z()}, bundle.radius});
+  for (std::size_t node = 0; node < result.skeleton.is_opening.size(); ++node) {
+    if (result.skeleton.is_opening[node] != 0) {
+      const Vector_3& point = result.skeleton.points[node];
+      result.openings.push_back({node, {point.x(), point.y(), point.z()}, result.skeleton.radii[node]});
     }
   }
   return result;
 }
 
-void check_viewer_source(const std::string& option)
+void check_viewer_source()
 {
   if (!CSCD::has_three_js()) {
-    throw Usage_error(option + ": this program was built without three.js; install libjs-three and build it again");
+    throw Usage_error("pages: this was built without three.js; install libjs-three and build it again");
   }
 }
 
@@ -421,18 +415,18 @@ bool is_page(const std::string& output)
 
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name)
 {
-  CSCD::write_html_page(out, input.mesh, result.skeleton, result.separators,
-                        result.tree ? name + ", taken for a scan of trees" : name, make_cloud(input, result));
+  CSCD::internal::write_html_page(
+      out, {assigned_surface(input, result.skeleton), result.skeleton, make_cloud(input, result)},
+      result.tree ? name + ", taken for a scan of trees" : name);
 }
 
 namespace {
 
-/// Whether the computation or one of the results needs the mesh, not only its triangles.
+/// Whether one of the results needs the mesh.
 bool needs_mesh(const Skeletonize_options& options)
 {
   const auto files = other_outputs(options);
-  return options.wrap || options.method == published_method ||
-         std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.second.empty(); }) ||
+  return std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.second.empty(); }) ||
          std::any_of(options.outputs.begin(), options.outputs.end(),
                      [](const std::string& output) { return is_rig(output) || is_page(output); });
 }
@@ -441,8 +435,9 @@ bool needs_mesh(const Skeletonize_options& options)
 Input read_for_surface(const Skeletonize_options& options, bool keeps_file)
 {
   try {
-    return read_input(options.input, options.format, options.is_quiet, keeps_file, needs_mesh(options),
-                      options.number_of_threads);
+    Input input = read_input(options.input, options.format, options.is_quiet, keeps_file, options.number_of_threads);
+    input.is_kept = needs_mesh(options);
+    return input;
   } catch (const CSCD::Input_error& error) {
     throw CSCD::Input_error(std::string(error.what()) + "; or skeletonize its edges: --as graph");
   }
@@ -483,7 +478,7 @@ void skeletonize(const Skeletonize_options& options)
     files.publish();
     return;
   }
-  const bool keeps_file = !options.correspondence.empty() || !options.labelled.empty();
+  const bool keeps_file = !options.correspondence.empty();
   Input input = options.domain == graph_domain ? read_graph(options) : read_for_surface(options, keeps_file);
   skeletonize_and_write(files, input, options);
   files.publish();

@@ -12,16 +12,15 @@
 #include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_file.h>
+#include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/Skeleton_measures.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Vector_3.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <iostream>
 #include <optional>
@@ -31,34 +30,32 @@
 
 namespace cscd {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point = Kernel::Point_3;
-using Vector = Kernel::Vector_3;
-using Mesh = CGAL::Surface_mesh<Point>;
-using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
+using CSCD::Index;
+using CSCD::Skeleton;
+using CSCD::Vector_3;
 
 /// A mesh, or points, if the file has no faces.
 struct Input
 {
   bool is_point_set = false;
-  Mesh mesh; ///< for points, the surface that is made of them: its first vertices are the points
-  /// The triangles of the mesh, if it is not made of them; they are used up when it is skeletonized.
-  std::optional<CSCD::internal::Manifold_triangles> triangles;
+  /// The vertices of the mesh; or the points, and behind them vertices that the surface made of these has besides.
+  std::vector<Vector_3> points;
+  std::vector<std::array<Index, 3>> faces; ///< of the mesh, or of the surface that is made of the points
+  bool is_kept = true; ///< whether points and faces of a mesh are needed after the computation of the skeleton
   CSCD::Mesh_repair_report repairs;
-  std::vector<Point> points;
-  std::vector<Vector> normals;         ///< of the points, or empty
-  std::optional<CSCD::Skeleton> graph; ///< if treated as a graph: its vertices are the points
-  std::optional<Volume_body> volume;   ///< if the mesh is the surface of voxels
-  bool is_wrapped = false;             ///< whether the mesh is a wrap around that of the file
-  bool has_other_columns = false;      ///< whether three numbers after each point are not normals
-  CSCD::Shape_file as_read;            ///< the contents of the file, if kept
+  std::size_t number_of_points = 0;  ///< of a point set
+  std::vector<Vector_3> normals;     ///< of the points, or empty
+  std::optional<Skeleton> graph;     ///< if treated as a graph: its vertices are the points
+  std::optional<Volume_body> volume; ///< if the mesh is the surface of voxels
+  bool is_wrapped = false;           ///< whether the mesh is a wrap around that of the file
+  bool has_other_columns = false;    ///< whether three numbers after each point are not normals
+  CSCD::Shape_file as_read;          ///< the contents of the file, if kept
 };
 
-/// A skeleton, the report of its computation and, for a surface, the closed curves that cut the surface.
+/// A skeleton, and the report of its computation.
 struct Skeletonization_result : Run_report
 {
   Skeleton skeleton;
-  std::vector<std::vector<Point>> separators;
 };
 
 /// Called with a stage and the part of it that is done, in [0, 1]; an exception that it throws ends the work.
@@ -68,50 +65,49 @@ using Stage_progress = std::function<void(CSCD::Skeletonization_stage stage, dou
 /// repairs to standard error unless `is_quiet`.
 /// \param format of the input, or empty for that of its ending
 /// \param keeps_file whether the input is also kept as it was read
-/// \param makes_mesh whether a mesh is made of triangles; without, they take less than half of the memory
 /// \param number_of_threads 0 for all of the machine
 /// \throw Usage_error if standard input has no format; `CSCD::File_error` or `CSCD::Input_error` if there is neither
 Input read_input(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false,
-                 bool makes_mesh = true, unsigned number_of_threads = 1);
+                 unsigned number_of_threads = 1);
 
 /// \throw Usage_error if `format`, that of standard input, is not given
 void check_format_of_standard_input(const std::string& format);
 
-/// Reads the polygons or points of a file or of standard input, as `read_input()` does.
-CSCD::Shape_file read_soup(const std::string& name, const std::string& format);
+/// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
+Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
 
-/// Makes a mesh, triangles or points of `soup`, as `read_input()` does, and reports repairs.
-Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file, bool makes_mesh,
+/// Makes triangles or points of `soup`, as `read_input()` does, and reports repairs.
+Input to_input(CSCD::Shape_file&& soup, const std::string& name, bool is_quiet, bool keeps_file,
                unsigned number_of_threads);
 
-/// Reads a graph: that of a skeleton file, the edges of a mesh, points joined to their neighbors, or a list of edges.
+/// The input whose mesh has these triangles.
+Input make_input(CSCD::Indexed_triangles&& triangles);
+
+/// Reads a graph: that of a skeleton file, the edges of a mesh, or points joined to their neighbors.
 /// \throw Usage_error, `CSCD::File_error`
 Input read_graph(const Skeletonize_options& options);
 
-using CSCD::internal::read_shape;
-
 /// The graph of `edges` and of the sides of the polygons of `soup`; if there are none, of each point and its neighbors.
 /// \param number_of_neighbors 0 for the default
-CSCD::Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<CSCD::Index, 2>> edges,
-                          unsigned int number_of_neighbors);
+Skeleton make_graph(const CSCD::Shape_file& soup, std::vector<std::array<Index, 2>> edges,
+                    unsigned int number_of_neighbors);
 
 /// The input that is this graph.
-Input make_input(CSCD::Skeleton graph);
+Input make_input(Skeleton graph);
 
 /// The name of an input in messages.
 std::string name_of(const std::string& input);
 
-/// As `read_input()`, for commands that need a mesh. \throw `CSCD::Input_error` for points, too
-Input read_mesh(const std::string& name, const std::string& format, bool is_quiet, bool keeps_file = false);
+/// The mesh of `input`, and the node of each of its vertices.
+CSCD::internal::Assigned_surface assigned_surface(const Input& input, const Skeleton& skeleton);
 
 /// Refuses files whose ending is not that of a format of skeletons.
 /// \throw Usage_error
 void check_skeleton_argument(const std::string& filename);
 
 /// Reads the skeleton from a file in the format that its ending names, or from standard input as a graph of GEL.
-/// \return whether it has radii
 /// \throw CSCD::File_error
-bool read_skeleton_argument(const std::string& filename, Skeleton& skeleton);
+Skeleton read_skeleton_argument(const std::string& filename);
 
 /// Refuses outputs whose ending is not that of a format of skeletons, and outputs that are the input.
 /// \param other_endings that the command knows, for messages
@@ -149,15 +145,6 @@ void write_to(CSCD::File_group& files, const std::string& filename, const Write&
   }
 }
 
-/// Calls `write(out)` with a stream to the file `filename`, or with standard output.
-template <class Write>
-void write_output(const std::string& filename, const Write& write)
-{
-  CSCD::File_group files;
-  write_to(files, filename, write);
-  files.publish();
-}
-
 /// Whether `output` is a viewer page, by its ending.
 bool is_page(const std::string& output);
 
@@ -165,17 +152,20 @@ bool is_page(const std::string& output);
 /// \param name of the input, without its folder, which has no meaning for other readers of the page
 void write_page(std::ostream& out, const Input& input, const Skeletonization_result& result, const std::string& name);
 
-/// Checks that pages can be written. \param option that asks for one \throw Usage_error
-void check_viewer_source(const std::string& option);
+/// Checks that pages can be written. \throw Usage_error
+void check_viewer_source();
 
-/// Measures `skeleton` against `input`, and writes the reconstructed surfaces to the files that `options` name.
-/// \throw `CSCD::Input_error`, `CSCD::File_error`
+/// Measures `skeleton` against `input`. \throw `CSCD::Input_error`
 CSCD::Skeleton_measures measure_skeleton(const Input& input, const Skeleton& skeleton, const Evaluate_options& options);
+
+/// Writes the measures as a JSON object; undefined measures are null.
+void write_measures_as_json(std::ostream& out, const Evaluate_options& options,
+                            const CSCD::Skeleton_measures& measures);
 
 /// Simplifies a skeleton that has radii.
 /// \param mesh that the skeleton stays inside of, or null
 /// \throw `CSCD::Input_error`
-CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Mesh* mesh, Skeleton& skeleton);
+CSCD::Simplification_report simplify_skeleton(const Simplify_options& options, const Input* mesh, Skeleton& skeleton);
 
 /// Refuses an output file that is the input, under any name.
 /// \param option that names the output

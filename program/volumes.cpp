@@ -5,14 +5,13 @@
 
 #include "volumes.h"
 
-#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/read_volume.h>
 #include <CSCD/IO/write_nrrd.h>
+#include <CSCD/Surface/Triangles.h>
 #include <CSCD/Volume/Voxel_surface.h>
 #include <CSCD/exceptions.h>
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -74,26 +73,6 @@ Skeletonize_options options_of_body(const Skeletonize_options& options, std::uin
   return result;
 }
 
-Input make_input(const CSCD::Voxel_surface& surface)
-{
-  Input result;
-  CSCD::internal::Triangle_mesh_builder<Mesh>(surface.triangles, surface.pairing, result.mesh).build();
-  result.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
-  return result;
-}
-
-/// One more than the node of each vertex of a surface; 0 for vertices without.
-std::vector<std::uint32_t> node_numbers(const Skeleton& skeleton, std::size_t number_of_vertices)
-{
-  std::vector<std::uint32_t> result(number_of_vertices, 0);
-  for (const auto node : boost::make_iterator_range(vertices(skeleton))) {
-    for (const Mesh::Vertex_index vertex : skeleton[node].vertices) {
-      result[std::size_t(vertex)] = std::uint32_t(node + 1);
-    }
-  }
-  return result;
-}
-
 } // namespace
 
 bool is_volume(const Skeletonize_options& options)
@@ -128,15 +107,17 @@ void skeletonize_volume(CSCD::File_group& files, const Skeletonize_options& opti
   std::vector<std::vector<std::uint32_t>> node_of_vertex;
   for (CSCD::Voxel_surface& surface : surfaces) {
     surface.turn_cavities();
-    Input body = make_input(surface);
-    if (!has_node_volume) {
-      surface.triangles = {}; // as many labels as there are need not be in memory twice
-      surface.pairing = {};
-    }
-    const std::size_t number_of_vertices = body.mesh.number_of_vertices();
+    surface.pairing = {};
+    // As many labels as there are need not be in memory twice.
+    Input body =
+        make_input(has_node_volume ? CSCD::Indexed_triangles(surface.triangles) : std::move(surface.triangles));
+    body.volume = {surface.label, surface.number_of_voxels, surface.number_of_cavities};
     const Skeletonization_result result = skeletonize_body(files, body, options_of_body(options, surface.label));
     if (has_node_volume) {
-      node_of_vertex.push_back(node_numbers(result.skeleton, number_of_vertices));
+      node_of_vertex.push_back(assigned_surface(body, result.skeleton).node_of_vertex);
+      for (std::uint32_t& number : node_of_vertex.back()) {
+        ++number; // 0 where there is none
+      }
     }
   }
   for (const std::string& output : options.outputs) {

@@ -55,17 +55,13 @@ void wrap_mesh(Input& input, double size)
   constexpr double offset = 1. / 30;
   std::vector<Exact_kernel::Point_3> points;
   CGAL::Bbox_3 box;
-  for (const Point& p : input.mesh.points()) {
+  for (const Vector_3& p : input.points) {
     points.emplace_back(p.x(), p.y(), p.z());
-    box += p.bbox();
+    box += points.back().bbox();
   }
   std::vector<std::array<std::size_t, 3>> faces;
-  for (const auto face : input.mesh.faces()) {
-    faces.emplace_back();
-    std::size_t corner = 0;
-    for (const auto vertex : input.mesh.vertices_around_face(input.mesh.halfedge(face))) {
-      faces.back()[corner++] = vertex;
-    }
+  for (const auto& [a, b, c] : input.faces) {
+    faces.push_back({a, b, c});
   }
   const double alpha = size * diagonal(box);
   Wrap wrap;
@@ -75,7 +71,9 @@ void wrap_mesh(Input& input, double size)
   if (wrap.is_empty()) {
     throw CSCD::Input_error("cannot be wrapped; leave --wrap out");
   }
-  CSCD::internal::convert_to_triangle_mesh(to_soup(wrap), "the wrap", input.mesh);
+  Input wrapped = make_input(CSCD::internal::make_manifold(to_soup(wrap), "the wrap").triangles);
+  input.points = std::move(wrapped.points);
+  input.faces = std::move(wrapped.faces);
   input.is_wrapped = true;
 }
 

@@ -7,20 +7,18 @@
 #include "compute_skeleton.h"
 #include "options.h"
 #include "types.h"
-#include "write_html_page.h"
-#include "write_measures.h"
 #include "write_report.h"
+#include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/find_surface_loops.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/read_points.h>
-#include <CSCD/IO/read_triangle_mesh.h>
+#include <CSCD/IO/read_skeleton.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Measure/simplify_skeleton.h>
-#include <CSCD/Skeleton_graph.h>
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeletonization_visitor.h>
 #include <CSCD/Tree/Tree_report.h>
 #include <CSCD/Vector_3.h>
@@ -28,7 +26,6 @@
 #include <CSCD/version.h>
 
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/range/iterator_range_core.hpp>
 
 #include <algorithm>
 #include <array>
@@ -65,14 +62,11 @@ static_assert(sizeof(Signed_index) == sizeof(Index) && Signed_index(CSCD::no_ind
 static_assert(sizeof(CSCD::Vector_3) == 3 * sizeof(double) && sizeof(std::array<Index, 2>) == 2 * sizeof(Index),
               "NumPy sees points and edges as rows");
 
-/// The input of a skeletonization.
-struct Source
+/// The name of an input in messages.
+const char* name_of(const cscd::Input& input)
 {
-  cscd::Input input; ///< of a mesh, it has kept the points of the arrays
-
-  /// The name of the input in messages.
-  const char* name() const { return input.graph ? "graph" : input.is_point_set ? "points" : "mesh"; }
-};
+  return input.graph ? "graph" : input.is_point_set ? "points" : "mesh";
+}
 
 std::vector<CSCD::Vector_3> to_points(const Coordinates& rows, const std::string& name)
 {
@@ -139,26 +133,27 @@ cscd::Input make_graph(const Coordinates& points, const std::optional<Corners>& 
   return cscd::make_input(cscd::make_graph(to_soup(points, corners), std::move(ends), number_of_neighbors));
 }
 
-/// Makes the mesh of `source` from polygons, repaired as the program repairs them.
-void make_mesh(CSCD::Shape_file&& soup, const cscd::Skeletonize_options& options, Source& source)
+/// The mesh of polygons, repaired as the program repairs them; it has kept the points of the arrays.
+cscd::Input make_mesh(CSCD::Shape_file&& soup, unsigned number_of_threads)
 {
+  constexpr bool is_quiet = true;
   constexpr bool keeps_file = false; // only its points are needed
-  constexpr bool makes_mesh = true;
   std::vector<CSCD::Vector_3> points = soup.points;
-  source.input = cscd::to_input(std::move(soup), options.input, options.is_quiet, keeps_file, makes_mesh,
-                                options.number_of_threads);
-  source.input.as_read.points = std::move(points);
+  cscd::Input result = cscd::to_input(std::move(soup), "mesh", is_quiet, keeps_file, number_of_threads);
+  result.as_read.points = std::move(points);
+  return result;
 }
 
-void make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals, Source& source)
+cscd::Input make_point_set(const Coordinates& points, const std::optional<Coordinates>& normals)
 {
-  source.input.is_point_set = true;
-  CSCD::Shape_file soup;
-  soup.points = to_points(points, "V");
+  cscd::Input result;
+  result.is_point_set = true;
+  result.points = to_points(points, "V");
+  result.number_of_points = result.points.size();
   if (normals) {
-    soup.normals = to_points(*normals, "normals");
+    result.normals = to_points(*normals, "normals");
   }
-  CSCD::internal::convert_to_points(soup, source.input.points, source.input.normals);
+  return result;
 }
 
 /// The options that `arguments` of Python set; None leaves the default.
@@ -212,31 +207,25 @@ cscd::Stage_progress to_progress(const py::object& callback)
   };
 }
 
-/// A skeleton, with its arrays as NumPy shows them and its input.
+/// A skeleton, and its input, as NumPy shows them.
 class Python_skeleton
 {
 public:
-  Python_skeleton(std::shared_ptr<const Source> source, cscd::Skeletonize_options options,
+  Python_skeleton(std::shared_ptr<const cscd::Input> input, cscd::Skeletonize_options options,
                   cscd::Skeletonization_result result, std::string report)
-      : m_source(std::move(source)), m_options(std::move(options)), m_result(std::move(result)),
-        m_report(std::move(report)), m_content(CSCD::internal::index_skeleton(m_result.skeleton))
+      : m_input(std::move(input)), m_options(std::move(options)), m_result(std::move(result)),
+        m_report(std::move(report))
   {
-    const cscd::Skeleton& skeleton = m_result.skeleton;
-    m_significances.reserve(num_edges(skeleton));
-    for (const auto edge : boost::make_iterator_range(edges(skeleton))) {
-      m_significances.push_back(skeleton[edge].significance);
-    }
-    for (const CSCD::Vertex_label& label : cscd::labels_of_file(m_source->input, m_result)) {
+    for (const CSCD::Vertex_label& label : cscd::labels_of_file(*m_input, m_result)) {
       m_nodes_of_vertices.push_back(Signed_index(label.node));
     }
   }
 
-  const Source& source() const { return *m_source; }
+  const cscd::Input& input() const { return *m_input; }
   const cscd::Skeletonize_options& options() const { return m_options; }
   const cscd::Skeletonization_result& result() const { return m_result; }
+  const CSCD::Skeleton& skeleton() const { return m_result.skeleton; }
   const std::string& report() const { return m_report; }
-  const CSCD::Skeleton& content() const { return m_content; }
-  const std::vector<double>& significances() const { return m_significances; }
   const std::vector<Signed_index>& nodes_of_vertices() const { return m_nodes_of_vertices; }
 
   Python_skeleton simplify(const py::dict& arguments, bool stays_inside) const
@@ -245,10 +234,10 @@ public:
     options.skeleton = "skeleton"; // in messages
     const py::gil_scoped_release release;
     cscd::Skeletonization_result result = m_result;
-    const bool has_mesh = stays_inside && !m_source->input.is_point_set;
-    cscd::simplify_skeleton(options, has_mesh ? &m_source->input.mesh : nullptr, result.skeleton);
+    const bool has_mesh = stays_inside && !m_input->is_point_set;
+    cscd::simplify_skeleton(options, has_mesh ? m_input.get() : nullptr, result.skeleton);
     measure_branches(options.root, result);
-    return {m_source, m_options, std::move(result), m_report};
+    return {m_input, m_options, std::move(result), m_report};
   }
 
 private:
@@ -262,16 +251,14 @@ private:
     if (tree) {
       options.report.clear();
     }
-    cscd::measure_branches(m_source->input, options, result);
+    cscd::measure_branches(*m_input, options, result);
     result.tree = std::move(tree);
   }
 
-  std::shared_ptr<const Source> m_source;
+  std::shared_ptr<const cscd::Input> m_input;
   cscd::Skeletonize_options m_options;
   cscd::Skeletonization_result m_result;
-  std::string m_report; ///< of the skeletonization, as JSON
-  CSCD::Skeleton m_content;
-  std::vector<double> m_significances;           ///< of the edges
+  std::string m_report;                          ///< of the skeletonization, as JSON
   std::vector<Signed_index> m_nodes_of_vertices; ///< of the arrays that were skeletonized
 };
 
@@ -281,52 +268,44 @@ Python_skeleton skeletonize(const Coordinates& points, const std::optional<Corne
 {
   auto options = to_options<cscd::Skeletonize_options>(arguments);
   const cscd::Stage_progress progress = to_progress(callback);
-  const auto source = std::make_shared<Source>();
+  const auto input = std::make_shared<cscd::Input>();
   std::optional<CSCD::Shape_file> soup;
   if (options.domain == cscd::graph_domain) {
-    source->input = make_graph(points, corners, edges, options.number_of_neighbors);
+    *input = make_graph(points, corners, edges, options.number_of_neighbors);
   } else if (corners) {
     soup = to_soup(points, corners);
   } else {
-    make_point_set(points, normals, *source);
+    *input = make_point_set(points, normals);
   }
   const py::gil_scoped_release release;
-  options.input = source->name();
-  options.is_quiet = true;
   if (soup) {
-    make_mesh(std::move(*soup), options, *source);
+    *input = make_mesh(std::move(*soup), options.number_of_threads);
   }
+  options.input = name_of(*input);
+  options.is_quiet = true;
   options.report = cscd::standard_stream; // with all that a report has
-  cscd::Skeletonization_result result = cscd::skeletonize_input(source->input, options, progress);
+  cscd::Skeletonization_result result = cscd::skeletonize_input(*input, options, progress);
   std::ostringstream report;
-  cscd::write_report(report, options, source->input.repairs.sentences(), result);
-  return {source, std::move(options), std::move(result), report.str()};
+  cscd::write_report(report, options, input->repairs.sentences(), result);
+  return {input, std::move(options), std::move(result), report.str()};
 }
 
 std::string evaluate(const Python_skeleton& skeleton, const py::dict& arguments)
 {
   auto options = to_options<cscd::Evaluate_options>(arguments);
   const py::gil_scoped_release release;
-  options.input = skeleton.source().name();
+  options.input = name_of(skeleton.input());
   options.skeleton = "skeleton";
   std::ostringstream out;
-  cscd::write_measures_as_json(out, options,
-                               cscd::measure_skeleton(skeleton.source().input, skeleton.result().skeleton, options));
+  cscd::write_measures_as_json(out, options, cscd::measure_skeleton(skeleton.input(), skeleton.skeleton(), options));
   return out.str();
-}
-
-void check_viewer_source()
-{
-  if (!CSCD::has_three_js()) {
-    throw cscd::Usage_error("this module was built without three.js; install libjs-three and build it again");
-  }
 }
 
 std::string page(const Python_skeleton& skeleton, const std::string& title)
 {
-  check_viewer_source();
+  cscd::check_viewer_source();
   std::ostringstream out;
-  cscd::write_page(out, skeleton.source().input, skeleton.result(), title);
+  cscd::write_page(out, skeleton.input(), skeleton.result(), title);
   return out.str();
 }
 
@@ -334,79 +313,72 @@ std::string page(const Python_skeleton& skeleton, const std::string& title)
 void save(const Python_skeleton& skeleton, const std::string& filename)
 {
   if (cscd::is_page(filename)) {
-    check_viewer_source();
+    cscd::check_viewer_source();
   }
   cscd::Skeletonize_options options = skeleton.options();
   options.input = std::filesystem::path(filename).stem().string(); // the title of a page, the name of a rig
   options.outputs = {filename};
   options.report.clear();
   CSCD::File_group files;
-  cscd::write_results(files, skeleton.source().input, skeleton.result(), options);
+  cscd::write_results(files, skeleton.input(), skeleton.result(), options);
   files.publish();
 }
 
-/// A copy of the mesh that was skeletonized, which takes labels. \throw Usage_error if rows of the arrays have no
-/// counterparts in it
-cscd::Mesh skeletonized_mesh(const Python_skeleton& skeleton)
+/// The mesh that was skeletonized, with its skeleton. \throw Usage_error if rows of the arrays have no counterparts in
+/// it
+CSCD::internal::Skeletonized_surface skeletonized_surface(const Python_skeleton& skeleton)
 {
-  const cscd::Input& input = skeleton.source().input;
-  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || num_faces(input.mesh) == 0) {
+  const cscd::Input& input = skeleton.input();
+  if (input.is_point_set || input.is_wrapped || !input.repairs.sentences().empty() || input.faces.empty()) {
     throw cscd::Usage_error(
         "only a mesh that was neither repaired nor wrapped has values of its own vertices and faces");
   }
-  return input.mesh;
-}
-
-/// A new array of the values of a property map, in the order of `descriptors`.
-template <class Value, class Descriptors, class Map>
-std::vector<Value> values_of(const Descriptors& descriptors, const Map& map)
-{
-  std::vector<Value> result;
-  for (const auto descriptor : descriptors) {
-    result.push_back(Value(map[descriptor]));
-  }
-  return result;
+  const CSCD::internal::Assigned_surface surface = cscd::assigned_surface(input, skeleton.skeleton());
+  return CSCD::internal::make_skeletonized_surface(surface.points, surface.triangles, skeleton.skeleton(),
+                                                   surface.node_of_vertex);
 }
 
 std::vector<double> shape_diameters(const Python_skeleton& skeleton)
 {
-  cscd::Mesh mesh = skeletonized_mesh(skeleton);
-  const auto map = mesh.add_property_map<cscd::Mesh::Vertex_index, double>("v:diameter").first;
-  CSCD::estimate_vertex_shape_diameters(mesh, skeleton.result().skeleton, map);
-  return values_of<double>(mesh.vertices(), map);
+  const CSCD::internal::Skeletonized_surface surface = skeletonized_surface(skeleton);
+  const std::vector<double> values =
+      CSCD::internal::vertex_shape_diameters(surface, CSCD::default_number_of_diameter_smoothing_steps);
+  std::vector<double> result(skeleton.input().points.size(), 0.); // of vertices without a face
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    result[surface.number[v]] = values[v];
+  }
+  return result;
 }
 
-std::vector<Signed_index> segment(const Python_skeleton& skeleton, std::size_t number_of_parts)
+std::vector<Index> segment(const Python_skeleton& skeleton, std::size_t number_of_parts)
 {
-  cscd::Mesh mesh = skeletonized_mesh(skeleton);
-  const auto map = mesh.add_property_map<cscd::Mesh::Face_index, std::size_t>("f:part").first;
-  CSCD::segment_mesh(mesh, skeleton.result().skeleton, map, CSCD::parameters::default_values(), number_of_parts);
-  return values_of<Signed_index>(mesh.faces(), map);
+  return CSCD::internal::segment_surface(skeletonized_surface(skeleton), number_of_parts);
+}
+
+/// A new array of rows of three or two numbers; None if `rows` is empty.
+template <class Value, class Row>
+py::object rows_or_none(const std::vector<Row>& rows)
+{
+  constexpr std::size_t width = sizeof(Row) / sizeof(Value);
+  return rows.empty() ? py::object(py::none())
+                      : py::array_t<Value>({rows.size(), width}, reinterpret_cast<const Value*>(rows.data()));
 }
 
 /// Kind, length, depth and points of each loop.
 py::list find_loops(const Coordinates& points, const Corners& corners, unsigned seed, double min_depth)
 {
-  Source source;
   CSCD::Shape_file soup = to_soup(points, corners);
-  std::vector<CSCD::Surface_loop<cscd::Point>> loops;
+  std::vector<CSCD::Surface_loop<CSCD::Vector_3>> loops;
   {
     const py::gil_scoped_release release;
-    cscd::Skeletonize_options options;
-    options.input = source.name();
-    options.is_quiet = true;
-    make_mesh(std::move(soup), options, source);
-    loops = CSCD::find_surface_loops(source.input.mesh, CSCD::parameters::random_seed(seed), min_depth);
+    cscd::Input mesh = make_mesh(std::move(soup), 0);
+    loops = CSCD::internal::find_surface_loops(std::move(mesh.points), std::move(mesh.faces), seed, min_depth);
   }
   constexpr std::array<const char*, 3> names{"handle", "tunnel", "constriction"};
   py::list result;
-  for (const CSCD::Surface_loop<cscd::Point>& loop : loops) {
-    std::vector<std::array<double, 3>> rows;
-    rows.reserve(loop.points.size());
-    for (const cscd::Point& point : loop.points) {
-      rows.push_back({point.x(), point.y(), point.z()});
-    }
-    result.append(py::make_tuple(names[static_cast<std::size_t>(loop.kind)], loop.length, loop.depth, rows));
+  for (const CSCD::Surface_loop<CSCD::Vector_3>& loop : loops) {
+    result.append(py::make_tuple(names[static_cast<std::size_t>(loop.kind)], loop.length, loop.depth,
+                                 rows_or_none<double>(loop.points)));
   }
   return result;
 }
@@ -427,19 +399,19 @@ void define_arrays(py::class_<Python_skeleton>& type)
     return self.cast<const Python_skeleton&>();
   };
   type.def_property_readonly("nodes", [skeleton_of](const py::object& self) {
-    const auto& points = skeleton_of(self).content().points;
+    const auto& points = skeleton_of(self).skeleton().points;
     return view(self, reinterpret_cast<const double*>(points.data()), {py::ssize_t(points.size()), 3});
   });
   type.def_property_readonly("radius", [skeleton_of](const py::object& self) {
-    const auto& radii = skeleton_of(self).content().radii;
+    const auto& radii = skeleton_of(self).skeleton().radii;
     return view(self, radii.data(), {py::ssize_t(radii.size())});
   });
   type.def_property_readonly("edges", [skeleton_of](const py::object& self) {
-    const auto& edges = skeleton_of(self).content().edges;
+    const auto& edges = skeleton_of(self).skeleton().edges;
     return view(self, reinterpret_cast<const Signed_index*>(edges.data()), {py::ssize_t(edges.size()), 2});
   });
   type.def_property_readonly("significance", [skeleton_of](const py::object& self) {
-    const auto& significances = skeleton_of(self).significances();
+    const auto& significances = skeleton_of(self).skeleton().significance;
     return view(self, significances.data(), {py::ssize_t(significances.size())});
   });
   type.def_property_readonly("vertex_to_node", [skeleton_of](const py::object& self) {
@@ -464,22 +436,13 @@ py::object polygons_of(const CSCD::Shape_file& shape)
   return result;
 }
 
-/// A new array of rows of three or two numbers; None if `rows` is empty.
-template <class Value, class Row>
-py::object rows_or_none(const std::vector<Row>& rows)
-{
-  constexpr std::size_t width = sizeof(Row) / sizeof(Value);
-  return rows.empty() ? py::object(py::none())
-                      : py::array_t<Value>({rows.size(), width}, reinterpret_cast<const Value*>(rows.data()));
-}
-
 /// Points, polygons, normals, edges and radii of a file; None stands for missing arrays.
 py::tuple read_file(const std::string& filename)
 {
   CSCD::Shape_file shape;
   {
     const py::gil_scoped_release release;
-    shape = cscd::read_shape(CSCD::internal::read_content(filename), filename, filename);
+    shape = CSCD::internal::read_shape(CSCD::internal::read_content(filename), filename, filename);
   }
   return py::make_tuple(rows_or_none<double>(shape.points),
                         shape.number_of_polygons() > 0 ? polygons_of(shape) : py::none(),
@@ -541,8 +504,8 @@ PYBIND11_MODULE(_core, module)
   define_arrays(type);
   type.def_property_readonly("report", &Python_skeleton::report)
       .def_property_readonly("warnings", [](const Python_skeleton& skeleton) { return skeleton.result().warnings(); })
-      .def_property_readonly(
-          "repairs", [](const Python_skeleton& skeleton) { return skeleton.source().input.repairs.sentences(); })
+      .def_property_readonly("repairs",
+                             [](const Python_skeleton& skeleton) { return skeleton.input().repairs.sentences(); })
       .def("simplify", &Python_skeleton::simplify, "options"_a, "stays_inside"_a)
       .def("evaluate", &evaluate, "options"_a)
       .def("page", &page, "title"_a, without_gil)

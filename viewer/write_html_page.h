@@ -7,6 +7,7 @@
 #ifndef CSCD_VIEWER_WRITE_HTML_PAGE_H
 #define CSCD_VIEWER_WRITE_HTML_PAGE_H
 
+#include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -14,8 +15,6 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/double.h>
-#include <CGAL/number_utils.h>
 
 #include <cstddef>
 #include <ostream>
@@ -28,12 +27,11 @@ namespace CSCD {
 bool has_three_js();
 
 /// The points of a point set, and the repairs of its surface.
-template <class Point>
 struct Html_page_cloud
 {
-  std::size_t number_of_points = 0; ///< the first vertices of the mesh are the points; 0 for other meshes
-  std::vector<Point> cut_handles{}; ///< where handles were cut
-  std::vector<Point> joined_gaps{}; ///< where fragments were joined
+  std::size_t number_of_points = 0;    ///< the first vertices of the mesh are the points; 0 for other meshes
+  std::vector<Vector_3> cut_handles{}; ///< where handles were cut
+  std::vector<Vector_3> joined_gaps{}; ///< where fragments were joined
 };
 
 namespace internal {
@@ -43,21 +41,10 @@ struct Html_page_content
 {
   Assigned_surface surface;
   Skeleton skeleton;
-  Html_page_cloud<Vector_3> cloud;
+  Html_page_cloud cloud;
 };
 
 void write_html_page(std::ostream& out, const Html_page_content& content, const std::string& title);
-
-template <class Point>
-std::vector<Vector_3> to_vectors(const std::vector<Point>& points)
-{
-  std::vector<Vector_3> result;
-  result.reserve(points.size());
-  for (const Point& p : points) {
-    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
-  return result;
-}
 
 } // namespace internal
 
@@ -71,19 +58,15 @@ std::vector<Vector_3> to_vectors(const std::vector<Point>& points)
 ///         whose nodes have no radius, so that the page has no balls and no sliders
 /// \param separators closed curves on the surface, the first point not repeated; may be empty
 /// \param title heads the page; any text
-/// \param cloud the points of a mesh that was made of points, and its repairs; empty for other meshes
 /// \pre all faces of `mesh` are triangles; all coordinates are finite
 /// \throw File_error if `out` fails
 template <class TriangleMesh, class SkeletonGraph, class Point>
 void write_html_page(std::ostream& out, const TriangleMesh& mesh, const SkeletonGraph& skeleton,
-                     const std::vector<std::vector<Point>>& separators, const std::string& title,
-                     const Html_page_cloud<Point>& cloud = {})
+                     const std::vector<std::vector<Point>>& separators, const std::string& title)
 {
   CGAL_precondition(CGAL::is_triangle_mesh(mesh));
   internal::Html_page_content content{
-      internal::assigned_surface(mesh, skeleton),
-      internal::index_skeleton(skeleton),
-      {cloud.number_of_points, internal::to_vectors(cloud.cut_handles), internal::to_vectors(cloud.joined_gaps)}};
+      internal::assigned_surface(mesh, skeleton), internal::index_skeleton(skeleton), {}};
   for (const std::vector<Point>& separator : separators) {
     content.skeleton.separators.push_back(internal::to_vectors(separator));
   }

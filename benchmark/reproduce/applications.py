@@ -186,7 +186,8 @@ def constrictions_table(lab, options):
     poses = [mesh for body in poses_of(options.faust) for mesh in body][::options.step]
 
     def loops_of(mesh):
-        return json.loads(run(lab.cscd, "loops", mesh, "--constrictions", "-o", "-", timeout=options.timeout)[0])
+        loops = json.loads(run(lab.cscd, "loops", mesh, "-o", "-", timeout=options.timeout)[0])
+        return [loop for loop in loops if loop["kind"] == "constriction"]
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         found = list(pool.map(loops_of, poses))

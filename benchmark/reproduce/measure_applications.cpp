@@ -9,10 +9,10 @@
 // segmentations by people. Writes one JSON object: CPU seconds, shape diameters of the vertices, and the mean errors of
 // the segmentation over the people.
 
+#include "compare_segmentations.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/read_triangle_mesh.h>
-#include <CSCD/Measure/compare_segmentations.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 
@@ -93,7 +93,8 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
       number_of_parts = CSCD::segment_mesh(mesh, skeleton, labels);
     } else {
       CSCD::estimate_face_shape_diameters(mesh, skeleton, face_diameters);
-      number_of_parts = segment_by_diameters(mesh, face_diameters, 0.1, labels); // as `cscd segment --by diameter`
+      number_of_parts =
+          segment_by_diameters(mesh, face_diameters, 0.1, labels); // less than CGAL's 0.26, for smoother values
     }
   } else {
     throw std::invalid_argument(method + ": the methods are skeleton, diameter and rays");
@@ -124,11 +125,11 @@ Json compare_with_people(const std::filesystem::path& folder, const Mesh& mesh, 
 {
   double people = 0;
   double people_with_cuts = 0;
-  CSCD::Segmentation_comparison sum{};
+  benchmark_applications::Segmentation_comparison sum{};
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     Mesh copy = mesh;
-    const CSCD::Segmentation_comparison one =
-        CSCD::compare_segmentations(mesh, labels, read_labels(entry.path(), copy));
+    const benchmark_applications::Segmentation_comparison one =
+        benchmark_applications::compare_segmentations(mesh, labels, read_labels(entry.path(), copy));
     people += 1;
     sum.rand_error += one.rand_error;
     sum.hamming_distance += one.hamming_distance;

@@ -117,9 +117,7 @@ EMSCRIPTEN_KEEPALIVE bool cscd_save(const char* option, const char* name)
              (which == "branches"         ? options.branches
               : which == "nodes"          ? options.nodes
               : which == "correspondence" ? options.correspondence
-              : which == "labelled"       ? options.labelled
-              : which == "report"         ? options.report
-                                          : options.html) = name;
+                                          : options.report) = name;
            }
            CSCD::File_group files;
            cscd::write_results(files, session()->input, session()->result, options);

@@ -16,14 +16,12 @@ const formats = [
   ['.ply', 'output', 'nodes, radii, edges'],
   ['.swc', 'output', 'for tools of neurons'],
   ['.vtp', 'output', 'for ParaView'],
-  ['.graphml', 'output', 'for graph tools'],
   ['.glb', 'output', 'rig of the mesh'],
   ['_branches.csv', 'branches', 'table of branches'],
   ['_nodes.csv', 'nodes', 'table of nodes'],
   ['_vertices.csv', 'correspondence', 'node of each vertex'],
-  ['_labelled.ply', 'labelled', 'the input with labels'],
   ['_report.json', 'report', 'counts, times, warnings'],
-  ['.html', 'html', 'this view as a page'],
+  ['.html', 'output', 'this view as a page'],
 ];
 const text_of = (id) => document.getElementById(id).textContent.trim();
 const element = (id) => document.getElementById(id);
@@ -87,7 +85,7 @@ function answered({ request, saved, seconds, messages, is_broken }) {
     say(said, true);
     if (!request.option || is_broken) set_state('failed'); // else there is a skeleton, which this format cannot hold
   } else if (request.option) {
-    const is_page = request.option === 'html';
+    const is_page = request.name.endsWith('.html');
     download(new Blob([is_page ? with_three_js(new TextDecoder().decode(saved)) : saved]), request.name);
   } else {
     window.cscd.seconds = seconds;

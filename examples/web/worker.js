@@ -22,7 +22,7 @@ function skeletonize_file({ cscd, name, bytes, options }) {
 
 function open({ cscd, ...request }) {
   const done = skeletonize_file({ cscd, ...request });
-  return done ? Object.assign(done, save({ cscd, option: 'html', name: 'page.html' })) : {};
+  return done ? Object.assign(done, save({ cscd, option: 'output', name: 'page.html' })) : {};
 }
 
 function save({ cscd, option, name }) {

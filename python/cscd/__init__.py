@@ -203,11 +203,9 @@ class Skeleton:
         min_significance: float = 0,
         min_length: float = 0,
         min_length_over_radius: float = 0,
-        merge_junctions: float = 0,
         join: bool = False,
         spacing: float = 0,
         spacing_over_radius: float = 0,
-        smooth: int = 0,
         min_component: int = 0,
         root: npt.ArrayLike | str | None = None,
         stays_inside: bool = True,
@@ -237,7 +235,7 @@ class Skeleton:
 
     def save(self, filename: str | os.PathLike[str]) -> None:
         """Writes the skeleton in the format that the ending names: .graph .json .obj .ply .polylines.txt .swc .vtp
-        .graphml, .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
+        .html for the viewer page, or .glb for a rig of a mesh. The file appears when it is complete. `root`
         decides where .swc and .glb begin.
 
         Raises FileError if the ending is not known or the file cannot be written, InputError if there is no mesh for a
@@ -286,24 +284,24 @@ def _rows(name: str, values: npt.ArrayLike) -> FloatArray:
     return rows
 
 
+def _indices(name: str, values: npt.ArrayLike, least: int, most: float, wanted: str) -> npt.NDArray[np.int64]:
+    """`values` as rows of `least` to `most` indices of vertices."""
+    rows = np.asarray(values)
+    if rows.ndim != 2 or not least <= rows.shape[1] <= most:
+        raise ValueError(f"{name}: has the shape {rows.shape}; rows of {wanted} indices of vertices are needed")
+    if rows.dtype.kind not in "iu":
+        raise ValueError(f"{name}: holds {rows.dtype}; indices of vertices are integers")
+    return np.ascontiguousarray(rows, dtype=np.int64)
+
+
 def _edges(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
-    edges = np.asarray(values)
-    if edges.ndim != 2 or edges.shape[1] != 2:
-        raise ValueError(f"edges: has the shape {edges.shape}; rows of two indices of vertices are needed")
-    if edges.dtype.kind not in "iu":
-        raise ValueError(f"edges: holds {edges.dtype}; indices of vertices are integers")
-    return np.ascontiguousarray(edges, dtype=np.int64)
+    return _indices("edges", values, 2, 2, "two")
 
 
 def _faces(values: npt.ArrayLike) -> npt.NDArray[np.int64]:
-    faces = np.asarray(values)
-    if faces.ndim != 2 or faces.shape[1] < 3:
-        raise ValueError(f"F: has the shape {faces.shape}; rows of three or more indices of vertices are needed")
-    if len(faces) == 0:
+    if np.asarray(values).shape[:1] == (0,) and np.ndim(values) == 2:
         raise ValueError("F: has no rows; leave it out for points")
-    if faces.dtype.kind not in "iu":
-        raise ValueError(f"F: holds {faces.dtype}; indices of vertices are integers")
-    return np.ascontiguousarray(faces, dtype=np.int64)
+    return _indices("F", values, 3, np.inf, "three or more")
 
 
 def skeletonize(
@@ -368,8 +366,8 @@ def skeletonize(
 
 def read(filename: str | os.PathLike[str]) -> Shape:
     """Reads a mesh, points, a skeleton or a graph, in the format that the ending names: .off .obj .ply .stl .vtp .vtk .glb
-    .gltf .ngmesh, points as .xyz .pwn .pts .txt .csv .asc .pcd .las, skeletons as .graph .json .swc .polylines.txt, lists
-    of .edges; each also with .gz or .zst behind. Nothing is repaired. Linear in the size of the file.
+    .gltf, points as .xyz .pwn .pts .txt .csv .asc .pcd .las, skeletons as .graph .json .swc .polylines.txt; each also with
+    .gz behind. Nothing is repaired. Linear in the size of the file.
 
     Raises FileError if the file cannot be read or is malformed. The message names the place and the remedy.
     """

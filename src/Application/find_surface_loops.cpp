@@ -16,6 +16,7 @@
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Separator/limb_tests.h>
 #include <CSCD/Skeletonization_report.h>
+#include <CSCD/Surface/Normalization.h>
 #include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_solid.h>
 #include <CSCD/Surface/Triangulated_surface.h>
@@ -639,10 +640,21 @@ private:
 
 } // namespace
 
-std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid, unsigned random_seed,
+std::vector<Surface_loop<Vector_3>> find_surface_loops(std::vector<Vector_3> points,
+                                                       std::vector<std::array<Index, 3>> faces, unsigned random_seed,
                                                        double min_depth)
 {
-  return Surface_loop_search(solid)(random_seed, min_depth);
+  const Prepared_mesh mesh([&] { return check_triangles(std::move(points), std::move(faces)); },
+                           Border_treatment::bridge, 1);
+  const Normalization& normalization = mesh.solid().normalization();
+  std::vector<Surface_loop<Vector_3>> loops = Surface_loop_search(mesh.solid())(random_seed, min_depth);
+  for (Surface_loop<Vector_3>& loop : loops) {
+    loop.length *= normalization.unit;
+    for (Vector_3& point : loop.points) {
+      point = normalization.to_input(point);
+    }
+  }
+  return loops;
 }
 
 } // namespace CSCD::internal

@@ -364,7 +364,8 @@ Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const st
 {
   CGAL_precondition(skeleton.number_of_nodes() > 0 && skeleton.has_radii());
   constexpr double spread = 0.25; // in mean radii: seams vanish, and weights keep to their limbs
-  const Joint_weights weights(skeleton, roots, bend_tolerance);
+  const Joint_weights weights(skeleton, roots.empty() ? find_roots(skeleton, Root_rule::thickest) : roots,
+                              bend_tolerance);
   Rig rig{weights.joints(), {}};
   rig.influences.reserve(surface.points.size());
   double sum_of_radii = 0;

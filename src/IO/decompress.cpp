@@ -10,9 +10,6 @@
 #ifdef CSCD_WITH_ZLIB
 #include <zlib.h>
 #endif
-#ifdef CSCD_WITH_ZSTD
-#include <zstd.h>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -38,11 +35,10 @@ namespace {
   fail_in_file(filename, "compressed data end too early", "fetch or write the file again");
 }
 
-/// \param package of Debian that has `library`
-[[noreturn, maybe_unused]] void fail_without(const std::string& filename, const char* library, const char* package)
+[[noreturn, maybe_unused]] void fail_without_zlib(const std::string& filename)
 {
-  fail_in_file(filename, std::string("is compressed, and this was built without ") + library,
-               std::string("install ") + package + " and build again, or write the file without compression");
+  fail_in_file(filename, "is compressed, and this was built without zlib",
+               "install zlib1g-dev and build again, or write the file without compression");
 }
 
 } // namespace
@@ -128,7 +124,7 @@ Inflating_stream::Inflating_stream(std::istream& in, const std::string& filename
 
 std::string inflate(std::string_view, std::size_t, const std::string& filename)
 {
-  fail_without(filename, "zlib", "zlib1g-dev");
+  fail_without_zlib(filename);
 }
 
 /// There is none.
@@ -140,7 +136,7 @@ struct Inflating_stream::State
 
 Inflating_stream::Inflating_stream(std::istream&, const std::string& filename)
 {
-  fail_without(filename, "zlib", "zlib1g-dev");
+  fail_without_zlib(filename);
 }
 
 #endif
@@ -181,40 +177,5 @@ void Inflating_stream::skip(std::size_t size)
     read(skipped.data(), std::min(size, skipped.size()));
   }
 }
-
-#ifdef CSCD_WITH_ZSTD
-
-std::string read_zstd(std::istream& in, const std::string& filename)
-{
-  const std::unique_ptr<ZSTD_DStream, decltype(&ZSTD_freeDStream)> stream(ZSTD_createDStream(), &ZSTD_freeDStream);
-  std::vector<char> read(ZSTD_DStreamInSize());
-  std::vector<char> decompressed(ZSTD_DStreamOutSize());
-  std::string result;
-  std::size_t missing = 1; // of a frame; 0 between frames: a file may have several
-  while (in.read(read.data(), std::streamsize(read.size())), in.gcount() > 0) {
-    // The last byte of a frame is not taken before all of it is written.
-    for (ZSTD_inBuffer input{read.data(), std::size_t(in.gcount()), 0}; input.pos < input.size;) {
-      ZSTD_outBuffer output{decompressed.data(), decompressed.size(), 0};
-      missing = ZSTD_decompressStream(stream.get(), &output, &input);
-      if (ZSTD_isError(missing) != 0) {
-        fail_to_decompress(filename);
-      }
-      result.append(decompressed.data(), output.pos);
-    }
-  }
-  if (missing != 0) {
-    fail_at_end(filename);
-  }
-  return result;
-}
-
-#else
-
-std::string read_zstd(std::istream&, const std::string& filename)
-{
-  fail_without(filename, "zstd", "libzstd-dev");
-}
-
-#endif
 
 } // namespace CSCD::internal

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bytes from Base64, and from data compressed by zlib, gzip or zstd.
+// Bytes from Base64, and from data compressed by zlib or gzip.
 
 #ifndef CSCD_SRC_IO_DECOMPRESS_H
 #define CSCD_SRC_IO_DECOMPRESS_H
@@ -155,10 +155,6 @@ private:
   struct State;
   std::unique_ptr<State> m_state;
 };
-
-/// Decompresses the rest of `in`, which is zstd.
-/// \throw File_error if it is damaged, or if this is built without zstd
-std::string read_zstd(std::istream& in, const std::string& filename);
 
 } // namespace CSCD::internal
 

@@ -6,14 +6,12 @@
 #ifndef CSCD_SRC_IO_FORMATS_H
 #define CSCD_SRC_IO_FORMATS_H
 
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
 #include <cstddef>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -39,17 +37,15 @@ Parser parse_ply;
 Parser parse_stl;
 Parser parse_vtk;
 Parser parse_gltf;
-Parser parse_neuroglancer;
 // Points.
 Parser parse_point_table;
 Parser parse_pcd;
 Parser parse_las;
-// Skeletons and graphs.
+// Skeletons.
 Parser parse_gel_graph;
 Parser parse_json_skeleton;
 Parser parse_polylines;
 Parser parse_swc;
-Parser parse_edge_list;
 
 /// \throw File_error naming the file, `fault` and `remedy`
 [[noreturn]] inline void fail_in_file(const std::string& filename, const std::string& fault,
@@ -86,29 +82,25 @@ inline void check_corners(const Shape_file& shape, const std::string& filename)
   }
 }
 
+/// \name Contents of files, to be joined by `|`
+/// @{
+inline constexpr unsigned mesh_content = 1;
+inline constexpr unsigned point_content = 2;
+inline constexpr unsigned skeleton_content = 4;
+inline constexpr unsigned any_content = mesh_content | point_content | skeleton_content;
+/// @}
+
 /// The meaning of an ending of file names.
 struct File_format
 {
   const char* ending;
-  std::optional<Mesh_format> mesh; ///< if meshes are read
-  std::optional<Point_format> points;
-  bool is_skeleton;                                                   ///< whether skeletons are read
-  Parser* parse;                                                      ///< null if the format is only written
-  void (*write)(std::ostream& out, const Skeleton_content& skeleton); ///< null if the format is only read
+  unsigned contents; ///< that files of this format may have
+  Parser* parse;
+  void (*write)(std::ostream& out, const Skeleton_content& skeleton); ///< for formats of skeletons
 };
 
-/// How a whole file is compressed.
-enum class Compression
-{
-  gzip,
-  zstd
-};
-
-/// The compression that the last ending of `filename` names, in lower or upper case; nothing if it names none.
-std::optional<Compression> find_compression(const std::string& filename);
-
-/// The format of a skeleton to be written to `filename`. \throw File_error if its ending names none
-const File_format& written_skeleton_format(const std::string& filename);
+/// The format of a skeleton in the file `filename`. \throw File_error if its ending names none
+const File_format& skeleton_format(const std::string& filename);
 
 } // namespace CSCD::internal
 

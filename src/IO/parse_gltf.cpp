@@ -9,9 +9,7 @@
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
 
-#ifdef CSCD_WITH_GLTF
 #include <nlohmann/json.hpp>
-#endif
 
 #include <algorithm>
 #include <array>
@@ -30,8 +28,6 @@
 #include <vector>
 
 namespace CSCD::internal {
-
-#ifdef CSCD_WITH_GLTF
 
 namespace {
 
@@ -424,14 +420,5 @@ Shape_file parse_gltf(std::string_view content, const std::string& filename, Wan
 {
   return Gltf_parser(content, filename).parse();
 }
-
-#else
-
-Shape_file parse_gltf(std::string_view, const std::string& filename, Wanted)
-{
-  fail_in_file(filename, "this was built without glTF", "build CSCD with nlohmann-json, or name another format");
-}
-
-#endif
 
 } // namespace CSCD::internal

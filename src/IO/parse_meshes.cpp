@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads Wavefront OBJ, OFF, STL, and raw meshes of Neuroglancer.
+// Reads Wavefront OBJ, OFF and STL.
 
 #include "IO/Point_merger.h"
 #include "IO/formats.h"
@@ -21,13 +21,6 @@ namespace CSCD::internal {
 namespace {
 
 constexpr const char* too_few_coordinates = "a vertex has too few coordinates";
-
-/// The error of a corner without a vertex, in formats that count from 0.
-std::string missing_vertex(std::size_t corner, std::size_t number_of_points)
-{
-  return "names vertex " + std::to_string(corner) + ", but there are only " + std::to_string(number_of_points) +
-         " (counted from 0)";
-}
 
 /// Reads the vertices, and the faces or the lines, of OBJ; all other statements are passed over.
 class Obj_parser
@@ -97,7 +90,7 @@ private:
   bool m_has_lines = false;
 };
 
-/// Reads OFF, ASCII line by line or binary; colors and texture coordinates are passed over.
+/// Reads OFF in ASCII, line by line; colors and texture coordinates are passed over.
 class Off_parser
 {
 public:
@@ -106,17 +99,12 @@ public:
   Shape_file parse()
   {
     read_keyword();
-    if (Text_scanner ahead = m_scanner; ahead.skip_blanks(comment) && ahead.word() == "BINARY") {
-      ahead.skip_line();
-      read_binary(ahead.rest());
-    } else {
-      m_number_of_points = next_count("the number of vertices");
-      check_number_of_points(m_number_of_points, m_filename);
-      m_number_of_polygons = next_count("the number of faces");
-      m_scanner.skip_line();
-      read_points();
-      read_polygons();
-    }
+    m_number_of_points = next_count("the number of vertices");
+    check_number_of_points(m_number_of_points, m_filename);
+    m_number_of_polygons = next_count("the number of faces");
+    m_scanner.skip_line();
+    read_points();
+    read_polygons();
     return std::move(m_shape);
   }
 
@@ -125,9 +113,6 @@ private:
   /// The fewest bytes that a line of a point takes (`0 0 0` and a line end), and of a polygon (`1 0`).
   static constexpr std::size_t min_point_size = 6;
   static constexpr std::size_t min_polygon_size = 4;
-  /// In binary files, of numbers of all kinds in bytes, and of colors in numbers.
-  static constexpr std::size_t number_size = sizeof(std::uint32_t);
-  static constexpr std::uint32_t max_size_of_color = 4;
 
   void read_keyword()
   {
@@ -138,10 +123,9 @@ private:
       keyword.remove_prefix(found ? prefix.size() : 0);
       return found;
     };
-    m_size_of_appearance = drop("ST") ? 2 : 0;
-    m_size_of_appearance += drop("C") ? max_size_of_color : 0;
+    drop("ST"); // texture coordinates, then colors
+    drop("C");
     m_has_normals = drop("N");
-    m_is_homogeneous = drop("4");
     // Some writers leave no blank between the keyword and the number of vertices.
     if (!drop("OFF") || (!keyword.empty() && (keyword[0] < '0' || keyword[0] > '9'))) {
       m_scanner.fail("this is not an OFF file of three-dimensional points: the keyword OFF is missing",
@@ -164,16 +148,6 @@ private:
         m_scanner.fail_at_end("vertex " + std::to_string(i) + " of " + std::to_string(m_number_of_points));
       }
       m_shape.points.push_back(m_scanner.point_in_line(too_few_coordinates));
-      if (m_is_homogeneous) {
-        m_scanner.expect_in_line(too_few_coordinates);
-        const double weight = m_scanner.coordinate();
-        if (weight != 0) {
-          m_shape.points.back() /= weight;
-        }
-        if (weight == 0 || !m_shape.points.back().allFinite()) {
-          m_scanner.fail("a homogeneous vertex lies at infinity", "correct this line");
-        }
-      }
       if (m_has_normals) {
         read_normal();
       }
@@ -208,7 +182,8 @@ private:
         m_scanner.expect("all vertices of a face", comment);
         const std::size_t corner = m_scanner.count("the index of a vertex");
         if (corner >= m_number_of_points) {
-          m_scanner.fail("a face " + missing_vertex(corner, m_number_of_points));
+          m_scanner.fail("a face names vertex " + std::to_string(corner) + ", but there are only " +
+                         std::to_string(m_number_of_points) + " (counted from 0)");
         }
         m_shape.corners.push_back(static_cast<Index>(corner));
       }
@@ -217,61 +192,12 @@ private:
     }
   }
 
-  /// Reads the numbers behind the line of the keyword in a binary file: the same numbers as in ASCII, big endian, and
-  /// with each polygon the number of its color's components. Or else, as pmp-library writes, little endian without
-  /// that; a number of points that the file cannot hold shows it.
-  void read_binary(std::string_view content)
-  {
-    const bool is_little =
-        Byte_scanner(content, Byte_order::big, m_filename).number<std::uint32_t>() > content.size() / (3 * number_size);
-    Byte_scanner bytes(content, is_little ? Byte_order::little : Byte_order::big, m_filename);
-    m_number_of_points = bytes.number<std::uint32_t>();
-    check_number_of_points(m_number_of_points, m_filename);
-    m_number_of_polygons = bytes.number<std::uint32_t>();
-    bytes.skip(number_size); // the number of edges
-    m_shape.points.reserve(std::min(m_number_of_points, bytes.remaining() / (3 * number_size)));
-    for (std::size_t i = 0; i < m_number_of_points; ++i) {
-      Vector_3 point = bytes.vector<float>();
-      point /= m_is_homogeneous ? double(bytes.number<float>()) : 1.;
-      if (!point.allFinite()) {
-        fail_in_file(m_filename, "vertex " + std::to_string(i) + " is not finite");
-      }
-      m_shape.points.push_back(point);
-      if (m_has_normals) {
-        m_shape.normals.push_back(bytes.vector<float>());
-      }
-      bytes.skip(number_size * m_size_of_appearance);
-    }
-    for (std::size_t i = 0; i < m_number_of_polygons; ++i) {
-      const auto fail_at_face = [&](const std::string& fault) {
-        fail_in_file(m_filename, "face " + std::to_string(i) + " " + fault);
-      };
-      const auto size = bytes.number<std::uint32_t>();
-      for (std::uint32_t k = 0; k < size; ++k) {
-        m_shape.corners.push_back(bytes.number<std::uint32_t>());
-        if (m_shape.corners.back() >= m_number_of_points) {
-          fail_at_face(missing_vertex(m_shape.corners.back(), m_number_of_points));
-        }
-      }
-      if (!is_little) {
-        const auto size_of_color = bytes.number<std::uint32_t>();
-        if (size_of_color > max_size_of_color) {
-          fail_at_face("has a color of " + std::to_string(size_of_color) + " components");
-        }
-        bytes.skip(number_size * size_of_color);
-      }
-      m_shape.end_polygon();
-    }
-  }
-
   Text_scanner m_scanner;
   std::string m_filename;
   Shape_file m_shape;
-  std::size_t m_size_of_appearance = 0; ///< the numbers that a vertex has for color and texture, in binary files
   std::size_t m_number_of_points = 0;
   std::size_t m_number_of_polygons = 0;
   bool m_has_normals = false;
-  bool m_is_homogeneous = false;
 };
 
 /// Reads ASCII and binary STL. STL repeats a vertex in each of its triangles; these are made one here.
@@ -411,38 +337,6 @@ Shape_file parse_off(std::string_view content, const std::string& filename, Want
 Shape_file parse_stl(std::string_view content, const std::string& filename, Wanted /* wanted */)
 {
   return Stl_parser(content, filename).parse();
-}
-
-/// Little endian: the number of vertices as `uint32`, three `float` for each, then three numbers of vertices, `uint32`,
-/// for each triangle up to the end of the file.
-Shape_file parse_neuroglancer(std::string_view content, const std::string& filename, Wanted /* wanted */)
-{
-  constexpr std::size_t vertex_size = 3 * sizeof(float);
-  constexpr std::size_t triangle_size = 3 * sizeof(std::uint32_t);
-  Byte_scanner scanner(content, Byte_order::little, filename);
-  const std::size_t number_of_points = scanner.number<std::uint32_t>();
-  if (number_of_points > scanner.remaining() / vertex_size ||
-      (scanner.remaining() - number_of_points * vertex_size) % triangle_size != 0) {
-    fail_in_file(filename,
-                 "the file is too short or too long for a raw mesh of Neuroglancer with " +
-                     std::to_string(number_of_points) + " vertices",
-                 "check the ending of the file name, or fetch it again");
-  }
-  Shape_file shape;
-  shape.points.resize(number_of_points);
-  for (Vector_3& point : shape.points) {
-    point = scanner.vector<float>();
-    if (!point.allFinite()) {
-      fail_in_file(filename, "a vertex has a coordinate that is not finite");
-    }
-  }
-  shape.corners.resize(scanner.remaining() / sizeof(std::uint32_t));
-  for (Index& corner : shape.corners) {
-    corner = scanner.number<std::uint32_t>();
-  }
-  check_corners(shape, filename);
-  shape.first_corner = Corner_offsets(shape.corners.size() / 3);
-  return shape;
 }
 
 } // namespace CSCD::internal

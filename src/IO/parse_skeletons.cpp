@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the formats that hold skeletons or graphs alone: GEL, JSON, poly-lines, SWC and lists of edges.
+// Reads the formats that hold skeletons alone: GEL, JSON, poly-lines and SWC.
 
 #include "IO/formats.h"
 #include "IO/scanners.h"
@@ -251,26 +251,6 @@ Shape_file parse_swc(std::string_view content, const std::string& filename, Want
 Shape_file parse_json_skeleton(std::string_view content, const std::string& filename, Wanted /* wanted */)
 {
   return Json_parser(filename).parse(content);
-}
-
-/// Lines of six coordinates, those of the ends of an edge. Ends at one place stay different points.
-Shape_file parse_edge_list(std::string_view content, const std::string& filename, Wanted /* wanted */)
-{
-  Text_scanner scanner(content, filename);
-  Shape_file shape;
-  while (scanner.skip_blanks('#')) {
-    for (int end = 0; end < 2; ++end) {
-      shape.points.push_back(
-          scanner.point_in_line("an edge needs six coordinates, those of its ends", "correct or remove this line"));
-    }
-    const auto size = std::int64_t(shape.points.size());
-    shape.lines.push_back({size - 2, size - 1});
-    scanner.skip_line();
-  }
-  if (shape.points.empty()) {
-    fail_in_file(filename, "the file has no edges", "fetch or write it again");
-  }
-  return shape;
 }
 
 } // namespace CSCD::internal

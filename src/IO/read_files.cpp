@@ -5,7 +5,6 @@
 
 #include "IO/decompress.h"
 #include "IO/formats.h"
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/read_points.h>
 #include <CSCD/IO/read_skeleton.h>
@@ -31,7 +30,6 @@
 #include <istream>
 #include <limits>
 #include <locale>
-#include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -43,84 +41,66 @@ namespace CSCD {
 namespace internal {
 namespace {
 
-using Mesh = Mesh_format;
-using Points = Point_format;
-
-constexpr std::nullopt_t none = std::nullopt;
-
-/// The formats of written meshes come before the other formats of meshes.
-constexpr std::array<File_format, 24> formats{{
-    {".graph", none, none, true, parse_gel_graph, write_gel_graph},
-    {".json", none, none, true, parse_json_skeleton, write_json},
-    {".off", Mesh::off, Points::off, false, parse_off, nullptr},
-    {".obj", Mesh::obj, none, true, parse_obj, write_obj},
-    {".ply", Mesh::ply, Points::ply, true, parse_ply, write_ply},
-    {".stl", Mesh::stl, none, false, parse_stl, nullptr},
-    {".polylines.txt", none, none, true, parse_polylines, write_polylines},
-    {".swc", none, none, true, parse_swc,
+constexpr std::array<File_format, 21> formats{{
+    {".graph", skeleton_content, parse_gel_graph, write_gel_graph},
+    {".json", skeleton_content, parse_json_skeleton, write_json},
+    {".off", mesh_content | point_content, parse_off, nullptr},
+    {".obj", mesh_content | skeleton_content, parse_obj, write_obj},
+    {".ply", mesh_content | point_content | skeleton_content, parse_ply, write_ply},
+    {".stl", mesh_content, parse_stl, nullptr},
+    {".polylines.txt", skeleton_content, parse_polylines, write_polylines},
+    {".swc", skeleton_content, parse_swc,
      [](std::ostream& out, const Skeleton_content& skeleton) { write_swc(out, skeleton); }},
-    {".vtp", Mesh::vtk, Points::vtk, true, parse_vtk, write_vtp},
-    {".vtk", Mesh::vtk, Points::vtk, false, parse_vtk, nullptr},
-    {".glb", Mesh::gltf, none, false, parse_gltf, nullptr},
-    {".gltf", Mesh::gltf, none, false, parse_gltf, nullptr},
-    {".ngmesh", Mesh::neuroglancer, none, false, parse_neuroglancer, nullptr},
-    {".graphml", none, none, false, nullptr, write_graphml},
-    {".edges", none, none, false, parse_edge_list, nullptr},
-    {".xyz", none, Points::xyz, false, parse_point_table, nullptr},
-    {".pwn", none, Points::xyz, false, parse_point_table, nullptr},
-    {".pts", none, Points::pts, false, parse_point_table, nullptr},
-    {".txt", none, Points::xyz, false, parse_point_table, nullptr},
-    {".csv", none, Points::xyz, false, parse_point_table, nullptr},
-    {".asc", none, Points::xyz, false, parse_point_table, nullptr},
-    {".pcd", none, Points::pcd, false, parse_pcd, nullptr},
-    {".las", none, Points::las, false, parse_las, nullptr},
-    {".laz", none, Points::las, false, parse_las, nullptr},
+    {".vtp", mesh_content | point_content | skeleton_content, parse_vtk, write_vtp},
+    {".vtk", mesh_content | point_content, parse_vtk, nullptr},
+    {".glb", mesh_content, parse_gltf, nullptr},
+    {".gltf", mesh_content, parse_gltf, nullptr},
+    {".xyz", point_content, parse_point_table, nullptr},
+    {".pwn", point_content, parse_point_table, nullptr},
+    {".pts", point_content, parse_point_table, nullptr},
+    {".txt", point_content, parse_point_table, nullptr},
+    {".csv", point_content, parse_point_table, nullptr},
+    {".asc", point_content, parse_point_table, nullptr},
+    {".pcd", point_content, parse_pcd, nullptr},
+    {".las", point_content, parse_las, nullptr},
+    {".laz", point_content, parse_las, nullptr},
 }};
+
+constexpr const char* gzip_ending = ".gz";
 
 bool has_ending(const std::string& filename, const char* ending)
 {
   return boost::algorithm::iends_with(filename, ending, std::locale::classic());
 }
 
-template <class Predicate>
-const File_format* find_format(const std::string& filename, const Predicate& is_allowed)
-{
-  const auto* const found = std::find_if(formats.begin(), formats.end(), [&](const File_format& format) {
-    return is_allowed(format) && has_ending(filename, format.ending);
-  });
-  return found == formats.end() ? nullptr : found;
-}
-
-template <class Predicate>
-std::vector<std::string> endings(const Predicate& is_counted)
+/// The endings of the formats that hold some of `contents`.
+std::vector<std::string> endings(unsigned contents)
 {
   std::vector<std::string> result;
   for (const File_format& format : formats) {
-    if (is_counted(format)) {
+    if ((format.contents & contents) != 0) {
       result.emplace_back(format.ending);
     }
   }
   return result;
 }
 
-constexpr auto is_mesh = [](const File_format& format) { return format.mesh.has_value(); };
-constexpr auto is_written_mesh = [](const File_format& format) { return format.mesh && *format.mesh <= Mesh::stl; };
-constexpr auto is_points = [](const File_format& format) { return format.points.has_value(); };
-constexpr auto is_readable = [](const File_format& format) { return format.parse != nullptr; };
-constexpr auto is_written_skeleton = [](const File_format& format) { return format.write != nullptr; };
-constexpr auto is_graph = [](const File_format& format) {
-  return is_readable(format) && !format.mesh && !format.points;
-};
-constexpr auto is_read_skeleton = [](const File_format& format) { return format.is_skeleton || is_graph(format); };
+/// The format that holds some of `contents` and that the ending of `filename` names; null if there is none.
+const File_format* find_format(const std::string& filename, unsigned contents)
+{
+  const auto* const found = std::find_if(formats.begin(), formats.end(), [&](const File_format& format) {
+    return (format.contents & contents) != 0 && has_ending(filename, format.ending);
+  });
+  return found == formats.end() ? nullptr : found;
+}
 
 /// \param kind for messages
-template <class Predicate>
-const File_format& get_format(const std::string& filename, const char* kind, const Predicate& is_allowed)
+const File_format& get_format(const std::string& filename, const char* kind, unsigned contents)
 {
-  const File_format* const format = find_format(filename, is_allowed);
+  const File_format* const format = find_format(filename, contents);
   if (format == nullptr) {
     fail_in_file(filename, std::string("the ending names no ") + kind,
-                 "use one of " + boost::algorithm::join(endings(is_allowed), " "));
+                 "use one of " + boost::algorithm::join(endings(contents), " "));
   }
   return *format;
 }
@@ -167,20 +147,20 @@ void check_points(const Shape_file& shape, const std::string& filename)
   }
 }
 
-Shape_file parse_polygons(std::string_view content, Mesh_format format, const std::string& filename)
+/// The polygons, or the points, of a file. \param format names it by its ending
+Shape_file parse_polygons(std::string_view content, const std::string& format, const std::string& filename)
 {
-  const auto* const found =
-      std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.mesh == format; });
-  Shape_file shape = parse(content, *found, filename, Wanted::surface);
+  Shape_file shape = parse(content, get_format(without_compression_ending(format), "known mesh format", mesh_content),
+                           filename, Wanted::surface);
   check_polygons(shape, filename);
   return shape;
 }
 
-Shape_file parse_points(std::string_view content, Point_format format, const std::string& filename)
+Shape_file parse_points(std::string_view content, const std::string& format, const std::string& filename)
 {
-  const auto* const found =
-      std::find_if(formats.begin(), formats.end(), [format](const File_format& f) { return f.points == format; });
-  Shape_file shape = parse(content, *found, filename, Wanted::surface);
+  Shape_file shape =
+      parse(content, get_format(without_compression_ending(format), "known format of points", point_content), filename,
+            Wanted::surface);
   check_points(shape, filename);
   return shape;
 }
@@ -190,17 +170,6 @@ Shape_file parse_points(std::string_view content, Point_format format, const std
   fail_in_file(filename, "the ending names no known format",
                "use one of " + boost::algorithm::join(mesh_endings(), " ") + " for meshes, " +
                    boost::algorithm::join(point_endings(), " ") + " for points");
-}
-
-/// The format of a skeleton, or a graph, to be read from `filename`. \throw File_error if its ending names none
-const File_format& read_skeleton_format(const std::string& filename)
-{
-  const File_format* const written = find_format(filename, is_written_skeleton);
-  if (written != nullptr && written->parse == nullptr) {
-    fail_in_file(filename, std::string("skeletons are written as ") + written->ending + ", but not read from it",
-                 "use one of " + boost::algorithm::join(endings(is_read_skeleton), " "));
-  }
-  return get_format(filename, "known skeleton format", is_read_skeleton);
 }
 
 using Line = std::pair<std::int64_t, std::int64_t>;
@@ -263,22 +232,15 @@ Skeleton parse_skeleton(std::string_view content, const File_format& format, con
 
 } // namespace
 
-std::optional<Compression> find_compression(const std::string& filename)
+const File_format& skeleton_format(const std::string& filename)
 {
-  return has_ending(filename, ".gz")    ? std::optional(Compression::gzip)
-         : has_ending(filename, ".zst") ? std::optional(Compression::zstd)
-                                        : std::nullopt;
-}
-
-const File_format& written_skeleton_format(const std::string& filename)
-{
-  return get_format(filename, "known skeleton format", is_written_skeleton);
+  return get_format(filename, "known skeleton format", skeleton_content);
 }
 
 std::string read_content(std::istream& in, const std::string& name, const std::string& format)
 {
-  if (const std::optional<Compression> compression = find_compression(format)) {
-    return *compression == Compression::gzip ? Inflating_stream(in, name).read_all() : read_zstd(in, name);
+  if (has_ending(format, gzip_ending)) {
+    return Inflating_stream(in, name).read_all();
   }
   constexpr std::size_t block_size = std::size_t(1) << 20; // bytes; large enough that the calls do not count
   std::string content;
@@ -316,7 +278,7 @@ std::string read_content(const std::string& filename)
   std::ifstream in = open_file(filename);
   std::error_code error;
   const auto size = std::filesystem::file_size(filename, error);
-  if (error || find_compression(filename)) {
+  if (error || has_ending(filename, gzip_ending)) {
     return read_content(in, filename, filename); // a pipe, or of another size
   }
   std::string content(static_cast<std::size_t>(size), '\0');
@@ -330,47 +292,49 @@ std::string read_content(const std::string& filename)
 
 Shape_file read_polygons(const std::string& filename)
 {
-  const Mesh_format format = mesh_format(filename);
-  return parse_polygons(read_content(filename), format, filename);
+  get_format(without_compression_ending(filename), "known mesh format", mesh_content); // before it is read
+  return parse_polygons(read_content(filename), filename, filename);
 }
 
-Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string& name)
+Shape_file read_polygons(std::istream& in, const std::string& ending, const std::string& name)
 {
-  return parse_polygons(read_content(in, name), format, name);
+  return parse_polygons(read_content(in, name), ending, name);
 }
 
 Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, const std::string& name)
 {
   const std::string content = read_content(in, name, ending);
-  if (const std::optional<Point_format> points_only = find_point_format(ending)) {
-    return parse_points(content, *points_only, name);
+  const std::string format = without_compression_ending(ending);
+  if (find_format(format, point_content) != nullptr) {
+    return parse_points(content, format, name);
   }
-  const std::optional<Mesh_format> format = find_mesh_format(ending);
-  if (!format) {
+  if (find_format(format, mesh_content) == nullptr) {
     fail_at_ending(ending);
   }
-  return parse_polygons(content, *format, name);
+  return parse_polygons(content, format, name);
 }
 
 bool is_graph_filename(const std::string& filename)
 {
-  const File_format* const format = find_format(without_compression_ending(filename), is_readable);
-  return format != nullptr && is_graph(*format);
+  const File_format* const format = find_format(without_compression_ending(filename), any_content);
+  return format != nullptr && format->contents == skeleton_content;
 }
 
 Shape_file read_shape(std::string_view content, const std::string& ending, const std::string& name)
 {
-  const File_format* const format = find_format(without_compression_ending(ending), is_readable);
+  const File_format* const format = find_format(without_compression_ending(ending), any_content);
   if (format == nullptr) {
     fail_at_ending(ending);
   }
   Shape_file shape = parse(content, *format, name, Wanted::all);
-  if (is_graph(*format) || !shape.lines.empty()) {
+  if (format->contents == skeleton_content || !shape.lines.empty()) {
     check_skeleton(shape, name);
     return shape;
   }
   shape.radii.clear();
-  if (format->points || (format->is_skeleton && shape.number_of_polygons() == 0)) {
+  const bool may_be_points = (format->contents & point_content) != 0;
+  const bool may_be_skeleton = (format->contents & skeleton_content) != 0;
+  if (may_be_points || (may_be_skeleton && shape.number_of_polygons() == 0)) {
     check_points(shape, name);
   } else {
     check_polygons(shape, name);
@@ -380,24 +344,24 @@ Shape_file read_shape(std::string_view content, const std::string& ending, const
 
 Shape_file read_point_file(const std::string& filename)
 {
-  const Point_format format = point_format(filename);
-  return parse_points(read_content(filename), format, filename);
+  get_format(without_compression_ending(filename), "known format of points", point_content); // before it is read
+  return parse_points(read_content(filename), filename, filename);
 }
 
-Shape_file read_point_file(std::istream& in, Point_format format, const std::string& name)
+Shape_file read_point_file(std::istream& in, const std::string& ending, const std::string& name)
 {
-  return parse_points(read_content(in, name), format, name);
+  return parse_points(read_content(in, name), ending, name);
 }
 
 Skeleton read_indexed_skeleton(const std::string& filename)
 {
-  const File_format& format = read_skeleton_format(filename);
+  const File_format& format = skeleton_format(filename);
   return parse_skeleton(read_content(filename), format, filename);
 }
 
 Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, const std::string& name)
 {
-  const File_format& format = read_skeleton_format(ending);
+  const File_format& format = skeleton_format(ending);
   return parse_skeleton(read_content(in, name), format, name);
 }
 
@@ -405,56 +369,22 @@ Skeleton read_indexed_skeleton(std::istream& in, const std::string& ending, cons
 
 std::string without_compression_ending(const std::string& filename)
 {
-  return internal::find_compression(filename) ? filename.substr(0, filename.rfind('.')) : filename;
-}
-
-std::optional<Mesh_format> find_mesh_format(const std::string& filename)
-{
-  const auto* const format = internal::find_format(without_compression_ending(filename), internal::is_mesh);
-  return format != nullptr ? format->mesh : std::nullopt;
-}
-
-Mesh_format mesh_format(const std::string& filename)
-{
-  const std::optional<Mesh_format> format = find_mesh_format(filename);
-  return format ? *format : *internal::get_format(filename, "known mesh format", internal::is_mesh).mesh;
-}
-
-Mesh_format written_mesh_format(const std::string& filename)
-{
-  return *internal::get_format(filename, "format that meshes are written in", internal::is_written_mesh).mesh;
-}
-
-std::optional<Point_format> find_point_format(const std::string& filename)
-{
-  const auto* const format = internal::find_format(without_compression_ending(filename), internal::is_points);
-  return format != nullptr ? format->points : std::nullopt;
-}
-
-Point_format point_format(const std::string& filename)
-{
-  const std::optional<Point_format> format = find_point_format(filename);
-  return format ? *format : *internal::get_format(filename, "known format of points", internal::is_points).points;
+  return internal::has_ending(filename, internal::gzip_ending) ? filename.substr(0, filename.rfind('.')) : filename;
 }
 
 std::vector<std::string> mesh_endings()
 {
-  return internal::endings(internal::is_mesh);
+  return internal::endings(internal::mesh_content);
 }
 
 std::vector<std::string> point_endings()
 {
-  return internal::endings(internal::is_points);
-}
-
-void check_readable_skeleton_filename(const std::string& filename)
-{
-  internal::read_skeleton_format(filename);
+  return internal::endings(internal::point_content);
 }
 
 void check_skeleton_filename(const std::string& filename)
 {
-  internal::written_skeleton_format(filename);
+  internal::skeleton_format(filename);
 }
 
 } // namespace CSCD

@@ -376,12 +376,11 @@ Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filen
     result.report.number_of_turned_components =
         orient_outwards(result.triangles, *pairing, components, Cavity_search(result.triangles, components)());
   }
-  result.pairing = std::move(*pairing);
   return result;
 }
 
-Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
-                          const std::vector<std::array<Index, 3>>& faces)
+std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector_3>& points,
+                                     const std::vector<std::array<Index, 3>>& faces)
 {
   std::vector<Vector_3> places = file.points;
   places.insert(places.end(), points.begin(), points.end());
@@ -405,21 +404,17 @@ Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& p
   }
   std::sort(face_at.begin(), face_at.end());
 
-  Faces_of_file result;
-  result.polygon_of_face.assign(faces.size(), no_index);
-  result.face_of_polygon.assign(file.number_of_polygons(), no_index);
+  std::vector<Index> result(file.number_of_polygons(), no_index);
   const std::vector<Corners> triangles = triangulate_polygon_soup(Shape_file(file)).faces;
   auto triangle = triangles.begin();
   for (std::size_t polygon = 0; polygon < file.number_of_polygons(); ++polygon) {
-    Index& largest = result.face_of_polygon[polygon];
+    Index& largest = result[polygon];
     double largest_area = -1;
     for (std::size_t i = 2; i < file.size_of_polygon(polygon); ++i, ++triangle) {
       const Corners corners = sorted({place[(*triangle)[0]], place[(*triangle)[1]], place[(*triangle)[2]]});
       const double area = triangle_area(places[corners[0]], places[corners[1]], places[corners[2]]);
       for (auto at = std::lower_bound(face_at.begin(), face_at.end(), std::pair(corners, Index(0)));
            at != face_at.end() && at->first == corners; ++at) {
-        Index& its_polygon = result.polygon_of_face[at->second];
-        its_polygon = its_polygon == no_index ? Index(polygon) : its_polygon;
         if (area > largest_area) {
           largest_area = area;
           largest = at->second;

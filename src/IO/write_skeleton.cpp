@@ -45,23 +45,6 @@ void write_coordinates(std::ostream& out, const Vector_3& point)
   out << point.x() << ' ' << point.y() << ' ' << point.z();
 }
 
-/// Writes the declarations of the properties `key0`, `key1`, ...: with radii `radius` and `significance` come first.
-void write_graphml_keys(std::ostream& out, bool has_radius)
-{
-  int number = 0;
-  const auto write_key = [&](const char* owner, const char* name) {
-    out << "  <key id=\"key" << number++ << "\" for=\"" << owner << "\" attr.name=\"" << name
-        << "\" attr.type=\"double\" />\n";
-  };
-  if (has_radius) {
-    write_key("node", "radius");
-    write_key("edge", "significance");
-  }
-  for (const char* name : {"x", "y", "z"}) {
-    write_key("node", name);
-  }
-}
-
 /// The structure identifier of a node in SWC: 5 a fork, 6 an end, 0 anything else.
 int swc_type(std::size_t degree)
 {
@@ -160,43 +143,6 @@ void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skelet
   for (const auto& [source, target] : skeleton.edges) {
     out << "c " << source << ' ' << target << '\n';
   }
-  format.finish();
-}
-
-void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton)
-{
-  internal::Exact_format format(out);
-  out << "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-         "<graphml xmlns=\"http://graphml.graphdrawing.org/xmlns\" "
-         "xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
-         "xsi:schemaLocation=\"http://graphml.graphdrawing.org/xmlns "
-         "http://graphml.graphdrawing.org/xmlns/1.0/graphml.xsd\">\n";
-  internal::write_graphml_keys(out, skeleton.has_radius);
-  out << "  <graph id=\"G\" edgedefault=\"undirected\" parse.nodeids=\"canonical\" parse.edgeids=\"canonical\" "
-         "parse.order=\"nodesfirst\">\n";
-  const auto write_value = [&](int key, double value) {
-    out << "      <data key=\"key" << key << "\">" << value << "</data>\n";
-  };
-  for (std::size_t v = 0; v < skeleton.number_of_nodes(); ++v) {
-    out << "    <node id=\"n" << v << "\">\n";
-    if (skeleton.has_radius) {
-      write_value(0, skeleton.radii[v]);
-    }
-    for (int i = 0; i < 3; ++i) {
-      write_value((skeleton.has_radius ? 2 : 0) + i, skeleton.points[v][i]);
-    }
-    out << "    </node>\n";
-  }
-  const std::vector<double> significances = internal::edge_significances(skeleton);
-  for (std::size_t e = 0; e < skeleton.edges.size(); ++e) {
-    out << "    <edge id=\"e" << e << "\" source=\"n" << skeleton.edges[e][0] << "\" target=\"n" << skeleton.edges[e][1]
-        << "\">\n";
-    if (skeleton.has_radius) {
-      write_value(1, internal::finite_significance(significances[e]));
-    }
-    out << "    </edge>\n";
-  }
-  out << "  </graph>\n</graphml>\n";
   format.finish();
 }
 
@@ -371,12 +317,12 @@ void write_vtp(std::ostream& out, const internal::Skeleton_content& skeleton)
 
 void write_skeleton(std::ostream& out, const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  internal::written_skeleton_format(filename).write(out, skeleton);
+  internal::skeleton_format(filename).write(out, skeleton);
 }
 
 void write_skeleton(const std::string& filename, const internal::Skeleton_content& skeleton)
 {
-  const internal::File_format& format = internal::written_skeleton_format(filename); // before there is any file
+  const internal::File_format& format = internal::skeleton_format(filename); // before there is any file
   write_file(filename, [&](std::ostream& out) { format.write(out, skeleton); });
 }
 

@@ -4,13 +4,10 @@
 // The definitions of write_tables.h and write_correspondence.h.
 
 #include "IO/Point_merger.h"
-#include "IO/scanners.h"
-#include <CSCD/IO/Shape_file.h>
 #include <CSCD/IO/internal/Skeleton_content.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/IO/write_tables.h>
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Measure/distance_to_edges.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Tree/Tree_cylinders.h>
@@ -20,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -50,35 +46,14 @@ void write_field(std::ostream& out, const std::optional<std::size_t>& number)
   }
 }
 
-/// Writes the polygons, with sizes of type `Size`.
-template <class Size>
-void write_ply_polygons(std::ostream& out, const Shape_file& file)
-{
-  for (std::size_t polygon = 0; polygon < file.number_of_polygons(); ++polygon) {
-    write_little_endian(out, Size(file.size_of_polygon(polygon)));
-    for (std::size_t c = file.first_corner[polygon]; c < file.first_corner[polygon + 1]; ++c) {
-      write_little_endian(out, std::int32_t(file.corners[c]));
-    }
-  }
-}
-
 } // namespace
 
-std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
-                                         const Skeleton& skeleton, const Skeleton_branches& branches)
+std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_vertex, const Skeleton_branches& branches)
 {
-  const std::vector<std::vector<Index>> neighbors = node_neighbors(skeleton);
-  std::vector<Vertex_label> result(points.size());
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    const Index node = node_of_vertex[v];
-    if (node == no_index) {
-      continue;
-    }
-    Vertex_label& label = result[v];
-    label.node = node;
-    label.branch = branches.branch_of_node[node];
-    label.radius = skeleton.has_radii() ? skeleton.radii[node] : label.radius;
-    label.distance = distance_to_edges(skeleton, neighbors, node, points[v]);
+  std::vector<Vertex_label> result;
+  result.reserve(node_of_vertex.size());
+  for (const Index node : node_of_vertex) {
+    result.push_back({node, node == no_index ? no_index : branches.branch_of_node[node]});
   }
   return result;
 }
@@ -118,47 +93,6 @@ std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_
     result.push_back(vertex != no_index ? labels[vertex] : Vertex_label());
   }
   return result;
-}
-
-void write_labelled_ply(std::ostream& out, const Shape_file& file, const std::vector<Vertex_label>& labels)
-{
-  const bool has_normals = !file.normals.empty();
-  bool has_large_polygons = false;
-  for (std::size_t polygon = 0; polygon < file.number_of_polygons(); ++polygon) {
-    has_large_polygons = has_large_polygons || file.size_of_polygon(polygon) > std::numeric_limits<std::uint8_t>::max();
-  }
-  Exact_format format(out);
-  out << "ply\nformat binary_little_endian 1.0\ncomment node and branch count from 0; -1 is none\nelement vertex "
-      << file.points.size() << "\nproperty double x\nproperty double y\nproperty double z\n"
-      << (has_normals ? "property double nx\nproperty double ny\nproperty double nz\n" : "")
-      << "property int node\nproperty int branch\nproperty double radius\nproperty double distance\n";
-  if (file.number_of_polygons() > 0) {
-    out << "element face " << file.number_of_polygons() << "\nproperty list " << (has_large_polygons ? "int" : "uchar")
-        << " int vertex_indices\n";
-  }
-  out << "end_header\n";
-  const auto write_vector = [&out](const Vector_3& vector) {
-    for (const double coordinate : vector) {
-      write_little_endian(out, coordinate);
-    }
-  };
-  for (std::size_t v = 0; v < file.points.size(); ++v) {
-    write_vector(file.points[v]);
-    if (has_normals) {
-      write_vector(file.normals[v]);
-    }
-    for (const Index number : {labels[v].node, labels[v].branch}) {
-      write_little_endian(out, number == no_index ? std::int32_t(-1) : std::int32_t(number));
-    }
-    write_little_endian(out, labels[v].radius);
-    write_little_endian(out, labels[v].distance);
-  }
-  if (has_large_polygons) {
-    write_ply_polygons<std::int32_t>(out, file);
-  } else {
-    write_ply_polygons<std::uint8_t>(out, file);
-  }
-  format.finish();
 }
 
 } // namespace internal

@@ -69,117 +69,49 @@ inline std::optional<Ray_star> cast_ray_star(const Solid_queries& queries, const
   return Ray_star{std::sqrt(variance) / mean, moment.norm() / sum};
 }
 
-/// Measures a skeleton against a body in whose coordinates it is given.
-class Position_measurement
+/// Measures where a skeleton lies in a body in whose coordinates it is given. Measures of the body alone are left out.
+inline Position_measures measure_position(const Solid_queries& queries, const Skeleton& skeleton)
 {
-public:
-  /// Both are referred to.
-  Position_measurement(const Solid_queries& queries, const Skeleton& skeleton)
-      : m_queries(queries), m_skeleton(skeleton)
-  {
-    m_result.max_distance_outside = 0;
-  }
-
-  /// All measures except those of the surface alone.
-  Position_measures operator()()
-  {
-    measure_nodes();
-    measure_length();
-    return m_result;
-  }
-
-private:
-  /// Means over the stars that could be cast.
-  struct Means
-  {
-    double deviation = 0, offset = 0;
-    std::size_t number = 0;
-
-    void add(const std::optional<Ray_star>& star)
-    {
-      if (star) {
-        deviation += star->deviation;
-        offset += star->offset;
-        ++number;
-      }
-    }
-    double mean(double sum) const { return number > 0 ? sum / double(number) : undefined_measure; }
-  };
-
-  bool is_inside(const Vector_3& point)
-  {
-    if (m_queries.is_inside(point)) {
+  constexpr double spacing = 1. / 300; // of the samples, in diagonals: some ten of them in the radius of a thin limb
+  // Means over more would not be better, and take minutes. Skeletons of bodies have fewer samples.
+  constexpr std::size_t max_number_of_samples = 1 << 16;
+  Position_measures result;
+  result.max_distance_outside = 0;
+  const auto is_inside = [&](const Vector_3& point) {
+    if (queries.is_inside(point)) {
       return true;
     }
-    const double distance = (m_queries.closest_point(point).point - point).norm();
-    m_result.max_distance_outside = std::max(m_result.max_distance_outside, distance);
+    const double distance = (queries.closest_point(point).point - point).norm();
+    result.max_distance_outside = std::max(result.max_distance_outside, distance);
     return false;
+  };
+  const auto nodes_inside = std::count_if(skeleton.points.begin(), skeleton.points.end(), is_inside);
+  result.fraction_of_nodes_inside = double(nodes_inside) / double(skeleton.number_of_nodes());
+  const std::vector<Edge_sample> samples = sample_edges(skeleton, spacing, max_number_of_samples);
+  std::size_t samples_inside = 0;
+  std::size_t number_of_stars = 0;
+  double deviation = 0;
+  double offset = 0;
+  for (const Edge_sample& sample : samples) {
+    if (!is_inside(sample.point)) {
+      continue;
+    }
+    ++samples_inside;
+    if (const std::optional<Ray_star> star = cast_ray_star(queries, sample.point, sample.tangent)) {
+      deviation += star->deviation;
+      offset += star->offset;
+      ++number_of_stars;
+    }
   }
-
-  /// The direction of the skeleton at a node of one or two edges; nothing at others and where it turns back.
-  std::optional<Vector_3> tangent(Index v, const std::vector<Index>& neighbors) const
-  {
-    // Of the sum of two unit vectors: the angle between one and the opposite of the other, in radians.
-    constexpr double min_norm = 1e-6;
-    if (neighbors.empty() || neighbors.size() > 2) {
-      return std::nullopt;
-    }
-    Vector_3 result = (m_skeleton.points[neighbors[0]] - m_skeleton.points[v]).stableNormalized();
-    if (neighbors.size() == 2) {
-      result -= (m_skeleton.points[neighbors[1]] - m_skeleton.points[v]).stableNormalized();
-    }
-    return result.norm() > min_norm ? std::optional<Vector_3>(result.normalized()) : std::nullopt;
+  if (!samples.empty()) {
+    result.fraction_of_length_inside = double(samples_inside) / double(samples.size());
   }
-
-  void measure_nodes()
-  {
-    const std::vector<std::vector<Index>> neighbors = node_neighbors(m_skeleton);
-    std::size_t number_inside = 0;
-    Means means;
-    const std::size_t step = neighbors.size() / max_number_of_stars + 1; // between the nodes where rays begin
-    for (Index v = 0; v < neighbors.size(); ++v) {
-      if (!is_inside(m_skeleton.points[v])) {
-        continue;
-      }
-      ++number_inside;
-      if (v % step != 0) {
-        continue;
-      }
-      if (const std::optional<Vector_3> direction = tangent(v, neighbors[v])) {
-        means.add(cast_ray_star(m_queries, m_skeleton.points[v], *direction));
-      }
-    }
-    m_result.fraction_of_nodes_inside = double(number_inside) / double(neighbors.size());
-    m_result.deviation_at_nodes = means.mean(means.deviation);
-    m_result.offset_at_nodes = means.mean(means.offset);
+  if (number_of_stars > 0) {
+    result.deviation_by_length = deviation / double(number_of_stars);
+    result.offset_by_length = offset / double(number_of_stars);
   }
-
-  void measure_length()
-  {
-    constexpr double spacing = 1. / 300; // of the samples, in diagonals: some ten of them in the radius of a thin limb
-    const std::vector<Edge_sample> samples = sample_edges(m_skeleton, spacing, max_number_of_stars);
-    std::size_t number_inside = 0;
-    Means means;
-    for (const Edge_sample& sample : samples) {
-      if (is_inside(sample.point)) {
-        ++number_inside;
-        means.add(cast_ray_star(m_queries, sample.point, sample.tangent));
-      }
-    }
-    if (!samples.empty()) {
-      m_result.fraction_of_length_inside = double(number_inside) / double(samples.size());
-    }
-    m_result.deviation_by_length = means.mean(means.deviation);
-    m_result.offset_by_length = means.mean(means.offset);
-  }
-
-  /// Means over more would not be better, and take minutes. Skeletons of bodies have fewer nodes and samples.
-  static constexpr std::size_t max_number_of_stars = 1 << 16;
-
-  const Solid_queries& m_queries;
-  const Skeleton& m_skeleton;
-  Position_measures m_result;
-};
+  return result;
+}
 
 /// For every vertex, the mean of its distances along edges from up to 32 vertices of its component. The first of these
 /// is the one with the smallest number, the others the farthest from those before; so they are spread evenly.

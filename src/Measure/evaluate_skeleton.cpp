@@ -358,15 +358,6 @@ public:
 
   const Skeleton& skeleton() const { return m_skeleton; }
 
-  /// The surface that the skeleton describes, in common coordinates.
-  Field_surface reconstruct(Reconstruction_method method) const
-  {
-    const double cell_size = 1 / double(m_resolution);
-    return method == Reconstruction_method::convolution
-               ? triangulate_field(Convolution_field(m_skeleton), m_skeleton, cell_size)
-               : triangulate_field(Round_cone_field(m_skeleton), m_skeleton, cell_size);
-  }
-
   /// All measures except those of the position.
   Skeleton_measures measure() const
   {
@@ -375,9 +366,11 @@ public:
     result.diagonal = m_measured.normalization.unit;
     result.counts = count_skeleton(m_skeleton);
     measure_turning(m_skeleton, result.counts);
-    result.convolution = measure_reconstruction(reconstruct(Reconstruction_method::convolution), m_measured);
-    result.round_cones = measure_reconstruction(reconstruct(Reconstruction_method::round_cones), m_measured);
+    const double cell_size = 1 / double(m_resolution);
+    result.convolution =
+        measure_reconstruction(triangulate_field(Convolution_field(m_skeleton), m_skeleton, cell_size), m_measured);
     const Round_cone_field field(m_skeleton);
+    result.round_cones = measure_reconstruction(triangulate_field(field, m_skeleton, cell_size), m_measured);
     double sum = 0;
     for (const Vector_3& point : m_measured.points) {
       sum += std::abs(field(point));
@@ -442,7 +435,7 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
   Skeleton_measures result = evaluation.measure();
   if (measured.body) {
     const Measured_body& body = *measured.body;
-    result.position = Position_measurement(body.queries(), evaluation.skeleton())();
+    result.position = measure_position(body.queries(), evaluation.skeleton());
     result.position.number_of_surface_components = body.number_of_components();
     result.position.genus = body.genus();
     result.position.number_of_borders = body.number_of_borders();
@@ -450,18 +443,6 @@ Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
     for (Surface_limb& limb : result.limbs.limbs) {
       limb.tip = body.normalization().to_input(limb.tip);
     }
-  }
-  return result;
-}
-
-Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
-                                      const Evaluation_parameters& parameters, Reconstruction_method method)
-{
-  const Measured_surface measured = measured_surface(std::move(input));
-  Indexed_triangles result =
-      Skeleton_evaluation(measured, std::move(skeleton), parameters).reconstruct(method).triangles;
-  for (Vector_3& point : result.points) {
-    point = measured.normalization.to_input(point);
   }
   return result;
 }

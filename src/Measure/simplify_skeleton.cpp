@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Prunes, merges, joins, resamples and smooths a skeleton.
+// Prunes, joins and resamples a skeleton.
 
 #include "Measure/skeleton_tools.h"
 #include <CSCD/Measure/simplify_skeleton.h>
@@ -59,33 +59,6 @@ struct New_skeleton
     skeleton.is_joined.push_back(is_joined);
   }
 };
-
-/// The edges at the ends of a branch that do not belong to it, each an end and its neighbor.
-std::vector<std::array<Index, 2>> edges_around(const Branch& branch, const Neighbors& neighbors)
-{
-  std::vector<std::array<Index, 2>> result;
-  for (const auto& [end, next] :
-       {std::pair(branch.front(), branch[1]), std::pair(branch.back(), branch[branch.size() - 2])}) {
-    const auto own = std::find(neighbors[end].begin(), neighbors[end].end(), next);
-    for (auto neighbor = neighbors[end].begin(); neighbor != neighbors[end].end(); ++neighbor) {
-      if (neighbor != own) {
-        result.push_back({end, *neighbor});
-      }
-    }
-  }
-  return result;
-}
-
-/// Whether the ends of the branch can become one node without edges that are loops or parallel.
-bool can_merge(const Branch& branch, const Neighbors& neighbors)
-{
-  std::vector<Index> around{branch.front(), branch.back()};
-  for (const auto& edge : edges_around(branch, neighbors)) {
-    around.push_back(edge[1]);
-  }
-  std::sort(around.begin(), around.end());
-  return std::adjacent_find(around.begin(), around.end()) == around.end();
-}
 
 /// The two of the ascending `places` around the given one, and its position between them.
 std::pair<std::size_t, double> locate(const std::vector<double>& places, double place)
@@ -165,13 +138,6 @@ public:
     m_result.report.number_of_removed_nodes += before - skeleton().number_of_nodes();
   }
 
-  /// Merges branches between junctions that are shorter than `threshold` times the mean of the radii there.
-  void merge_junctions(double threshold)
-  {
-    while (merge_some_junctions(threshold)) {
-    }
-  }
-
   /// Joins components by straight edges, those of the minimum spanning tree of the components, by Prim's algorithm from
   /// the largest on: O(e n) for n nodes and e ends.
   /// \throw Input_error if there are too many nodes
@@ -216,38 +182,6 @@ public:
         }
       }
       next = std::min_element(open.begin(), open.end(), [&](Index a, Index b) { return is_before(best[a], best[b]); });
-    }
-  }
-
-  /// Moves the nodes of degree 2 halfway to the middle of their neighbors.
-  void smooth(std::size_t number_of_steps)
-  {
-    const Neighbors neighbors = node_neighbors(skeleton());
-    std::vector<Vector_3>& points = m_result.skeleton.points;
-    std::vector<std::array<Index, 2>> guarded;
-    if (m_solid != nullptr) {
-      std::copy_if(skeleton().edges.begin(), skeleton().edges.end(), std::back_inserter(guarded),
-                   [&](const std::array<Index, 2>& edge) { return is_inside(points[edge[0]], points[edge[1]]); });
-    }
-    for (std::size_t step = 0; step < number_of_steps; ++step) {
-      const std::vector<Vector_3> before = points;
-      for (Index v = 0; v < neighbors.size(); ++v) {
-        if (neighbors[v].size() == 2) {
-          points[v] = before[v] / 2 + (before[neighbors[v][0]] + before[neighbors[v][1]]) / 4;
-        }
-      }
-      // Nodes of edges that leave the body go back, until no further edge does.
-      for (bool is_settled = false; !is_settled;) {
-        is_settled = true;
-        for (const auto& [a, b] : guarded) {
-          const bool is_moved = points[a] != before[a] || points[b] != before[b];
-          if (is_moved && !is_inside(points[a], points[b])) {
-            points[a] = before[a];
-            points[b] = before[b];
-            is_settled = false;
-          }
-        }
-      }
     }
   }
 
@@ -331,15 +265,6 @@ private:
     std::vector<double> crossings;
     m_solid->crossings(a, b, crossings);
     return crossings.empty() && m_solid->is_inside(a) && m_solid->is_inside(b);
-  }
-
-  double length(const Branch& branch) const
-  {
-    double result = 0;
-    for (std::size_t i = 1; i < branch.size(); ++i) {
-      result += skeleton().length({branch[i - 1], branch[i]});
-    }
-    return result;
   }
 
   std::vector<Index> numbers() const
@@ -436,99 +361,6 @@ private:
       is_end[v] = neighbors[v].size() < 2 || has_tip[component[v]] == 0 ? 1 : 0;
     }
     return is_end;
-  }
-
-  /// The point halfway along a branch.
-  Branch_point middle(const Branch& branch) const
-  {
-    double place = length(branch) / 2;
-    for (std::size_t i = 1; i < branch.size(); ++i) {
-      const double edge = skeleton().length({branch[i - 1], branch[i]});
-      if (place <= edge && edge > 0) {
-        const double t = place / edge;
-        return {(1 - t) * point(branch[i - 1]) + t * point(branch[i]),
-                (1 - t) * radius(branch[i - 1]) + t * radius(branch[i])};
-      }
-      place -= edge;
-    }
-    return {point(branch.back()), radius(branch.back())};
-  }
-
-  /// The branches between junctions that are shorter than `threshold` radii and can be merged, shortest first.
-  std::vector<Branch> short_branches(double threshold, const Neighbors& neighbors) const
-  {
-    std::vector<char> is_at_joint(skeleton().number_of_nodes(), 0);
-    for (std::size_t e = 0; e < skeleton().edges.size(); ++e) {
-      if (skeleton().is_joined[e] != 0) {
-        is_at_joint[skeleton().edges[e][0]] = is_at_joint[skeleton().edges[e][1]] = 1;
-      }
-    }
-    // By length in radii; of equal ones by position, so that the numbering does not matter.
-    std::vector<std::tuple<double, double, double, double, Branch>> found;
-    for (const Branch& branch : split_into_branches(neighbors)) {
-      const Index a = branch.front();
-      const Index b = branch.back();
-      const double total = length(branch);
-      const double mean_radius = (radius(a) + radius(b)) / 2;
-      if (a != b && neighbors[a].size() > 2 && neighbors[b].size() > 2 && total < threshold * mean_radius &&
-          std::none_of(branch.begin(), branch.end(), [&](Index v) { return is_at_joint[v] != 0; }) &&
-          can_merge(branch, neighbors)) {
-        const Vector_3 place = middle(branch).point;
-        found.emplace_back(total / mean_radius, place.x(), place.y(), place.z(), branch);
-      }
-    }
-    std::sort(found.begin(), found.end());
-    std::vector<Branch> result;
-    result.reserve(found.size());
-    for (auto& one : found) {
-      result.push_back(std::move(std::get<Branch>(one)));
-    }
-    return result;
-  }
-
-  /// Merges short branches, shortest first, that do not touch each other; the edges at their ends that are inside stay
-  /// so. \return whether there were any
-  bool merge_some_junctions(double threshold)
-  {
-    const Neighbors neighbors = node_neighbors(skeleton());
-    std::vector<char> is_touched(skeleton().number_of_nodes(), 0);
-    std::vector<Index> heir = numbers();
-    bool is_merged = false;
-    for (const Branch& branch : short_branches(threshold, neighbors)) {
-      const std::vector<std::array<Index, 2>> edges = edges_around(branch, neighbors);
-      Branch around = branch;
-      for (const auto& edge : edges) {
-        around.push_back(edge[1]);
-      }
-      const Branch_point place = middle(branch);
-      if (std::any_of(around.begin(), around.end(), [&](Index v) { return is_touched[v] != 0; }) ||
-          std::any_of(edges.begin(), edges.end(), [&](const std::array<Index, 2>& edge) {
-            return is_inside(point(edge[0]), point(edge[1])) && !is_inside(place.point, point(edge[1]));
-          })) {
-        continue;
-      }
-      for (const Index v : around) {
-        is_touched[v] = 1;
-      }
-      const Index into = radius(branch.front()) >= radius(branch.back()) ? branch.front() : branch.back();
-      for (const Index v : branch) {
-        heir[v] = into;
-      }
-      m_result.skeleton.points[into] = place.point;
-      if (skeleton().has_radii()) {
-        m_result.skeleton.radii[into] = place.radius;
-      }
-      ++m_result.report.number_of_merged_branches;
-      is_merged = true;
-    }
-    std::vector<char> is_kept; // of edges: whether their ends have not become one
-    for (auto& [a, b] : m_result.skeleton.edges) {
-      is_kept.push_back(heir[a] != heir[b] || a == b ? 1 : 0);
-      a = heir[a];
-      b = heir[b];
-    }
-    keep(heir, is_kept);
-    return is_merged;
   }
 
   /// The branches of the skeleton without its joined edges, cut at the ends of these.
@@ -644,8 +476,7 @@ void check_simplification(const Skeleton& skeleton, const Simplification_paramet
        {std::pair("minimum_significance", parameters.min_significance),
         std::pair("minimum_branch_length", parameters.min_length),
         std::pair("minimum_length_over_radius", parameters.min_length_over_radius),
-        std::pair("junction_distance", parameters.junction_distance), std::pair("spacing", parameters.spacing),
-        std::pair("spacing_over_radius", parameters.spacing_over_radius)}) {
+        std::pair("spacing", parameters.spacing), std::pair("spacing_over_radius", parameters.spacing_over_radius)}) {
     if (!is_length(value)) {
       throw Input_error(std::string(name) + " is negative or not finite: choose a number that is at least 0");
     }
@@ -653,8 +484,8 @@ void check_simplification(const Skeleton& skeleton, const Simplification_paramet
   if (parameters.spacing > 0 && parameters.spacing_over_radius > 0) {
     throw Input_error("spacing and spacing_over_radius cannot both be followed: leave one out");
   }
-  const bool needs_radii = parameters.min_significance > 0 || parameters.min_length_over_radius > 0 ||
-                           parameters.junction_distance > 0 || parameters.spacing_over_radius > 0;
+  const bool needs_radii =
+      parameters.min_significance > 0 || parameters.min_length_over_radius > 0 || parameters.spacing_over_radius > 0;
   if (needs_radii && skeleton.number_of_nodes() > 0 &&
       std::none_of(skeleton.radii.begin(), skeleton.radii.end(), [](double radius) { return radius > 0; })) {
     throw Input_error("the skeleton has no radii, in which significance and relative lengths are measured: use lengths "
@@ -680,9 +511,6 @@ Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std
       simplification.prune(measure, threshold);
     }
   }
-  if (parameters.junction_distance > 0) {
-    simplification.merge_junctions(parameters.junction_distance);
-  }
   if (parameters.joins_components) {
     simplification.join_components();
   }
@@ -690,8 +518,34 @@ Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std
     simplification.resample(std::max(parameters.spacing, parameters.spacing_over_radius),
                             parameters.spacing_over_radius > 0);
   }
-  simplification.smooth(parameters.number_of_smoothing_steps);
   return simplification.release();
+}
+
+Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
+                                        const Triangulated_solid* solid)
+{
+  std::vector<std::size_t> number_of_vertices(skeleton.number_of_nodes(), 0);
+  std::transform(skeleton.vertices.begin(), skeleton.vertices.end(), number_of_vertices.begin(),
+                 [](const std::vector<Index>& its) { return its.size(); });
+  Simplified_skeleton simplified = simplify_skeleton(Skeleton(skeleton), number_of_vertices, parameters, solid);
+  Skeleton& result = simplified.skeleton;
+  const std::vector<std::vector<Index>> neighbors = node_neighbors(result);
+  for (std::size_t v = 0; v < neighbors.size(); ++v) {
+    const Index origin = simplified.origin[v];
+    const bool was_opening = origin != no_index && !skeleton.is_opening.empty() && skeleton.is_opening[origin] != 0;
+    result.is_opening.push_back(was_opening && neighbors[v].size() < 2 ? 1 : 0); // a joined end is not an end
+  }
+  result.vertices.resize(neighbors.size());
+  for (std::size_t v = 0; v < skeleton.vertices.size(); ++v) {
+    if (const Index heir = simplified.heir[v]; heir != no_index) {
+      std::vector<Index>& vertices = result.vertices[heir];
+      vertices.insert(vertices.end(), skeleton.vertices[v].begin(), skeleton.vertices[v].end());
+    }
+  }
+  result.significance = significance_levels(result);
+  result.separators = std::move(skeleton.separators);
+  skeleton = std::move(result);
+  return simplified.report;
 }
 
 } // namespace CSCD::internal

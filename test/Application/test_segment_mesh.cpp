@@ -9,7 +9,6 @@
 #include "support/simple_shapes.h"
 #include "support/swept_shapes.h"
 #include <CSCD/Application/segment_mesh.h>
-#include <CSCD/Measure/compare_segmentations.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/extract_curve_skeleton.h>
 

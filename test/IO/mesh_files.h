@@ -165,29 +165,6 @@ std::string bytes_of(const Range& numbers, bool is_little_endian = true)
   return result;
 }
 
-/// Binary OFF.
-/// \param size_of_extra how many numbers each point has besides, all 2
-/// \param size_of_color components of each polygon's color
-/// \param is_little whether numbers are little endian, and polygons have no colors, not even of 0 components
-inline std::string binary_off(const Mesh_file_content& mesh, const std::string& keyword, std::size_t size_of_extra,
-                              std::size_t size_of_color, bool is_little = false)
-{
-  const auto counts = [is_little](const std::vector<std::size_t>& numbers) {
-    return bytes_of<std::uint32_t>(numbers, is_little);
-  };
-  std::string result = keyword + " BINARY\n" + counts({mesh.points.size(), mesh.polygons.size(), 0});
-  for (const auto& point : mesh.points) {
-    result += bytes_of<float>(point, is_little) + bytes_of<float>(std::vector<double>(size_of_extra, 2), is_little);
-  }
-  for (const std::vector<std::size_t>& polygon : mesh.polygons) {
-    result += counts({polygon.size()}) + counts(polygon);
-    if (!is_little) {
-      result += counts({size_of_color}) + bytes_of<float>(std::vector<double>(size_of_color, 1), is_little);
-    }
-  }
-  return result;
-}
-
 /// The coordinates of all points.
 inline std::vector<double> coordinates(const Mesh_file_content& mesh)
 {
@@ -328,13 +305,6 @@ inline std::string vtp(const Mesh_file_content& mesh, const std::string& format,
     result += "<AppendedData encoding=\"" + encoding + "\">\n_" + appended + "\n</AppendedData>\n";
   }
   return result + "</VTKFile>\n";
-}
-
-/// A raw mesh of Neuroglancer, of triangles.
-inline std::string ngmesh(const Mesh_file_content& mesh)
-{
-  return bytes_of<std::uint32_t>(std::vector<std::size_t>{mesh.points.size()}) + bytes_of<float>(coordinates(mesh)) +
-         bytes_of<std::uint32_t>(corners(mesh));
 }
 
 /// The JSON of glTF of a mesh of triangles whose node mirrors, turns and moves it.

@@ -29,7 +29,6 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
-using CSCD::Point_format;
 
 struct Content
 {
@@ -37,7 +36,7 @@ struct Content
   std::vector<Vector> normals;
 };
 
-Content read(const std::string& text, Point_format format)
+Content read(const std::string& text, const std::string& format)
 {
   std::istringstream in(text);
   Content content;
@@ -50,47 +49,47 @@ const std::vector<Vector> expected_normals{{0, 0, 1}, {0.6, -0.8, 0}};
 
 TEST(read_points, reads_points_of_all_formats)
 {
-  EXPECT_EQ(expected_points, read("1 2 3\n-4 5.5 6e-3\n", Point_format::xyz).points);
-  EXPECT_EQ(expected_points, read("# comment\r\n\r\n 1\t2 3\r\n-4 5.5 .006", Point_format::xyz).points);
-  EXPECT_EQ(expected_points, read("2\n1 2 3\n-4 5.5 6e-3\n", Point_format::pts).points);
-  EXPECT_EQ(expected_points, read("2\n1 2 3 -99 255 0 17\n-4 5.5 6e-3 -99 0 0 0\n", Point_format::pts).points);
-  EXPECT_EQ(expected_points, read("OFF\n2 0 0\n1 2 3\n-4 5.5 6e-3\n", Point_format::off).points);
+  EXPECT_EQ(expected_points, read("1 2 3\n-4 5.5 6e-3\n", ".xyz").points);
+  EXPECT_EQ(expected_points, read("# comment\r\n\r\n 1\t2 3\r\n-4 5.5 .006", ".xyz").points);
+  EXPECT_EQ(expected_points, read("2\n1 2 3\n-4 5.5 6e-3\n", ".pts").points);
+  EXPECT_EQ(expected_points, read("2\n1 2 3 -99 255 0 17\n-4 5.5 6e-3 -99 0 0 0\n", ".pts").points);
+  EXPECT_EQ(expected_points, read("OFF\n2 0 0\n1 2 3\n-4 5.5 6e-3\n", ".off").points);
   EXPECT_EQ(expected_points, read("ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
                                   "property float z\nend_header\n1 2 3\n-4 5.5 6e-3\n",
-                                  Point_format::ply)
+                                  ".ply")
                                  .points);
 }
 
 TEST(read_points, reads_normals_where_there_are_any)
 {
   const std::string lines = "1 2 3 0 0 1\n-4 5.5 6e-3 .6 -.8 0\n";
-  EXPECT_EQ(expected_normals, read(lines, Point_format::xyz).normals);
-  EXPECT_EQ(expected_points, read(lines, Point_format::xyz).points);
-  EXPECT_EQ(expected_normals, read("NOFF\n2 0 0\n" + lines, Point_format::off).normals);
+  EXPECT_EQ(expected_normals, read(lines, ".xyz").normals);
+  EXPECT_EQ(expected_points, read(lines, ".xyz").points);
+  EXPECT_EQ(expected_normals, read("NOFF\n2 0 0\n" + lines, ".off").normals);
   EXPECT_EQ(expected_normals,
             read("ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double z\n"
                  "property double nx\nproperty double ny\nproperty double nz\nend_header\n" +
                      lines,
-                 Point_format::ply)
+                 ".ply")
                 .normals);
 }
 
 TEST(read_points, takes_no_other_numbers_for_normals)
 {
-  EXPECT_TRUE(read("1 2 3\n1 2 4\n", Point_format::xyz).normals.empty());
-  EXPECT_TRUE(read("1 2 3 255 128 0\n1 2 4 0 0 1\n", Point_format::xyz).normals.empty());
-  EXPECT_TRUE(read("1 2 3 0 0 1\n1 2 4\n", Point_format::xyz).normals.empty());
-  EXPECT_TRUE(read("1 2 3 0 0 0\n1 2 4 0 0 0\n", Point_format::xyz).normals.empty());
-  EXPECT_TRUE(read("NOFF\n2 0 0\n1 2 3 0 0 1\n1 2 4\n", Point_format::off).normals.empty());
+  EXPECT_TRUE(read("1 2 3\n1 2 4\n", ".xyz").normals.empty());
+  EXPECT_TRUE(read("1 2 3 255 128 0\n1 2 4 0 0 1\n", ".xyz").normals.empty());
+  EXPECT_TRUE(read("1 2 3 0 0 1\n1 2 4\n", ".xyz").normals.empty());
+  EXPECT_TRUE(read("1 2 3 0 0 0\n1 2 4 0 0 0\n", ".xyz").normals.empty());
+  EXPECT_TRUE(read("NOFF\n2 0 0\n1 2 3 0 0 1\n1 2 4\n", ".off").normals.empty());
 }
 
 TEST(read_points, takes_columns_for_normals_by_the_unit_length_of_most_rows)
 {
   const std::vector<Vector> normals =
-      read("1 2 3 0 0 1\n1 2 4 0 1 0\n1 2 5 3 0 0\n1 2 6 1 0 0\n1 2 7 0 0 0\n", Point_format::xyz).normals;
+      read("1 2 3 0 0 1\n1 2 4 0 1 0\n1 2 5 3 0 0\n1 2 6 1 0 0\n1 2 7 0 0 0\n", ".xyz").normals;
   EXPECT_EQ((std::vector<Vector>{{0, 0, 1}, {0, 1, 0}, {0, 0, 0}, {1, 0, 0}, {0, 0, 0}}), normals);
-  EXPECT_TRUE(read("1 2 3 .2 .4 .1\n1 2 4 .9 .8 1\n1 2 5 0 0 1\n", Point_format::xyz).normals.empty());
-  EXPECT_TRUE(read("1 2 3 1 0 0\n1 2 4 1 0 0\n1 2 5 1 0 0\n", Point_format::xyz).normals.empty()) << "one color";
+  EXPECT_TRUE(read("1 2 3 .2 .4 .1\n1 2 4 .9 .8 1\n1 2 5 0 0 1\n", ".xyz").normals.empty());
+  EXPECT_TRUE(read("1 2 3 1 0 0\n1 2 4 1 0 0\n1 2 5 1 0 0\n", ".xyz").normals.empty()) << "one color";
 }
 
 TEST(read_points, passes_over_comments_and_a_header)
@@ -98,12 +97,12 @@ TEST(read_points, passes_over_comments_and_a_header)
   for (const char* const text :
        {"x y z\n1 2 3\n-4 5.5 6e-3\n", "// x y z\n1 2 3 // first\n# second\n-4 5.5 6e-3\n",
         "# two points\n\"x\" \"y\" \"z\"\n1 2 3 # first\n-4 5.5 6e-3\n", "2\n1 2 3\n-4 5.5 6e-3\n"}) {
-    EXPECT_EQ(expected_points, read(text, Point_format::xyz).points) << text;
+    EXPECT_EQ(expected_points, read(text, ".xyz").points) << text;
   }
 }
 
 /// The message that refuses the text; points stay as they were.
-std::string refusal(const std::string& text, Point_format format)
+std::string refusal(const std::string& text, const std::string& format)
 {
   std::istringstream in(text);
   std::vector<Point> points(3);
@@ -124,13 +123,13 @@ TEST(read_points, reads_tables_by_the_names_of_their_columns)
                            "//X Y Z R G B\n2\n1 2 3 255 0 0\n-4 5.5 6e-3 0 0 9\n",
                            "# exported, with commas\n1 2 3\n-4 5.5 6e-3\n", "id x y z\n7 1 2 3\n8 -4 5.5 6e-3\n",
                            "x,y,z,intensity\n1,2,3,\n-4,5.5,6e-3,1\n", "1,2,3,,,\n-4,5.5,6e-3,,,\n"}) {
-    EXPECT_EQ(expected_points, read(text, Point_format::xyz).points) << text;
-    EXPECT_TRUE(read(text, Point_format::xyz).normals.empty()) << text;
+    EXPECT_EQ(expected_points, read(text, ".xyz").points) << text;
+    EXPECT_TRUE(read(text, ".xyz").normals.empty()) << text;
   }
   const char* const with_normals = "//X Y Z R G B Nx Ny Nz\n1 2 3 9 9 9 0 0 1\n-4 5.5 6e-3 9 9 9 0.6 -.8 0\n";
-  EXPECT_EQ(expected_points, read(with_normals, Point_format::xyz).points);
-  EXPECT_EQ(expected_normals, read(with_normals, Point_format::xyz).normals);
-  EXPECT_EQ(expected_normals, read("1,2,3,0,0,1\n-4,5.5,6e-3,.6,-.8,0\n", Point_format::xyz).normals);
+  EXPECT_EQ(expected_points, read(with_normals, ".xyz").points);
+  EXPECT_EQ(expected_normals, read(with_normals, ".xyz").normals);
+  EXPECT_EQ(expected_normals, read("1,2,3,0,0,1\n-4,5.5,6e-3,.6,-.8,0\n", ".xyz").normals);
 }
 
 template <class Number>
@@ -176,7 +175,7 @@ TEST(read_points, reads_pcd)
 {
   for (const char* encoding : {"ascii", "binary"}) {
     SCOPED_TRACE(encoding);
-    const Content content = read(pcd(encoding), Point_format::pcd);
+    const Content content = read(pcd(encoding), ".pcd");
     EXPECT_EQ(expected_points, content.points) << "what is not finite is left out";
     ASSERT_EQ(2u, content.normals.size());
     EXPECT_EQ(expected_normals[0], content.normals[0]);
@@ -213,7 +212,7 @@ std::string las(std::uint32_t number_of_points)
 
 TEST(read_points, reads_las)
 {
-  const Content content = read(las(2), Point_format::las);
+  const Content content = read(las(2), ".las");
   ASSERT_EQ(2u, content.points.size());
   EXPECT_LT(CGAL::squared_distance(expected_points[0], content.points[0]), 1e-20);
   EXPECT_LT(CGAL::squared_distance(expected_points[1], content.points[1]), 1e-20);
@@ -224,7 +223,7 @@ TEST(read_points, reads_points_of_vtk)
   EXPECT_EQ(expected_points,
             read("# vtk DataFile Version 3.0\npoints\nASCII\nDATASET POLYDATA\nPOINTS 2 double\n1 2 3 -4 "
                  "5.5 6e-3\nVERTICES 1 3\n2 0 1\n",
-                 Point_format::vtk)
+                 ".vtk")
                 .points);
 }
 
@@ -232,11 +231,11 @@ TEST(read_points, survives_damaged_scans)
 {
   std::mt19937 random(7);
   for (const auto& [content, format] :
-       std::vector<std::pair<std::string, Point_format>>{{pcd("ascii"), Point_format::pcd},
-                                                         {pcd("binary"), Point_format::pcd},
-                                                         {las(2), Point_format::las},
-                                                         {"//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", Point_format::xyz},
-                                                         {"id,x,y,z\n7,1,2,3\n", Point_format::xyz}}) {
+       std::vector<std::pair<std::string, std::string>>{{pcd("ascii"), ".pcd"},
+                                                        {pcd("binary"), ".pcd"},
+                                                        {las(2), ".las"},
+                                                        {"//X Y Z Nx Ny Nz\n1 2 3 0 0 1\n", ".xyz"},
+                                                        {"id,x,y,z\n7,1,2,3\n", ".xyz"}}) {
     for (int i = 0; i < 400; ++i) {
       std::string damaged = content;
       for (int k = 0; k < 3; ++k) {
@@ -257,15 +256,15 @@ TEST(read_points, survives_damaged_scans)
 
 TEST(read_points, refuses_malformed_files)
 {
-  EXPECT_EQ("cloud: the file is empty; fetch or write it again", refusal("", Point_format::xyz));
-  EXPECT_EQ("cloud: the file has no points; fetch or write it again", refusal("# nothing\n", Point_format::xyz));
-  EXPECT_EQ(0u, refusal("x y z\nx y z\n1 2 3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("1 2 3\n1 2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
-  EXPECT_EQ(0u, refusal("1 2 3\n1 2 x\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2,3\n1,,3\n", Point_format::xyz).rfind("cloud, line 3: a number", 0));
-  EXPECT_EQ(0u, refusal("1;2;3\n1,5;2,5;3\n", Point_format::xyz).rfind("cloud, line 2: a number", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2\n", Point_format::xyz).rfind("cloud, line 2: a point has fewer", 0));
-  EXPECT_EQ(0u, refusal("x,y,z\n1,2,inf\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));
+  EXPECT_EQ("cloud: the file is empty; fetch or write it again", refusal("", ".xyz"));
+  EXPECT_EQ("cloud: the file has no points; fetch or write it again", refusal("# nothing\n", ".xyz"));
+  EXPECT_EQ(0u, refusal("x y z\nx y z\n1 2 3\n", ".xyz").rfind("cloud, line 2: a number", 0));
+  EXPECT_EQ(0u, refusal("1 2 3\n1 2\n", ".xyz").rfind("cloud, line 2: a point has fewer", 0));
+  EXPECT_EQ(0u, refusal("1 2 3\n1 2 x\n", ".xyz").rfind("cloud, line 2: a number", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2,3\n1,,3\n", ".xyz").rfind("cloud, line 3: a number", 0));
+  EXPECT_EQ(0u, refusal("1;2;3\n1,5;2,5;3\n", ".xyz").rfind("cloud, line 2: a number", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2\n", ".xyz").rfind("cloud, line 2: a point has fewer", 0));
+  EXPECT_EQ(0u, refusal("x,y,z\n1,2,inf\n", ".xyz").rfind("cloud, line 2: a coordinate is not finite", 0));
   for (const char* encoding : {"ascii", "binary"}) {
     const std::string file = pcd(encoding);
     for (const auto& [old_text, new_text] :
@@ -277,48 +276,29 @@ TEST(read_points, refuses_malformed_files)
                                                           {"DATA ", "DATA x"},
                                                           {"POINTS", "DATA"}}) {
       std::string changed = file;
-      EXPECT_EQ(0u, refusal(changed.replace(changed.find(old_text), old_text.size(), new_text), Point_format::pcd)
-                        .rfind("cloud", 0));
+      EXPECT_EQ(0u,
+                refusal(changed.replace(changed.find(old_text), old_text.size(), new_text), ".pcd").rfind("cloud", 0));
     }
-    EXPECT_EQ(0u, refusal(file.substr(0, file.size() - 9), Point_format::pcd).rfind("cloud", 0));
-    EXPECT_EQ(0u, refusal(file.substr(0, 100), Point_format::pcd).rfind("cloud", 0));
+    EXPECT_EQ(0u, refusal(file.substr(0, file.size() - 9), ".pcd").rfind("cloud", 0));
+    EXPECT_EQ(0u, refusal(file.substr(0, 100), ".pcd").rfind("cloud", 0));
   }
-  EXPECT_NE(std::string::npos,
-            refusal(pcd("binary_compressed"), Point_format::pcd).find("write the file as DATA binary"))
+  EXPECT_NE(std::string::npos, refusal(pcd("binary_compressed"), ".pcd").find("write the file as DATA binary"))
       << "names the remedy";
-  EXPECT_EQ(0u, refusal(las(3), Point_format::las).rfind("cloud", 0));
-  EXPECT_EQ(0u, refusal(las(4000000000U), Point_format::las).rfind("cloud", 0));
-  EXPECT_EQ(0u, refusal(las(2).substr(0, 200), Point_format::las).rfind("cloud", 0));
-  EXPECT_NE(std::string::npos, refusal(las(2).replace(104, 1, "\x80"), Point_format::las).find("laszip"))
-      << "names the remedy";
-  EXPECT_EQ(0u, refusal("1 2 3\n1 nan 2\n", Point_format::xyz).rfind("cloud, line 2: a coordinate is not finite", 0));
+  EXPECT_EQ(0u, refusal(las(3), ".las").rfind("cloud", 0));
+  EXPECT_EQ(0u, refusal(las(4000000000U), ".las").rfind("cloud", 0));
+  EXPECT_EQ(0u, refusal(las(2).substr(0, 200), ".las").rfind("cloud", 0));
+  EXPECT_NE(std::string::npos, refusal(las(2).replace(104, 1, "\x80"), ".las").find("laszip")) << "names the remedy";
+  EXPECT_EQ(0u, refusal("1 2 3\n1 nan 2\n", ".xyz").rfind("cloud, line 2: a coordinate is not finite", 0));
 }
 
 TEST(read_points, takes_the_format_from_the_ending)
 {
-  EXPECT_EQ(Point_format::xyz, CSCD::point_format("a.b/cloud.XYZ"));
-  EXPECT_EQ(Point_format::pts, CSCD::point_format("cloud.pts"));
-  EXPECT_THROW(CSCD::point_format("cloud.stl"), CSCD::File_error);
   const test_support::Temporary_folder folder;
-  folder.write("cloud.xyz", "1 2 3\n-4 5.5 6e-3\n");
+  folder.write("a.b.XYZ", "1 2 3\n-4 5.5 6e-3\n");
   Content content;
-  CSCD::read_points(folder.file("cloud.xyz"), content.points, content.normals);
+  CSCD::read_points(folder.file("a.b.XYZ"), content.points, content.normals);
   EXPECT_EQ(expected_points, content.points);
-}
-
-TEST(read_mesh_or_points, lets_faces_decide)
-{
-  CGAL::Surface_mesh<Point> mesh;
-  Content content;
-  std::istringstream points("OFF\n2 0 0\n1 2 3\n-4 5.5 6e-3\n");
-  EXPECT_FALSE(
-      CSCD::read_mesh_or_points(points, "cloud.off", "cloud", mesh, content.points, content.normals).has_value());
-  EXPECT_EQ(expected_points, content.points);
-  EXPECT_EQ(0u, num_vertices(mesh));
-  std::istringstream faces("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  EXPECT_TRUE(
-      CSCD::read_mesh_or_points(faces, "cloud.off", "cloud", mesh, content.points, content.normals).has_value());
-  EXPECT_EQ(3u, num_vertices(mesh));
+  EXPECT_THROW(CSCD::read_points(folder.file("cloud.stl"), content.points, content.normals), CSCD::File_error);
 }
 
 } // namespace

@@ -1,31 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Tests of labels of vertices: of meshes, points and repaired files, as CSV and as PLY.
+// Tests of labels of vertices: of meshes, points and repaired files, as CSV.
 
-#include "mesh_files.h"
 #include "support/convert_shape.h"
 #include "support/limb_shapes.h"
-#include <CSCD/IO/read_points.h>
-#include <CSCD/IO/read_triangle_mesh.h>
 #include <CSCD/IO/write_correspondence.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/extract_curve_skeleton.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <boost/range/iterator_range_core.hpp>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <sstream>
-#include <string>
 #include <vector>
 
 namespace {
@@ -35,7 +27,6 @@ using CSCD::no_index;
 using CSCD::Vector_3;
 using CSCD::Vertex_label;
 using Point = CGAL::Simple_cartesian<double>::Point_3;
-using Segment = CGAL::Simple_cartesian<double>::Segment_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Skeleton = CSCD::Skeleton_graph<Point, Mesh::Vertex_index>;
 
@@ -67,40 +58,16 @@ TEST(Label_vertices, agrees_with_the_skeleton)
       const Vertex_label& label = y.labels[std::size_t(vertex)];
       EXPECT_EQ(node, label.node);
       EXPECT_EQ(y.branches.branch_of_node[node], label.branch);
-      EXPECT_EQ(y.skeleton[node].radius, label.radius);
-      double distance = 1e9;
-      for (const auto edge : boost::make_iterator_range(out_edges(node, y.skeleton))) {
-        const Segment segment(y.skeleton[node].point, y.skeleton[target(edge, y.skeleton)].point);
-        distance = std::min(distance, std::sqrt(CGAL::squared_distance(y.mesh.point(vertex), segment)));
-      }
-      EXPECT_NEAR(distance, label.distance, 1e-9);
       ++number_of_labels;
     }
   }
   EXPECT_EQ(y.labels.size(), number_of_labels);
 }
 
-TEST(Label_vertices, of_points_measures_to_the_edges_of_their_node)
+TEST(Write_correspondence, leaves_fields_of_vertices_without_a_node_empty)
 {
-  CSCD::Skeleton_graph<Point, std::size_t> skeleton(3);
-  skeleton[0].point = Point(0, 0, 0);
-  skeleton[1].point = Point(4, 0, 0);
-  skeleton[2].point = Point(8, 0, 0);
-  skeleton[1].radius = 2;
-  skeleton[1].vertices = {0, 2};
-  add_edge(0, 1, skeleton);
-  add_edge(1, 2, skeleton);
-  const std::vector<Point> points{Point(3, 2, 0), Point(7, 7, 7), Point(5, 0, -3)};
-  const std::vector<Vertex_label> labels = label_vertices(points, skeleton, CSCD::measure_branches(skeleton));
-  EXPECT_EQ(1u, labels[0].node);
-  EXPECT_EQ(0u, labels[0].branch);
-  EXPECT_EQ(2, labels[0].radius);
-  EXPECT_EQ(2, labels[0].distance);
-  EXPECT_EQ(3, labels[2].distance);
-  EXPECT_EQ(no_index, labels[1].node);
-  EXPECT_TRUE(std::isnan(labels[1].distance));
   std::ostringstream out;
-  write_correspondence(out, labels);
+  CSCD::write_correspondence(out, {{1, 0}, {no_index, no_index}, {1, 0}});
   EXPECT_EQ("vertex,node,branch\n0,1,0\n1,,\n2,1,0\n", out.str());
 }
 
@@ -128,47 +95,6 @@ TEST(Labels_of_file, follow_points_that_were_merged_doubled_and_dropped)
   EXPECT_EQ(2u, result[1].node);
   EXPECT_EQ(no_index, result[2].node);
   EXPECT_EQ(0u, result[3].node);
-}
-
-TEST(Write_labelled_ply, is_read_as_the_same_mesh)
-{
-  const Labelled_mesh y = labelled_y_tube();
-  std::ostringstream out;
-  write_labelled_ply(out, y.mesh, y.labels);
-  std::istringstream in(out.str());
-  Mesh read;
-  EXPECT_TRUE(CSCD::read_triangle_mesh(in, CSCD::Mesh_format::ply, "y.ply", read).is_empty());
-  ASSERT_EQ(num_vertices(y.mesh), num_vertices(read));
-  ASSERT_EQ(num_faces(y.mesh), num_faces(read));
-  for (const auto vertex : vertices(read)) {
-    EXPECT_EQ(y.mesh.point(vertex), read.point(vertex));
-  }
-}
-
-TEST(Write_labelled_ply, has_the_labels_behind_the_coordinates)
-{
-  const std::vector<Point> points{Point(1, 2, 3), Point(4, 5, 6)};
-  std::vector<Vertex_label> labels(2);
-  labels[0] = {7, 8, 0.5, 0.25};
-  std::ostringstream out;
-  write_labelled_ply(out, points, labels);
-  const std::string text = out.str();
-  const std::string end = "property int node\nproperty int branch\nproperty double radius\nproperty double distance\n"
-                          "end_header\n";
-  const std::size_t begin = text.find(end) + end.size();
-  constexpr std::size_t size_of_vertex = 3 * 8 + 2 * 4 + 2 * 8;
-  ASSERT_EQ(begin + 2 * size_of_vertex, text.size());
-  const auto number = [&](std::size_t offset, auto value) { // on a machine of this byte order, as all that are tested
-    std::memcpy(&value, text.data() + begin + offset, sizeof(value));
-    return value;
-  };
-  EXPECT_EQ(2, number(8, 0.));
-  EXPECT_EQ(7, number(24, std::int32_t(0)));
-  EXPECT_EQ(8, number(28, std::int32_t(0)));
-  EXPECT_EQ(0.5, number(32, 0.));
-  EXPECT_EQ(0.25, number(40, 0.));
-  EXPECT_EQ(-1, number(size_of_vertex + 24, std::int32_t(0)));
-  EXPECT_TRUE(std::isnan(number(size_of_vertex + 32, 0.)));
 }
 
 } // namespace

@@ -8,7 +8,6 @@
 #include "support/convert_shape.h"
 #include "support/shapes.h"
 #include <CSCD/Measure/evaluate_skeleton.h>
-#include <CSCD/Measure/reconstruct_surface.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/exceptions.h>
 
@@ -97,7 +96,6 @@ TEST(Evaluate_skeleton, centreline_of_a_capsule_is_perfect)
   EXPECT_EQ(0, m.position.max_distance_outside);
   EXPECT_NEAR(0, m.position.offset_by_length, 1e-3);
   EXPECT_NEAR(0, m.position.deviation_by_length, 2e-3);
-  EXPECT_NEAR(0, m.position.offset_at_nodes, 1e-3);
   EXPECT_NEAR(0, m.counts.mean_turning, 1e-6);
   // The vertices are on the round cones exactly; the triangulation differs by the square of a cell over the radius.
   EXPECT_NEAR(0, m.mean_distance_from_round_cones, 1e-12);
@@ -126,7 +124,6 @@ TEST(Evaluate_skeleton, centreline_of_a_torus_is_a_cycle_in_the_middle)
   EXPECT_NEAR(2 * pi / n, m.counts.max_turning, 1e-9);
   EXPECT_NEAR(1. / 4, m.counts.mean_turning, 0.005); // the radius of the body over that of the circle
   EXPECT_NEAR(0, m.position.offset_by_length, 0.005);
-  EXPECT_NEAR(0, m.position.deviation_at_nodes, 0.01);
   EXPECT_LT(m.mean_distance_from_round_cones * m.diagonal, 0.01);
   EXPECT_LT(m.round_cones.mean * m.diagonal, 0.01);
   // A bent line swells: towards the center of the torus more of it is near.
@@ -177,7 +174,6 @@ TEST(Evaluate_skeleton, off_the_axis_of_a_cylinder_the_ray_star_is_known)
     // vectors d/2, the mean of their squares 1.
     const double mean = 2 / pi * boost::math::ellint_2(d);
     EXPECT_NEAR(d / 2 / mean, m.position.offset_by_length, 2e-3) << d;
-    EXPECT_NEAR(d / 2 / mean, m.position.offset_at_nodes, 2e-3) << d;
     EXPECT_NEAR(std::sqrt(1 - mean * mean) / mean, m.position.deviation_by_length, 2e-3) << d;
   }
 }
@@ -322,27 +318,6 @@ TEST(Evaluate_skeleton, edges_without_length_and_repeated_nodes_do_no_harm)
   EXPECT_LT(m.round_cones.mean * m.diagonal, 0.05);
   EXPECT_TRUE(std::isfinite(m.convolution.mean));
   EXPECT_EQ(1u, m.counts.betti_number); // the edge from a node to itself
-}
-
-TEST(Reconstruct_surface, is_the_surface_that_is_measured)
-{
-  const Shape shape = capsule(8, 1, 32);
-  const Mesh mesh = mesh_of(shape);
-  const Skeleton skeleton = centreline(shape);
-  const Skeleton_measures m = evaluate_skeleton(mesh, skeleton);
-  Mesh surface;
-  CSCD::reconstruct_surface(mesh, skeleton, surface,
-                            parameters::reconstruction_method(CSCD::Reconstruction_method::round_cones));
-  EXPECT_EQ(m.round_cones.number_of_faces, num_faces(surface));
-  EXPECT_TRUE(CGAL::is_closed(surface));
-  for (const auto v : vertices(surface)) { // in the coordinates of the input
-    const Triple p = to_triple(surface.point(v));
-    const double x = std::clamp(p[0], 0., 8.);
-    EXPECT_NEAR(1, norm(p - Triple{x, 0, 0}), 0.005);
-  }
-  CSCD::reconstruct_surface(mesh, skeleton, surface, parameters::resolution(50));
-  EXPECT_TRUE(CGAL::is_closed(surface));
-  EXPECT_GT(m.convolution.number_of_faces, 10 * num_faces(surface));
 }
 
 } // namespace

@@ -211,18 +211,13 @@ TEST(Simplify_skeleton, topology_and_partition_stay_and_repetition_changes_nothi
     const double significance = sometimes(8);
     const double length = sometimes(20);
     const double length_over_radius = sometimes(10);
-    const double junction_distance = sometimes(10);
     const double spacing = sometimes(6);
     const double spacing_over_radius = spacing > 0 ? 0 : sometimes(4);
     const bool joins = random() % 2 == 0;
     const auto pruning = parameters::minimum_significance(significance)
                              .minimum_branch_length(length)
                              .minimum_length_over_radius(length_over_radius);
-    const auto all = pruning.junction_distance(junction_distance)
-                         .join_components(joins)
-                         .spacing(spacing)
-                         .spacing_over_radius(spacing_over_radius)
-                         .number_of_smoothing_steps(random() % 3);
+    const auto all = pruning.join_components(joins).spacing(spacing).spacing_over_radius(spacing_over_radius);
     Skeleton simplified = skeleton;
     const CSCD::Simplification_report report = CSCD::simplify_skeleton(simplified, all);
     EXPECT_EQ(betti_number(simplified), betti_number(skeleton)) << seed;
@@ -257,7 +252,6 @@ TEST(Simplify_skeleton, topology_and_partition_stay_and_repetition_changes_nothi
     expect_idempotent(parameters::minimum_significance(significance), "significance");
     expect_idempotent(parameters::minimum_branch_length(length), "length");
     expect_idempotent(parameters::minimum_length_over_radius(length_over_radius), "length over radius");
-    expect_idempotent(parameters::junction_distance(junction_distance), "junctions");
     expect_idempotent(parameters::join_components(true), "joining");
     expect_idempotent(parameters::minimum_component_size(9), "components");
   }
@@ -288,29 +282,6 @@ TEST(Simplify_skeleton, vertices_of_a_limb_go_to_where_it_was_cut)
   EXPECT_EQ(report.number_of_removed_nodes, 9u);
   EXPECT_EQ(skeleton[middle].vertices.size(), 2u + 18u);
   EXPECT_EQ(skeleton[other].vertices.size(), 2u);
-}
-
-TEST(Simplify_skeleton, merges_junctions_in_their_middle)
-{
-  Skeleton skeleton;
-  const std::size_t a = add_node(skeleton, Point(0, 0, 0), 2);
-  const std::size_t b = add_limb(skeleton, a, {0.5, 0, 0}, 4, 1);
-  for (const double y : {10., -10.}) {
-    add_limb(skeleton, a, {-10, y, 0}, 2, 1);
-    add_limb(skeleton, b, {10, y, 0}, 2, 1);
-  }
-  Skeleton kept = skeleton;
-  CSCD::simplify_skeleton(kept, parameters::junction_distance(1.3)); // mean radius 1.5, distance 2
-  EXPECT_EQ(num_vertices(kept), num_vertices(skeleton));
-  const CSCD::Simplification_report report = CSCD::simplify_skeleton(skeleton, parameters::junction_distance(1.4));
-  EXPECT_EQ(report.number_of_merged_branches, 1u);
-  EXPECT_EQ(report.number_of_junctions, 1u);
-  EXPECT_EQ(report.number_of_tips, 4u);
-  const auto junction = std::find_if(vertices(skeleton).first, vertices(skeleton).second,
-                                     [&](std::size_t v) { return out_degree(v, skeleton) == 4; });
-  EXPECT_EQ(skeleton[*junction].point, Point(1, 0, 0));
-  EXPECT_EQ(skeleton[*junction].radius, 1);
-  EXPECT_EQ(skeleton[*junction].vertices.size(), 10u);
 }
 
 TEST(Simplify_skeleton, samples_evenly_on_the_branch)
@@ -420,7 +391,7 @@ TEST(Simplify_skeleton, joined_edges_stay_marked)
 TEST(Simplify_skeleton, stays_inside_of_the_mesh)
 {
   using Mesh = CGAL::Surface_mesh<Point>;
-  // A bent tube: a ring. Smoothing and coarse sampling leave its thin body.
+  // A bent tube: a ring. Coarse sampling leaves its thin body.
   Mesh mesh;
   constexpr int number_around = 60;
   constexpr int number_across = 12;
@@ -453,7 +424,7 @@ TEST(Simplify_skeleton, stays_inside_of_the_mesh)
     return least;
   };
   auto free = skeleton;
-  const auto np = parameters::spacing(1.5).number_of_smoothing_steps(20);
+  const auto np = parameters::spacing(1.5);
   CSCD::simplify_skeleton(free, np);
   EXPECT_LT(least_distance(free), 0.9);
   const CSCD::Simplification_report report = CSCD::simplify_skeleton(skeleton, mesh, np);
@@ -472,11 +443,9 @@ TEST(Simplify_skeleton, degenerate_skeletons)
   const auto all = parameters::minimum_significance(1)
                        .minimum_branch_length(1)
                        .minimum_length_over_radius(1)
-                       .junction_distance(1)
                        .join_components(true)
                        .spacing(1)
-                       .minimum_component_size(2)
-                       .number_of_smoothing_steps(2);
+                       .minimum_component_size(2);
   Skeleton empty;
   EXPECT_EQ(CSCD::simplify_skeleton(empty, all).number_of_nodes, 0u);
 

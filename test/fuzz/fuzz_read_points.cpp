@@ -15,6 +15,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -30,7 +31,7 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Points = std::vector<Kernel::Point_3>;
 
-constexpr int number_of_point_formats = 7;
+constexpr std::array<const char*, 7> endings_of_points{".xyz", ".pts", ".ply", ".off", ".vtk", ".pcd", ".las"};
 constexpr std::size_t max_number_skeletonized = 500; // more would take most of the time
 const std::string name_of_points = "fuzz";
 
@@ -77,7 +78,7 @@ void skeletonize(const Points& points)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   CSCD::test::Bytes bytes(data, size);
-  const auto format = static_cast<CSCD::Point_format>(bytes.take() % number_of_point_formats);
+  const char* const format = endings_of_points[bytes.take() % endings_of_points.size()];
   std::istringstream in(bytes.rest());
   Points points;
   std::vector<Kernel::Vector_3> normals;

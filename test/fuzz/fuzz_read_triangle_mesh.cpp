@@ -15,6 +15,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -27,7 +28,7 @@ namespace {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-constexpr int number_of_formats = 7;
+constexpr std::array<const char*, 7> endings_of_meshes{".off", ".obj", ".ply", ".stl", ".vtk", ".glb", ".vtp"};
 const std::string name_of_file = "fuzz";
 
 void check_message(const std::exception& error, const Mesh& mesh)
@@ -46,7 +47,7 @@ void check_message(const std::exception& error, const Mesh& mesh)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   CSCD::test::Bytes bytes(data, size);
-  const auto format = static_cast<CSCD::Mesh_format>(bytes.take() % number_of_formats);
+  const char* const format = endings_of_meshes[bytes.take() % endings_of_meshes.size()];
   std::istringstream in(bytes.rest());
   Mesh mesh;
   try {

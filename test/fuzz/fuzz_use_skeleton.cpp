@@ -93,20 +93,16 @@ void simplify(Skeleton& skeleton, Bytes& bytes, double scale)
   const double significance = bytes.take() / 16.;
   const double length = scale * bytes.take() / 8;
   const double length_over_radius = bytes.take() / 16.;
-  const double junction_distance = bytes.take() / 16.;
   const bool join_components = bytes.take() % 2 != 0;
   const std::uint8_t spacing = bytes.take();
-  const std::size_t number_of_smoothing_steps = bytes.take() % 4;
   try {
     CSCD::simplify_skeleton(skeleton, CSCD::parameters::minimum_component_size(minimum_component_size)
                                           .minimum_significance(significance)
                                           .minimum_branch_length(length)
                                           .minimum_length_over_radius(length_over_radius)
-                                          .junction_distance(junction_distance)
                                           .join_components(join_components)
                                           .spacing(spacing % 2 == 0 ? scale * spacing / 8 : 0)
-                                          .spacing_over_radius(spacing % 2 == 0 ? 0 : spacing / 64.)
-                                          .number_of_smoothing_steps(number_of_smoothing_steps));
+                                          .spacing_over_radius(spacing % 2 == 0 ? 0 : spacing / 64.));
   } catch (const CSCD::Input_error&) {
     if (num_vertices(skeleton) != before.number_of_nodes || num_edges(skeleton) != before.number_of_edges) {
       fail("refused with an output");

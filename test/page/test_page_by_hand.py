@@ -104,7 +104,7 @@ def main():
     copy = folder / "mesh.off"
     copy.write_bytes(pathlib.Path(mesh).read_bytes())
     page = folder / "page.html"
-    written = subprocess.run([program, "skeletonize", str(copy), "--html", str(page), "-q"], check=False, timeout=120,
+    written = subprocess.run([program, "skeletonize", str(copy), "-o", str(page), "-q"], check=False, timeout=120,
                              capture_output=True, text=True)
     if "three.js" in written.stderr or not chromium.is_installed():
         print("skipped: Chromium or three.js is not there")

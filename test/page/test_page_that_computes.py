@@ -18,7 +18,7 @@ MAX_MODULE_SIZE = 1_500_000  # bytes
 MESHES = ["elephant", "knot1", "homer", "camel", "refined_elephant"]
 # Endings of texts and the option of the program for them; numbers may differ in their last digits.
 TEXTS = {".graph": "-o", ".json": "-o", ".obj": "-o", ".polylines.txt": "-o", ".ply": "-o", ".swc": "-o", ".vtp": "-o",
-         ".graphml": "-o", "_branches.csv": "--branches", "_nodes.csv": "--nodes",
+         "_branches.csv": "--branches", "_nodes.csv": "--nodes",
          "_vertices.csv": "--correspondence"}
 NUMBER = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 # The C libraries and the order of sums differ.
@@ -89,14 +89,14 @@ def check_formats(browser, program, folder, file):
         of_program = written(program, folder, file, ending, option)
         worst = 0 if of_page == of_program else difference(of_page.decode(), of_program.decode())
         check(worst <= TOLERANCE, f"{ending}: {'the same bytes' if of_page == of_program else f'numbers by {worst:.0e}'}")
-    for ending, option, begin in [(".glb", "-o", b"glTF"), ("_labelled.ply", "--labelled", b"ply")]:
+    for ending, option, begin in [(".glb", "-o", b"glTF")]:
         of_page = saved(browser, file, ending)
         of_program = written(program, folder, file, ending, option)
         check(of_page.startswith(begin) and len(of_page) == len(of_program), f"{ending}: {len(of_page)} bytes as there")
     report = saved(browser, file, "_report.json")
     check(b'"seconds"' in report, "_report.json")
     without_data = [re.sub(rb'\["[fud]", ?"[^"]*"\]', b"", page)
-                    for page in (saved(browser, file, ".html"), written(program, folder, file, ".html", "--html"))]
+                    for page in (saved(browser, file, ".html"), written(program, folder, file, ".html", "-o"))]
     check(without_data[0] == without_data[1], ".html: the same bytes, arrays of numbers left out")
 
 

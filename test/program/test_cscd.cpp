@@ -103,7 +103,7 @@ TEST_F(Cscd, diameter_of_each_vertex_in_the_order_of_the_file)
 TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
 {
   m_folder.write("torus.off", off(torus()));
-  for (const std::string options : {"", "--parts 4", "--by diameter"}) {
+  for (const std::string options : {"", "--parts 4"}) {
     const Outcome outcome = run("segment torus.off -o torus.seg " + options);
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_NE(std::string::npos, outcome.out.find(" parts\n"));
@@ -119,9 +119,7 @@ TEST_F(Cscd, part_of_each_face_in_the_order_of_the_file)
       EXPECT_EQ(parts.size(), 4u);
     }
   }
-  expect_refusal("segment torus.off -o a.seg --by colour", 1, {"--by"});
   expect_refusal("segment torus.off -o a.seg --parts 0", 1, {"--parts"});
-  expect_refusal("segment torus.off -o a.seg --parts 4 --by diameter", 1, {"--parts"});
 }
 
 /// Points that are named twice, squares and faces without area change the mesh, not the output.
@@ -156,55 +154,19 @@ TEST_F(Cscd, results_follow_the_file_although_the_mesh_was_repaired)
   EXPECT_EQ(parts, lines("segment --parts 3", "torus.off", "torus.seg"));
 }
 
-TEST_F(Cscd, commands_that_use_skeletons_write_reports)
-{
-  m_folder.write("torus.off", off(torus()));
-  const auto report = [&](const std::string& arguments) {
-    const Outcome outcome = run(arguments + " torus.off -o result.json --report report.json");
-    EXPECT_EQ(0, outcome.status) << outcome.err;
-    return nlohmann::json::parse(content("report.json"));
-  };
-  const nlohmann::json segmentation = report("segment --parts 3");
-  EXPECT_EQ(segmentation.at("genus"), 1);
-  EXPECT_EQ(segmentation.at("segmentation").at("number_of_parts"), 3);
-  std::size_t number_of_faces = 0;
-  for (const auto& part : segmentation.at("segmentation").at("parts")) {
-    number_of_faces += part.at("number_of_faces").get<std::size_t>();
-    EXPECT_GT(part.at("area").get<double>(), 0);
-  }
-  EXPECT_EQ(number_of_faces, torus().polygons.size());
-  const nlohmann::json diameters = report("diameter").at("diameters");
-  EXPECT_LE(diameters.at("minimum").get<double>(), diameters.at("median").get<double>());
-  EXPECT_NEAR(diameters.at("mean").get<double>(), 2, 0.1); // the tube has radius 1
-  const nlohmann::json loops = report("loops");
-  EXPECT_EQ(loops.at("number_of_handles"), 1);
-  EXPECT_EQ(loops.at("number_of_tunnels"), 1);
-  EXPECT_EQ(loops.at("loops").size(), 2U);
-  for (const std::string command : {"segment", "diameter", "loops"}) {
-    expect_refusal(command + " torus.off -o - --report -", 1, {"standard output"});
-    expect_refusal(command + " torus.off -o a.json --report torus.off", 1, {"is the input"});
-  }
-}
-
 TEST_F(Cscd, loops_are_written_by_kind_and_format)
 {
   m_folder.write("torus.off", off(torus()));
-  const auto kinds = [&](const std::string& options) {
-    const Outcome outcome = run("loops torus.off -o loops.json " + options);
-    EXPECT_EQ(0, outcome.status) << outcome.err;
-    std::vector<std::string> result;
-    for (const auto& loop : nlohmann::json::parse(content("loops.json"))) {
-      EXPECT_GT(loop.at("length").get<double>(), 0);
-      EXPECT_GE(loop.at("points").size(), 3U);
-      EXPECT_EQ(3U, loop.at("points").at(0).size());
-      result.push_back(loop.at("kind"));
-    }
-    return result;
-  };
-  EXPECT_EQ((std::vector<std::string>{"handle", "tunnel"}), kinds(""));
-  EXPECT_EQ((std::vector<std::string>{"handle"}), kinds("--handles"));
-  EXPECT_EQ((std::vector<std::string>{"tunnel"}), kinds("--tunnels --constrictions"));
-  EXPECT_TRUE(kinds("--constrictions").empty());
+  const Outcome outcome = run("loops torus.off -o loops.json");
+  EXPECT_EQ(0, outcome.status) << outcome.err;
+  std::vector<std::string> kinds;
+  for (const auto& loop : nlohmann::json::parse(content("loops.json"))) {
+    EXPECT_GT(loop.at("length").get<double>(), 0);
+    EXPECT_GE(loop.at("points").size(), 3U);
+    EXPECT_EQ(3U, loop.at("points").at(0).size());
+    kinds.push_back(loop.at("kind"));
+  }
+  EXPECT_EQ((std::vector<std::string>{"handle", "tunnel"}), kinds);
   EXPECT_EQ(2U, nlohmann::json::parse(run("loops torus.off -o -").out).size());
   EXPECT_NE(std::string::npos, run("loops torus.off -o loops.obj").out.find("2 loops"));
   EXPECT_NE(std::string::npos, content("loops.obj").find("\nl 1 2 3 "));
@@ -244,9 +206,8 @@ TEST_F(Cscd, skeletonizes_without_the_name_of_a_command)
 TEST_F(Cscd, writes_pages_by_the_ending_of_an_output)
 {
   m_folder.write("torus.off", off(torus()));
-  EXPECT_EQ(0, run("torus.off -o page.html -o t.graph --html same.html -q").status);
+  EXPECT_EQ(0, run("torus.off -o page.html -o t.graph -q").status);
   EXPECT_NE(std::string::npos, content("page.html").find("<!doctype html>"));
-  EXPECT_EQ(content("page.html"), content("same.html"));
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
   expect_refusal("page.html -o page.html", 1, {"is the input"});
 }
@@ -280,7 +241,6 @@ TEST_F(Cscd, refuses_bad_usage)
   expect_refusal("skeletonize torus.off -o torus.graph -o torus.doc", 1, {"torus.doc", ".graph .json", "--help"});
   expect_refusal("skeletonize - < torus.off", 1, {"--format"});
   expect_refusal("skeletonize torus.off --report ''", 1, {"--report"});
-  expect_refusal("skeletonize torus.off --html ''", 1, {"--html"});
   expect_refusal("skeletonize torus.off -o - --report -", 1, {"standard output"});
   EXPECT_EQ(1, number_of_files());
 }
@@ -298,15 +258,11 @@ TEST_F(Cscd, names_the_bounds_of_numbers_shortly)
 TEST_F(Cscd, refuses_to_overwrite_its_input)
 {
   m_folder.write("torus.obj", obj(torus()));
-  m_folder.write("circle.obj", "v 3 0 0\nv 0 3 0\nl 1 2\n");
   std::filesystem::create_symlink("torus.obj", m_folder.path() / "link.obj");
-  for (const char* output :
-       {"-o torus.obj", "-o ./torus.obj", "-o link.obj", "--report torus.obj", "--html torus.obj"}) {
+  for (const char* output : {"-o torus.obj", "-o ./torus.obj", "-o link.obj", "--report torus.obj"}) {
     expect_refusal(std::string("skeletonize torus.obj ") + output, 1, {"is the input", "name another file"});
   }
   expect_refusal("skeletonize link.obj -o torus.obj", 1, {"is the input"});
-  expect_refusal("evaluate torus.obj circle.obj --round-cones torus.obj", 1, {"is the input"});
-  expect_refusal("evaluate torus.obj circle.obj --convolution-surface circle.obj", 1, {"is the input"});
   EXPECT_EQ(obj(torus()), content("torus.obj"));
 }
 
@@ -334,7 +290,6 @@ TEST_F(Cscd, refuses_bad_input)
   expect_refusal("skeletonize . -o a.graph", 2, {"."});
   expect_refusal("skeletonize - --format off -o a.graph < empty.off", 2, {"standard input", "; "});
   expect_refusal("skeletonize - --format off.gz -o a.graph < empty.off", 2, {"standard input", "the file is empty"});
-  expect_refusal("skeletonize - --format off.zst -o a.graph < empty.off", 2, {"standard input", "compressed"});
   expect_refusal("skeletonize torus.off --format stl -o a.graph", 2, {"torus.off", "STL"});
   EXPECT_EQ(7, number_of_files());
 }
@@ -344,7 +299,7 @@ TEST_F(Cscd, refuses_outputs_that_cannot_be_written)
   m_folder.write("torus.off", off(torus()));
   expect_refusal("skeletonize torus.off -o missing/a.graph", 2, {"missing/a.graph: cannot be written", "; check"});
   expect_refusal("skeletonize torus.off --report missing/a.json", 2, {"missing/a.json: cannot be written"});
-  expect_refusal("skeletonize torus.off --html missing/a.html", 2, {"missing/a.html: cannot be written"});
+  expect_refusal("skeletonize torus.off -o missing/a.html", 2, {"missing/a.html: cannot be written"});
   EXPECT_EQ(1, number_of_files());
 }
 
@@ -361,7 +316,7 @@ TEST_F(Cscd, skeletonizes_points)
   EXPECT_EQ("published", nlohmann::json::parse(content("p.json")).at("method"));
   m_folder.write("torus.off", off({torus().points, {}}));
   for (const char* name : {"torus.xyz", "torus.off", "- --format xyz < torus.xyz"}) {
-    const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json --html t.html ") + name);
+    const Outcome outcome = run(std::string("skeletonize -o t.graph --report r.json -o t.html ") + name);
     EXPECT_EQ(0, outcome.status) << outcome.err;
     EXPECT_NE(std::string::npos, outcome.out.find("1440 points, 1 component, genus 1")) << outcome.out;
     EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
@@ -419,10 +374,27 @@ TEST_F(Cscd, says_what_the_numbers_behind_coordinates_are)
             with_colors.err.find("colors.xyz: three numbers behind the coordinates are not normals"));
 }
 
+TEST_F(Cscd, lists_the_openings_of_points)
+{
+  std::ostringstream tube; // open at both ends
+  for (int i = 0; i < 60; ++i) {
+    for (int j = 0; j < 24; ++j) {
+      const double angle = (2 * j + i % 2) * 3.141592653589793 / 24;
+      tube << 0.26 * i << ' ' << std::cos(angle) << ' ' << std::sin(angle) << '\n';
+    }
+  }
+  m_folder.write("tube.xyz", tube.str());
+  EXPECT_EQ(0, run("skeletonize tube.xyz --report t.json --branches t.csv -q").status);
+  const nlohmann::json report = nlohmann::json::parse(content("t.json"));
+  EXPECT_EQ(2, report.at("number_of_openings"));
+  EXPECT_EQ(2u, report.at("openings").size());
+  EXPECT_NE(std::string::npos, content("t.csv").find(",opening,opening,")) << content("t.csv");
+}
+
 TEST_F(Cscd, skeletonizes_trees)
 {
   m_folder.write("pole.xyz", pole());
-  const Outcome outcome = run("skeletonize pole.xyz --shape tree -o t.swc --report r.json --html t.html");
+  const Outcome outcome = run("skeletonize pole.xyz --shape tree -o t.swc --report r.json -o t.html");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_NE(std::string::npos, outcome.out.find(" points, 1 tree\n")) << outcome.out;
   const nlohmann::json report = nlohmann::json::parse(content("r.json"));
@@ -509,8 +481,8 @@ TEST_F(Cscd, writes_which_node_each_vertex_belongs_to)
   soup.polygons.push_back(soup.polygons.front()); // makes a repair of the soup necessary, too
   m_folder.write("y.off", off(mesh));
   m_folder.write("soup.off", off(soup));
-  EXPECT_EQ(0, run("skeletonize y.off --correspondence y.csv --labelled y.ply -q").status);
-  const Outcome outcome = run("skeletonize soup.off --correspondence soup.csv --labelled soup.ply");
+  EXPECT_EQ(0, run("skeletonize y.off --correspondence y.csv -q").status);
+  const Outcome outcome = run("skeletonize soup.off --correspondence soup.csv");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_NE(std::string::npos, outcome.err.find("1 vertex of " + std::to_string(soup.points.size()))) << outcome.err;
   EXPECT_NE(std::string::npos, outcome.err.find("duplicate points merged")) << outcome.err;
@@ -531,8 +503,6 @@ TEST_F(Cscd, writes_which_node_each_vertex_belongs_to)
     EXPECT_NE(',', label.front());
   }
   EXPECT_EQ(mesh.points.size(), node_at.size());
-  EXPECT_NE(std::string::npos, content("soup.ply").find("element vertex " + std::to_string(soup.points.size())));
-  EXPECT_EQ(0, run("skeletonize y.ply -o again.graph").status);
 }
 
 TEST_F(Cscd, wraps_parts_that_cut_each_other)
@@ -572,10 +542,9 @@ TEST_F(Cscd, wraps_parts_that_cut_each_other)
 TEST_F(Cscd, writes_which_node_each_point_belongs_to)
 {
   m_folder.write("pole.xyz", pole());
-  EXPECT_EQ(0, run("skeletonize pole.xyz --shape tree --correspondence t.csv --labelled t.ply -q").status);
+  EXPECT_EQ(0, run("skeletonize pole.xyz --shape tree --correspondence t.csv -q").status);
   EXPECT_EQ(number_of_lines(pole()) + 1, number_of_lines(content("t.csv")));
   EXPECT_EQ(std::string::npos, content("t.csv").find(",,"));
-  EXPECT_EQ(0, run("skeletonize t.ply --shape tree -o t.graph -q").status);
 }
 
 TEST_F(Cscd, writes_swc_for_readers_of_neurons)
@@ -660,7 +629,7 @@ TEST_F(Cscd, simplifies_skeletons)
   EXPECT_EQ(2, tips_after("--min-length-over-radius 5"));
   EXPECT_EQ(3, tips_after("--min-significance 1 --join")); // the tip of 6 is joined to the node apart
   EXPECT_EQ(1u, nlohmann::json::parse(content("t.json")).at("joined_edges").size());
-  EXPECT_EQ(4, tips_after("--min-component 2 --spacing 0.5r --smooth 3"));
+  EXPECT_EQ(4, tips_after("--min-component 2 --spacing 0.5r"));
   EXPECT_LT(50u, nlohmann::json::parse(content("t.json")).at("nodes").size());
   EXPECT_EQ(4, tips_after("--spacing 2"));
 
@@ -685,8 +654,7 @@ TEST_F(Cscd, simplifies_inside_of_a_mesh)
   m_folder.write("torus.off", off(torus()));
   EXPECT_EQ(0, run("skeletonize torus.off -o t.graph -q").status);
   // The radii that significance needs are estimated from the mesh.
-  const Outcome outcome =
-      run("simplify t.graph -o t.json --mesh torus.off --min-significance 1 --spacing 20 --smooth 50");
+  const Outcome outcome = run("simplify t.graph -o t.json --mesh torus.off --min-significance 1 --spacing 20");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   const nlohmann::json nodes = nlohmann::json::parse(content("t.json")).at("nodes");
   EXPECT_LT(3u, nodes.size());
@@ -706,7 +674,7 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
   expect_refusal("simplify cross.json -o cross.json", 1, {"is the input", "name another file"});
   expect_refusal("simplify cross.json -o cloud.off --mesh cloud.off", 1, {"cloud.off"});
   expect_refusal("simplify cross.json -o a.doc", 1, {"a.doc", ".graph .json"});
-  expect_refusal("simplify cross.graphml -o a.json", 1, {"cross.graphml"});
+  expect_refusal("simplify cross.dot -o a.json", 1, {"cross.dot"});
   expect_refusal("simplify cross.json -o a.glb", 1, {"a.glb"});
   expect_refusal("simplify cross.json -o a.json --spacing -1", 1, {"--spacing", "-1"});
   expect_refusal("simplify cross.json -o a.json --spacing 1x", 1, {"--spacing", "1x"});
@@ -714,7 +682,6 @@ TEST_F(Cscd, refuses_simplifications_that_make_no_sense)
   expect_refusal("simplify cross.json -o a.json --min-significance nan", 1, {"--min-significance"});
   expect_refusal("simplify cross.json -o a.json --min-length 1r", 1, {"--min-length"});
   expect_refusal("simplify cross.json -o a.json --min-component 0", 1, {"--min-component"});
-  expect_refusal("simplify cross.json -o a.json --smooth x", 1, {"--smooth"});
   expect_refusal("simplify cross.json -o - -o -", 1, {"standard output"});
   expect_refusal("simplify missing.json -o a.json", 2, {"missing.json"});
   expect_refusal("simplify cross.graph -o a.json --min-significance 1", 2, {"cross.graph", "no radii"});
@@ -788,12 +755,12 @@ TEST_F(Cscd, writes_all_formats_at_once)
   m_folder.write("torus.off", off(torus()));
   const Outcome outcome =
       run("skeletonize torus.off -o t.graph -o t.json -o t.obj --output t.ply -o t.polylines.txt -o t.swc -o t.vtp "
-          "-o t.graphml --report r.json");
+          "--report r.json");
   EXPECT_EQ(0, outcome.status) << outcome.err;
   EXPECT_EQ("", outcome.err);
   EXPECT_TRUE(is_graph_of_a_cycle(content("t.graph")));
-  EXPECT_EQ(10, number_of_files());
-  for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp", "t.graphml"}) {
+  EXPECT_EQ(9, number_of_files());
+  for (const char* name : {"t.json", "t.obj", "t.ply", "t.polylines.txt", "t.swc", "t.vtp"}) {
     EXPECT_LT(100u, content(name).size()) << name;
   }
 }
@@ -1011,7 +978,7 @@ TEST_F(Cscd, writes_a_page_with_all_in_it)
 {
   std::filesystem::create_directory(m_folder.path() / "meshes");
   m_folder.write("meshes/torus.off", off(torus()));
-  const Outcome outcome = run("skeletonize meshes/torus.off --html t.html");
+  const Outcome outcome = run("skeletonize meshes/torus.off -o t.html");
   if (outcome.status == 1 && outcome.err.find("built without three.js") != std::string::npos) {
     CSCD_TEST_SKIP_OR_FAIL("three.js (package libjs-three) is not there");
   }
@@ -1108,21 +1075,14 @@ TEST_F(Cscd, edges_of_a_mesh_are_a_graph)
   EXPECT_EQ(report.at("number_of_nodes"), nlohmann::json::parse(content("again.json")).at("number_of_nodes"));
 }
 
-TEST_F(Cscd, lists_of_edges_are_graphs)
+TEST_F(Cscd, lines_of_obj_are_graphs)
 {
-  m_folder.write("y.edges", "# a fork\n0 0 0 1 0 0\n1 0 0 2 1 0\n1 0 0 2 -1 0\n");
   m_folder.write("y.obj", "v 0 0 0\nv 1 0 0\nv 2 1 0\nv 2 -1 0\nl 1 2 3\nl 2 4\n");
-  for (const char* name : {"y.edges", "y.obj"}) {
-    EXPECT_EQ(0, run(std::string("skeletonize ") + name + " --as graph -q --report y.json -o y.graph").status) << name;
-    const auto report = nlohmann::json::parse(content("y.json"));
-    EXPECT_EQ(4, report.at("number_of_nodes")) << name;
-    EXPECT_EQ(3, report.at("number_of_tips")) << name;
-  }
-  m_folder.write("short.edges", "0 0 0 1 0\n");
-  expect_refusal("skeletonize short.edges --as graph", 2, {"short.edges", "line 1", "six coordinates"});
-  m_folder.write("nan.edges", "0 0 0 1 0 nan\n");
-  expect_refusal("skeletonize nan.edges --as graph", 2, {"not finite"});
-  expect_refusal("skeletonize y.edges --as graph --detail 0.3", 1, {"--detail", "does not apply to graphs"});
+  EXPECT_EQ(0, run("skeletonize y.obj --as graph -q --report y.json -o y.graph").status);
+  const auto report = nlohmann::json::parse(content("y.json"));
+  EXPECT_EQ(4, report.at("number_of_nodes"));
+  EXPECT_EQ(3, report.at("number_of_tips"));
+  expect_refusal("skeletonize y.obj --as graph --detail 0.3", 1, {"--detail", "does not apply to graphs"});
   expect_refusal("skeletonize y.obj --neighbors 5", 1, {"--neighbors", "--as graph"});
 }
 
@@ -1223,23 +1183,6 @@ TEST_F(Cscd, own_radii_are_used_on_request)
   expect_refusal("evaluate torus.off t.graph --radii own", 2, {"radii", "estimated"});
 }
 
-TEST_F(Cscd, writes_the_reconstructed_surfaces)
-{
-  m_folder.write("torus.off", off(torus()));
-  m_folder.write("circle.graph", circle());
-  const Outcome outcome = run("evaluate torus.off circle.graph --resolution 60 --json --convolution-surface c.off "
-                              "--round-cones r.ply");
-  ASSERT_EQ(0, outcome.status) << outcome.err;
-  const nlohmann::json measures = nlohmann::json::parse(outcome.out);
-  std::istringstream in(content("c.off").substr(3));
-  std::size_t number_of_vertices = 0;
-  std::size_t number_of_faces = 0;
-  in >> number_of_vertices >> number_of_faces;
-  EXPECT_EQ(measures.at("convolution").at("number_of_faces"), number_of_faces);
-  EXPECT_EQ(number_of_faces, 2 * number_of_vertices); // as of any torus
-  EXPECT_EQ(0u, content("r.ply").rfind("ply\n", 0));
-}
-
 TEST_F(Cscd, compares_two_skeletons)
 {
   m_folder.write("a.graph", circle(3));
@@ -1250,13 +1193,11 @@ TEST_F(Cscd, compares_two_skeletons)
   const double diagonal = comparison.at("diagonal");
   EXPECT_NEAR(6.6 * std::sqrt(2), diagonal, 1e-6);
   EXPECT_NEAR(0.3 / diagonal, comparison.at("mean_distance").get<double>(), 0.01 / diagonal);
-  EXPECT_EQ(true, comparison.at("has_same_structure"));
-  EXPECT_EQ(1, comparison.at("branches").at("number_matched"));
   EXPECT_EQ(0.05, comparison.at("match_distance"));
   const Outcome text = run("compare a.graph - < b.graph");
   EXPECT_EQ(0, text.status);
-  EXPECT_EQ(0u, text.out.rfind("a.graph and -: branches are joined in the same way\n", 0)) << text.out;
-  EXPECT_NE(std::string::npos, text.out.find("branches:  0 of 1 and 1 match\n")) << text.out;
+  EXPECT_EQ(0u, text.out.rfind("a.graph and -:\n", 0)) << text.out;
+  EXPECT_NE(std::string::npos, text.out.find("tips:      0 of 0 and 0 match\n")) << text.out;
 }
 
 TEST_F(Cscd, refuses_what_it_cannot_measure)
@@ -1266,19 +1207,17 @@ TEST_F(Cscd, refuses_what_it_cannot_measure)
   m_folder.write("far.graph", "n 1e6 0 0\n");
   m_folder.write("bad.graph", "n 1 0\n");
   expect_refusal("evaluate torus.off", 1, {"SKELETON"});
-  expect_refusal("evaluate torus.off circle.graphml", 1, {"circle.graphml", "written", ".swc .vtp"});
+  expect_refusal("evaluate torus.off circle.dot", 1, {"circle.dot", ".swc .vtp"});
   expect_refusal("evaluate torus.off circle.graph --resolution 0", 1, {"--resolution"});
   expect_refusal("evaluate torus.off circle.graph --radii big", 1, {"--radii"});
-  expect_refusal("evaluate torus.off circle.graph --round-cones r.txt", 1, {"r.txt", ".off .obj .ply .stl"});
   expect_refusal("evaluate - - --format off < torus.off", 1, {"standard input"});
   expect_refusal("evaluate torus.off missing.graph", 2, {"missing.graph: cannot be opened"});
   expect_refusal("evaluate missing.off circle.graph", 2, {"missing.off: cannot be opened"});
   expect_refusal("evaluate torus.off far.graph", 2, {"node 0 of the skeleton is far from the surface"});
   expect_refusal("evaluate torus.off bad.graph", 2, {"bad.graph, line 1"});
-  expect_refusal("evaluate torus.off circle.graph --resolution 9 --round-cones no/r.off", 2, {"no/r.off"});
   expect_refusal("compare circle.graph", 1, {"B"});
   expect_refusal("compare circle.graph circle.graph --match-distance -1", 1, {"--match-distance"});
-  expect_refusal("compare circle.graph circle.graphml", 1, {"circle.graphml"});
+  expect_refusal("compare circle.graph circle.dot", 1, {"circle.dot"});
   expect_refusal("compare - - < circle.graph", 1, {"standard input"});
   expect_refusal("compare circle.graph bad.graph", 2, {"bad.graph, line 1"});
   EXPECT_EQ(4, number_of_files());

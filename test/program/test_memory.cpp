@@ -45,21 +45,4 @@ TEST(memory_left_in_groups, is_the_least_of_those_around)
   EXPECT_EQ(left("slice/job"), 600U);
 }
 
-TEST(memory_left_in_groups, knows_version_1)
-{
-  const test_support::Temporary_folder root;
-  std::filesystem::create_directories(root.path() / "job");
-  const auto left = [&](std::size_t swap) {
-    return cscd::memory_left_in_groups((root.path() / "job").string(), root.path().string(), swap);
-  };
-  root.write("job/memory.limit_in_bytes", "1000\n");
-  root.write("job/memory.usage_in_bytes", "700\n");
-  root.write("job/memory.stat", "cache 20\ntotal_cache 100\n");
-  EXPECT_EQ(left(0), 400U);
-  EXPECT_EQ(left(50), 450U);
-  root.write("job/memory.memsw.limit_in_bytes", "1000\n");
-  root.write("job/memory.memsw.usage_in_bytes", "710\n");
-  EXPECT_EQ(left(50), 390U);
-}
-
 } // namespace

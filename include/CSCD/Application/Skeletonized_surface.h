@@ -9,15 +9,15 @@
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
 #include <CSCD/Surface/Triangles.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/range/iterator_range_core.hpp>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,42 +27,59 @@ namespace CSCD::internal {
 /// Triangles, a skeleton in the same coordinates, and which node each vertex belongs to.
 struct Skeletonized_surface
 {
-  Indexed_triangles triangles;
-  Halfedge_pairing pairing; ///< of the triangles
+  Indexed_triangles triangles; ///< without points that have no face
+  Halfedge_pairing pairing;    ///< of the triangles
   CSCD::Skeleton skeleton;
-  std::vector<Index> node; ///< for each vertex of the triangles
+  std::vector<Index> node;   ///< for each vertex of the triangles
+  std::vector<Index> number; ///< of each vertex among the points of the mesh
 };
 
-/// Copies `mesh` and `skeleton`. Faces and nodes keep their order, vertices without a face are left out. Expectedly
-/// linear. \return the copy, and the vertices of the mesh in the order of the copy
-/// \throw Input_error if `mesh` is not a manifold of triangles, or a vertex with a face has no node of `skeleton`
-template <class TriangleMesh, class Skeleton, class VertexPointMap>
-auto collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton, const VertexPointMap& point_map)
+/// Faces and nodes keep their order, points without a face are left out. Linear.
+/// \param node_of_point of all points of the mesh; `no_index` for none
+/// \throw Input_error as `check_triangles()` does, or if a vertex with a face belongs to no node
+inline Skeletonized_surface make_skeletonized_surface(std::vector<Vector_3> points,
+                                                      std::vector<std::array<Index, 3>> faces, CSCD::Skeleton skeleton,
+                                                      const std::vector<Index>& node_of_point)
 {
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  auto collected = collect_triangles(mesh, point_map);
-  Skeletonized_surface surface{
-      std::move(collected.triangles), std::move(collected.pairing), index_skeleton(skeleton), {}};
-  auto nodes = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
-  for (const Vertex vertex : boost::make_iterator_range(vertices(mesh))) {
-    put(nodes, vertex, no_index);
-  }
-  Index node = 0;
-  for (const auto skeleton_vertex : boost::make_iterator_range(vertices(skeleton))) {
-    for (const Vertex vertex : skeleton[skeleton_vertex].vertices) {
-      put(nodes, vertex, node);
-    }
-    ++node;
-  }
-  surface.node.reserve(collected.descriptors.size());
-  for (const Vertex vertex : collected.descriptors) {
-    surface.node.push_back(get(nodes, vertex));
+  Checked_triangles checked = check_triangles(std::move(points), std::move(faces));
+  Skeletonized_surface surface{std::move(checked.triangles),
+                               std::move(checked.pairing),
+                               std::move(skeleton),
+                               {},
+                               std::move(checked.input_number)};
+  for (const Index number : surface.number) {
+    surface.node.push_back(node_of_point[number]);
     if (surface.node.back() == no_index) {
       throw Input_error("vertex " + std::to_string(surface.node.size() - 1) +
                         " of those with a face belongs to no node: use the skeleton of this mesh");
     }
   }
-  return std::pair(std::move(surface), std::move(collected.descriptors));
+  return surface;
+}
+
+/// Copies `mesh` and `skeleton`; expectedly linear.
+template <class TriangleMesh, class Skeleton, class VertexPointMap>
+Skeletonized_surface collect_skeletonized_surface(const TriangleMesh& mesh, const Skeleton& skeleton,
+                                                  const VertexPointMap& point_map)
+{
+  auto arrays = read_mesh(mesh, point_map);
+  auto nodes = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  for (const auto vertex : arrays.descriptors) {
+    put(nodes, vertex, no_index);
+  }
+  Index node = 0;
+  for (const auto skeleton_vertex : boost::make_iterator_range(vertices(skeleton))) {
+    for (const auto vertex : skeleton[skeleton_vertex].vertices) {
+      put(nodes, vertex, node);
+    }
+    ++node;
+  }
+  std::vector<Index> node_of_point;
+  for (const auto vertex : arrays.descriptors) {
+    node_of_point.push_back(get(nodes, vertex));
+  }
+  return make_skeletonized_surface(std::move(arrays.points), std::move(arrays.faces), index_skeleton(skeleton),
+                                   node_of_point);
 }
 
 } // namespace CSCD::internal

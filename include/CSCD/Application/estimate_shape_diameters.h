@@ -8,7 +8,7 @@
 
 #include <CSCD/Application/Skeletonized_surface.h>
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/range/iterator_range_core.hpp>
@@ -68,14 +68,14 @@ void estimate_vertex_shape_diameters(const TriangleMesh& mesh, const Skeleton& s
 {
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
   check_triangle_mesh<TriangleMesh>();
-  const auto [surface, descriptors] =
+  const internal::Skeletonized_surface surface =
       internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
   const std::vector<double> values = internal::vertex_shape_diameters(surface, number_of_smoothing_steps);
+  std::size_t number = 0; // of a vertex of the mesh
+  std::size_t next = 0;   // of those with a face
   for (const auto vertex : boost::make_iterator_range(vertices(mesh))) {
-    put(diameters, vertex, 0.);
-  }
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    put(diameters, descriptors[v], values[v]);
+    const bool has_face = next < values.size() && surface.number[next] == number++;
+    put(diameters, vertex, has_face ? values[next++] : 0.);
   }
 }
 
@@ -93,7 +93,7 @@ void estimate_face_shape_diameters(const TriangleMesh& mesh, const Skeleton& ske
   internal::check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t>();
   check_triangle_mesh<TriangleMesh>();
   const internal::Skeletonized_surface surface =
-      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np)).first;
+      internal::collect_skeletonized_surface(mesh, skeleton, internal::vertex_point_map(mesh, np));
   const std::vector<double> values =
       internal::face_means(surface, internal::vertex_shape_diameters(surface, number_of_smoothing_steps));
   std::size_t number = 0;

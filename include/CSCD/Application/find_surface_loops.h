@@ -7,16 +7,15 @@
 #define CSCD_APPLICATION_FIND_SURFACE_LOOPS_H
 
 #include <CSCD/Named_parameters.h>
-#include <CSCD/Surface/Normalization.h>
-#include <CSCD/Surface/Triangulated_solid.h>
-#include <CSCD/Traits/Triangle_mesh_traits.h>
-#include <CSCD/Traits/collect_triangles.h>
+#include <CSCD/Traits/read_mesh.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -52,8 +51,9 @@ inline constexpr double default_min_constriction_depth = 0.3;
 
 namespace internal {
 
-/// The loops in the coordinates of `solid`; see `CSCD::find_surface_loops()`.
-std::vector<Surface_loop<Vector_3>> find_surface_loops(const Triangulated_solid& solid, unsigned random_seed,
+/// See `CSCD::find_surface_loops()`.
+std::vector<Surface_loop<Vector_3>> find_surface_loops(std::vector<Vector_3> points,
+                                                       std::vector<std::array<Index, 3>> faces, unsigned random_seed,
                                                        double min_depth);
 
 } // namespace internal
@@ -102,19 +102,18 @@ auto find_surface_loops(const TriangleMesh& mesh, const NamedParameters& np = pa
                                    CGAL::internal_np::random_seed_t>();
   check_triangle_mesh<TriangleMesh>();
   const auto point_map = internal::vertex_point_map(mesh, np);
-  using Point_map = std::decay_t<decltype(point_map)>;
-  using Point = typename boost::property_traits<Point_map>::value_type;
-  const Triangle_mesh_traits<TriangleMesh, Point_map> traits(mesh, point_map);
-  const Normalization& normalization = traits.surface().normalization();
+  using Point = typename boost::property_traits<std::decay_t<decltype(point_map)>>::value_type;
+  auto arrays = internal::read_mesh(mesh, point_map);
   const std::vector<Surface_loop<Vector_3>> loops = internal::find_surface_loops(
-      traits.surface(), unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)), min_depth);
+      std::move(arrays.points), std::move(arrays.faces),
+      unsigned(choose_parameter(get_parameter(np, CGAL::internal_np::random_seed), 0U)), min_depth);
   std::vector<Surface_loop<Point>> result;
   result.reserve(loops.size());
   for (const Surface_loop<Vector_3>& loop : loops) {
-    result.push_back({loop.kind, loop.length * normalization.unit, loop.depth, {}});
+    result.push_back({loop.kind, loop.length, loop.depth, {}});
     result.back().points.reserve(loop.points.size());
     for (const Vector_3& point : loop.points) {
-      result.back().points.push_back(to_input_point<Point>(normalization, point));
+      result.back().points.push_back(internal::make_point<Point>(point));
     }
   }
   return result;

@@ -6,7 +6,6 @@
 #ifndef CSCD_APPLICATION_MAKE_RIG_H
 #define CSCD_APPLICATION_MAKE_RIG_H
 
-#include <CSCD/Measure/Rooted_forest.h>
 #include <CSCD/Measure/Skeleton_branches.h>
 #include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
@@ -58,9 +57,12 @@ struct Rig
   std::vector<Influences> influences; ///< of the vertices of the mesh in their order
 };
 
+/// How far bones may be from the skeleton by default, in radii of its nodes.
+inline constexpr double default_bend_tolerance = 0.5;
+
 namespace internal {
 
-/// \param bend_tolerance see the public function
+/// \param roots if there are none, the thickest node of each component \param bend_tolerance see the public function
 Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
              double bend_tolerance);
 
@@ -89,12 +91,11 @@ Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const st
 /// \pre `skeleton` has nodes; all faces of `mesh` are triangles
 template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
 Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, const std::vector<Index>& roots = {},
-             double bend_tolerance = 0.5)
+             double bend_tolerance = default_bend_tolerance)
 {
   static_assert(has_radius_v<Skeleton>, "joints are placed by the radii of the nodes");
-  const CSCD::Skeleton indexed = internal::index_skeleton(skeleton);
-  return internal::make_rig(indexed, internal::assigned_surface(mesh, skeleton),
-                            roots.empty() ? internal::find_roots(indexed, Root_rule::thickest) : roots, bend_tolerance);
+  return internal::make_rig(internal::index_skeleton(skeleton), internal::assigned_surface(mesh, skeleton), roots,
+                            bend_tolerance);
 }
 
 } // namespace CSCD

@@ -95,6 +95,15 @@ struct Shape_file
   void end_polygon() { first_corner.push_back(corners.size()); }
 };
 
+/// The endings of the meshes that are read, each with its dot.
+std::vector<std::string> mesh_endings();
+
+/// The endings of the points that are read, each with its dot.
+std::vector<std::string> point_endings();
+
+/// `filename` without the ending of a file that gzip has compressed; the same if it does not have one.
+std::string without_compression_ending(const std::string& filename);
+
 namespace internal {
 
 /// All that is left in `in`, decompressed if `format` ends as the name of a compressed file.

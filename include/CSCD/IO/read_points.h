@@ -6,7 +6,6 @@
 #ifndef CSCD_IO_READ_POINTS_H
 #define CSCD_IO_READ_POINTS_H
 
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
 #include <CSCD/Vector_3.h>
 
@@ -22,7 +21,7 @@ namespace internal {
 /// Reads the points of a file, and its faces, if it has any.
 /// \throw File_error if it cannot be read, is malformed or has no points
 Shape_file read_point_file(const std::string& filename);
-Shape_file read_point_file(std::istream& in, Point_format format, const std::string& name);
+Shape_file read_point_file(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Writes points and normals to ranges of any type.
 template <class Point, class Vector>
@@ -44,8 +43,16 @@ void convert_to_points(const Shape_file& file, std::vector<Point>& points, std::
 
 } // namespace internal
 
-/// reads the points that the file `filename` holds, in the `Point_format` that its ending names, and their normals, if
-/// there are any for all points. Linear. \tparam Point, Vector constructible from three coordinates
+/// reads the points that the file `filename` holds, and their normals, if there are any for all points. Its ending, in
+/// lower or upper case, names the format:
+/// - `.xyz`, `.pwn`, `.pts`, `.txt`, `.csv`, `.asc`: a line for each point, coordinates and perhaps a normal, or a
+/// table
+///   with commas or names of columns;
+/// - `.off`, `.ply`, `.vtp`, `.vtk`: as meshes, without their faces;
+/// - `.pcd` of the Point Cloud Library, and `.las`, both not compressed.
+///
+/// With a further ending `.gz` it is decompressed first. Linear.
+/// \tparam Point, Vector constructible from three coordinates
 /// \param points, normals are replaced; when an exception is thrown they are as they were
 /// \throw File_error if the file cannot be read, is malformed, or has no points
 template <class Point, class Vector>
@@ -55,12 +62,13 @@ void read_points(const std::string& filename, std::vector<Point>& points, std::v
 }
 
 /// reads points from a stream, which for binary formats must not translate line ends; see the function for files.
+/// \param ending of the format, such as `.xyz`
 /// \param name the name of the stream in messages
 template <class Point, class Vector>
-void read_points(std::istream& in, Point_format format, const std::string& name, std::vector<Point>& points,
+void read_points(std::istream& in, const std::string& ending, const std::string& name, std::vector<Point>& points,
                  std::vector<Vector>& normals)
 {
-  internal::convert_to_points(internal::read_point_file(in, format, name), points, normals);
+  internal::convert_to_points(internal::read_point_file(in, ending, name), points, normals);
 }
 
 } // namespace CSCD

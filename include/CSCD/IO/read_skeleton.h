@@ -106,10 +106,6 @@ bool read_skeleton(std::istream& in, const std::string& ending, const std::strin
   return indexed.has_radii();
 }
 
-/// checks that `read_skeleton()` knows the ending of `filename`, before anything else is done.
-/// \throw File_error if not
-void check_readable_skeleton_filename(const std::string& filename);
-
 } // namespace CSCD
 
 #endif // CSCD_IO_READ_SKELETON_H

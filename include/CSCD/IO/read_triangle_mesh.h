@@ -6,21 +6,19 @@
 #ifndef CSCD_IO_READ_TRIANGLE_MESH_H
 #define CSCD_IO_READ_TRIANGLE_MESH_H
 
-#include <CSCD/IO/Mesh_format.h>
 #include <CSCD/IO/Shape_file.h>
-#include <CSCD/IO/read_points.h>
 #include <CSCD/Surface/Triangles.h>
 #include <CSCD/Vector_3.h>
 
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <istream>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -53,14 +51,13 @@ namespace internal {
 struct Manifold_triangles
 {
   Indexed_triangles triangles;
-  Halfedge_pairing pairing;
   Mesh_repair_report report;
 };
 
 /// Reads the polygons of a file.
 /// \throw File_error if it cannot be read, is malformed or has no polygons
 Shape_file read_polygons(const std::string& filename);
-Shape_file read_polygons(std::istream& in, Mesh_format format, const std::string& name);
+Shape_file read_polygons(std::istream& in, const std::string& ending, const std::string& name);
 
 /// Reads the polygons or the points of a stream in the format that `ending` names.
 /// \throw File_error if it cannot be read, is malformed or has no points, or if no format has this ending
@@ -72,148 +69,40 @@ Shape_file read_polygons_or_points(std::istream& in, const std::string& ending, 
 /// \throw Input_error if they are too many or cannot be made a surface
 Manifold_triangles make_manifold(Shape_file&& polygons, const std::string& filename, unsigned number_of_threads = 1);
 
-/// The correspondence between the faces of a mesh and the polygons of its file.
-struct Faces_of_file
-{
-  std::vector<Index> polygon_of_face; ///< for each face of the mesh
-  /// For each polygon of the file, the largest of its triangles that is a face of the mesh; if none is, some face at
-  /// one of its points; `no_index` if there is none either.
-  std::vector<Index> face_of_polygon;
-};
-
-/// Finds them by the places of their corners, as repairs never move a point. O(n log n).
+/// For each polygon of a file, the largest of its triangles that is a face of the mesh that was made from the file; if
+/// none is, some face at one of its points; `no_index` if there is none either. Faces are found by the places of their
+/// corners, as repairs never move a point. O(n log n).
 /// \param file the argument of `make_manifold()`
 /// \param points, faces of the mesh
-Faces_of_file match_faces(const Shape_file& file, const std::vector<Vector_3>& points,
-                          const std::vector<std::array<Index, 3>>& faces);
-
-/// Builds a mesh from triangles whose neighbors are known, in linear time; `CGAL::Euler::add_faces()` looks for them
-/// once more, at several times the cost.
-template <class TriangleMesh>
-class Triangle_mesh_builder
-{
-public:
-  Triangle_mesh_builder(const Indexed_triangles& triangles, const Halfedge_pairing& pairing, TriangleMesh& mesh)
-      : m_triangles(triangles), m_pairing(pairing), m_mesh(mesh)
-  {
-  }
-
-  void build()
-  {
-    CGAL::clear(m_mesh);
-    reserve(m_mesh, static_cast<typename Graph_traits::vertices_size_type>(m_triangles.points.size()),
-            static_cast<typename Graph_traits::edges_size_type>(number_of_edges()),
-            static_cast<typename Graph_traits::faces_size_type>(m_triangles.faces.size()));
-    add_vertices();
-    add_edges();
-    add_faces();
-    link_borders();
-  }
-
-private:
-  using Graph_traits = boost::graph_traits<TriangleMesh>;
-  using vertex_descriptor = typename Graph_traits::vertex_descriptor;
-  using halfedge_descriptor = typename Graph_traits::halfedge_descriptor;
-  using face_descriptor = typename Graph_traits::face_descriptor;
-
-  Index origin(Index side) const { return m_triangles.faces[side / 3][side % 3]; }
-
-  std::size_t number_of_edges() const
-  {
-    std::size_t number = 0;
-    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
-      number += m_pairing.twin(side) > side ? 1 : 0;
-    }
-    return number;
-  }
-
-  void add_vertices()
-  {
-    auto point_map = get(CGAL::vertex_point, m_mesh);
-    using Point = typename boost::property_traits<decltype(point_map)>::value_type;
-    m_vertices.reserve(m_triangles.points.size());
-    for (const Vector_3& p : m_triangles.points) {
-      m_vertices.push_back(add_vertex(m_mesh));
-      put(point_map, m_vertices.back(), Point(p.x(), p.y(), p.z()));
-    }
-  }
-
-  void add_edges()
-  {
-    m_halfedges.resize(3 * m_triangles.faces.size());
-    m_border_from.assign(m_triangles.points.size(), Graph_traits::null_halfedge());
-    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
-      const Index other = m_pairing.twin(side);
-      if (other < side) {
-        continue; // this edge stands already
-      }
-      const halfedge_descriptor h = halfedge(add_edge(m_mesh), m_mesh);
-      m_halfedges[side] = h;
-      set_target(h, m_vertices[origin(Halfedge_pairing::next(side))], m_mesh);
-      set_target(opposite(h, m_mesh), m_vertices[origin(side)], m_mesh);
-      if (other != no_index) {
-        m_halfedges[other] = opposite(h, m_mesh);
-      } else {
-        set_face(opposite(h, m_mesh), Graph_traits::null_face(), m_mesh);
-        m_border_from[origin(Halfedge_pairing::next(side))] = opposite(h, m_mesh);
-      }
-    }
-  }
-
-  void add_faces()
-  {
-    for (Index side = 0; side < m_pairing.number_of_halfedges(); side += 3) {
-      const face_descriptor f = add_face(m_mesh);
-      set_halfedge(f, m_halfedges[side], m_mesh);
-      for (Index s = side; s < side + 3; ++s) {
-        set_face(m_halfedges[s], f, m_mesh);
-        set_next(m_halfedges[s], m_halfedges[Halfedge_pairing::next(s)], m_mesh);
-        set_halfedge(m_vertices[origin(Halfedge_pairing::next(s))], m_halfedges[s], m_mesh);
-      }
-    }
-  }
-
-  /// Links borders; a vertex on a border refers to the halfedge on it, as in every `Surface_mesh`.
-  void link_borders()
-  {
-    for (Index side = 0; side < m_pairing.number_of_halfedges(); ++side) {
-      if (m_pairing.twin(side) == no_index) {
-        const Index target = origin(side);
-        const halfedge_descriptor h = opposite(m_halfedges[side], m_mesh);
-        set_next(h, m_border_from[target], m_mesh);
-        set_halfedge(m_vertices[target], h, m_mesh);
-      }
-    }
-  }
-
-  const Indexed_triangles& m_triangles;
-  const Halfedge_pairing& m_pairing;
-  TriangleMesh& m_mesh;
-  std::vector<vertex_descriptor> m_vertices;
-  std::vector<halfedge_descriptor> m_halfedges;
-  std::vector<halfedge_descriptor> m_border_from; ///< for each vertex, the border halfedge that leaves it
-};
+std::vector<Index> faces_of_polygons(const Shape_file& file, const std::vector<Vector_3>& points,
+                                     const std::vector<std::array<Index, 3>>& faces);
 
 /// Makes a mesh of the polygons of a file.
 template <class TriangleMesh>
-Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::string& filename, TriangleMesh& mesh,
-                                            unsigned number_of_threads = 1)
+Mesh_repair_report convert_to_triangle_mesh(Shape_file&& polygons, const std::string& filename, TriangleMesh& mesh)
 {
-  const Manifold_triangles manifold = make_manifold(std::move(polygons), filename, number_of_threads);
-  Triangle_mesh_builder<TriangleMesh>(manifold.triangles, manifold.pairing, mesh).build();
+  using Point_map = typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type;
+  const Manifold_triangles manifold = make_manifold(std::move(polygons), filename);
+  std::vector<typename boost::property_traits<Point_map>::value_type> points;
+  points.reserve(manifold.triangles.points.size());
+  for (const Vector_3& p : manifold.triangles.points) {
+    points.emplace_back(p.x(), p.y(), p.z());
+  }
+  CGAL::clear(mesh);
+  CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(points, manifold.triangles.faces, mesh);
   return manifold.report;
 }
 
 } // namespace internal
 
-/// reads the triangle mesh that the file `filename` holds, in the `Mesh_format` that its ending names, and repairs it.
-/// With a further ending ".gz" or ".zst" it is decompressed by zlib or zstd first. Polygons are cut into triangles. If
-/// these do not form an oriented closed manifold, points of equal coordinates are merged. If they still do not form a
-/// manifold, degenerate and duplicate faces and small flaps are removed, faces turned to agree with their neighbors,
-/// and points duplicated where the surface is not a manifold. If it is closed, components that face inwards are turned,
-/// except cavities. Vertices and faces are numbered as in the file, as far as nothing had to be repaired; vertices
-/// without a face are kept then. Near linear.
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
+/// reads the triangle mesh that the file `filename` holds and repairs it. Its ending, in lower or upper case, names the
+/// format: `.off`, `.obj`, `.ply`, `.stl`, `.vtp` and `.vtk` of VTK's PolyData, `.glb` and `.gltf`. With a further
+/// ending `.gz` it is decompressed by zlib first. Polygons are cut into triangles. If these do not form an oriented
+/// closed manifold, points of equal coordinates are merged. If they still do not form a manifold, degenerate and
+/// duplicate faces and small flaps are removed, faces turned to agree with their neighbors, and points duplicated where
+/// the surface is not a manifold. If it is closed, components that face inwards are turned, except cavities. Vertices
+/// and faces are numbered as in the file, as far as nothing had to be repaired; vertices without a face are kept then.
+/// Near linear. \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
 /// \param mesh is replaced; when an exception is thrown it is as it was
 /// \return the repairs that were made
 /// \throw File_error if the file cannot be read, is malformed, or has no faces
@@ -226,34 +115,13 @@ Mesh_repair_report read_triangle_mesh(const std::string& filename, TriangleMesh&
 
 /// reads a triangle mesh from a stream, which for binary formats must not translate line ends; see the function for
 /// files.
+/// \param ending of the format, such as `.off`
 /// \param name the name of the stream in messages
 template <class TriangleMesh>
-Mesh_repair_report read_triangle_mesh(std::istream& in, Mesh_format format, const std::string& name, TriangleMesh& mesh)
+Mesh_repair_report read_triangle_mesh(std::istream& in, const std::string& ending, const std::string& name,
+                                      TriangleMesh& mesh)
 {
-  return internal::convert_to_triangle_mesh(internal::read_polygons(in, format, name), name, mesh);
-}
-
-/// reads a stream that holds a triangle mesh, or points, if it has no faces.
-/// \tparam TriangleMesh a model of `MutableFaceGraph` with an internal vertex point map
-/// \tparam Point, Vector constructible from three coordinates
-/// \param format the ending of a file name, or the whole name: an ending of `Mesh_format` or `Point_format`
-/// \param name the name of the stream in messages
-/// \param mesh is replaced if there are faces
-/// \param points, normals are replaced if there are only points
-/// \return the repairs that were made, if there are faces
-/// \throw File_error if the stream cannot be read, is malformed, or has neither faces nor points
-/// \throw Input_error if the faces cannot be made a surface
-template <class TriangleMesh, class Point, class Vector>
-std::optional<Mesh_repair_report> read_mesh_or_points(std::istream& in, const std::string& format,
-                                                      const std::string& name, TriangleMesh& mesh,
-                                                      std::vector<Point>& points, std::vector<Vector>& normals)
-{
-  Shape_file file = internal::read_polygons_or_points(in, format, name);
-  if (file.number_of_polygons() == 0) {
-    internal::convert_to_points(file, points, normals);
-    return std::nullopt;
-  }
-  return internal::convert_to_triangle_mesh(std::move(file), name, mesh);
+  return internal::convert_to_triangle_mesh(internal::read_polygons(in, ending, name), name, mesh);
 }
 
 } // namespace CSCD

@@ -1,30 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which node and branch each vertex or point of the input belongs to, as tables and as labelled meshes.
+// Which node and branch each vertex or point of the input belongs to.
 
 #ifndef CSCD_IO_WRITE_CORRESPONDENCE_H
 #define CSCD_IO_WRITE_CORRESPONDENCE_H
 
-#include <CSCD/IO/Shape_file.h>
 #include <CSCD/Measure/Skeleton_branches.h>
-#include <CSCD/Skeleton.h>
-#include <CSCD/Skeleton_graph.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/input_concepts.h>
 
 #include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
-#include <boost/graph/graph_traits.hpp>
-#include <boost/range/iterator_range_core.hpp>
-
-#include <array>
 #include <cstddef>
-#include <limits>
 #include <ostream>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CSCD {
@@ -32,17 +23,14 @@ namespace CSCD {
 /// The relation of a vertex or point of the input to the skeleton.
 struct Vertex_label
 {
-  Index node = no_index;                                      ///< the node of the vertex; `no_index` if none
-  Index branch = no_index;                                    ///< the branch of that node
-  double radius = std::numeric_limits<double>::quiet_NaN();   ///< of the node
-  double distance = std::numeric_limits<double>::quiet_NaN(); ///< to the edges at the node, in the unit of the input
+  Index node = no_index;   ///< the node of the vertex; `no_index` if none
+  Index branch = no_index; ///< the branch of that node
 };
 
 namespace internal {
 
 /// \param node_of_vertex `no_index` for vertices of no node
-std::vector<Vertex_label> label_vertices(const std::vector<Vector_3>& points, const std::vector<Index>& node_of_vertex,
-                                         const Skeleton& skeleton, const Skeleton_branches& branches);
+std::vector<Vertex_label> label_vertices(const std::vector<Index>& node_of_vertex, const Skeleton_branches& branches);
 
 /// For each point of a file, the vertex at its place of the mesh that was made from the file; `no_index` if none.
 /// Repairs merge, double and drop points, but never move one. Linear.
@@ -53,9 +41,6 @@ std::vector<Index> vertices_of_file(const std::vector<Vector_3>& points_of_file,
 std::vector<Vertex_label> labels_of_file(const std::vector<Vector_3>& points_of_file,
                                          const std::vector<Vector_3>& points_of_mesh,
                                          const std::vector<Vertex_label>& labels);
-
-/// Writes a mesh or points in binary PLY.
-void write_labelled_ply(std::ostream& out, const Shape_file& file, const std::vector<Vertex_label>& labels);
 
 /// The points of a range as vectors.
 template <class PointRange>
@@ -79,65 +64,12 @@ template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_
 std::vector<Vertex_label> label_vertices(const TriangleMesh& mesh, const Skeleton& skeleton,
                                          const Skeleton_branches& branches)
 {
-  const internal::Assigned_surface surface = internal::assigned_surface(mesh, skeleton);
-  return internal::label_vertices(surface.points, surface.node_of_vertex, internal::index_skeleton(skeleton), branches);
-}
-
-/// returns the node and branch of `skeleton` of every point, in the order of the points. Expectedly linear.
-/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
-/// \tparam Skeleton a model of `CurveSkeletonGraph` that holds the numbers of the points
-/// \param branches of `skeleton`, as `measure_branches()` gives them
-template <class PointRange, class Skeleton, std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-std::vector<Vertex_label> label_vertices(const PointRange& points, const Skeleton& skeleton,
-                                         const Skeleton_branches& branches)
-{
-  const std::vector<Vector_3> places = internal::to_vectors(points);
-  std::vector<Index> node_of_point(places.size(), no_index);
-  Index node = 0;
-  for (const auto v : boost::make_iterator_range(vertices(skeleton))) {
-    for (const std::size_t number : skeleton[v].vertices) {
-      node_of_point[number] = node;
-    }
-    ++node;
-  }
-  return internal::label_vertices(places, node_of_point, internal::index_skeleton(skeleton), branches);
+  return internal::label_vertices(internal::assigned_surface(mesh, skeleton).node_of_vertex, branches);
 }
 
 /// writes labels as CSV: a line `vertex,node,branch` for each vertex under a line of names, all counted from 0; node
 /// and branch are empty for vertices of no node. Linear. \throw File_error if `out` fails
 void write_correspondence(std::ostream& out, const std::vector<Vertex_label>& labels);
-
-/// writes a mesh in binary PLY, its vertices with the properties `node` and `branch`, -1 for none, `radius` and
-/// `distance`. Linear.
-/// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
-/// \param labels one for each vertex
-/// \pre all faces of `mesh` are triangles
-/// \throw File_error if `out` fails
-template <class TriangleMesh, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
-void write_labelled_ply(std::ostream& out, const TriangleMesh& mesh, const std::vector<Vertex_label>& labels)
-{
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  internal::Assigned_surface surface = internal::assigned_surface(mesh, Skeleton_graph<Vector_3, Vertex>());
-  Shape_file file;
-  file.points = std::move(surface.points);
-  for (const std::array<Index, 3>& triangle : surface.triangles) {
-    file.corners.insert(file.corners.end(), triangle.begin(), triangle.end());
-    file.end_polygon();
-  }
-  internal::write_labelled_ply(out, file, labels);
-}
-
-/// writes points in binary PLY with the same properties. Linear.
-/// \tparam PointRange a range over points with coordinates `x()`, `y()`, `z()`
-/// \param labels one for each point
-/// \throw File_error if `out` fails
-template <class PointRange, std::enable_if_t<is_point_range_v<PointRange>, int> = 0>
-void write_labelled_ply(std::ostream& out, const PointRange& points, const std::vector<Vertex_label>& labels)
-{
-  Shape_file file;
-  file.points = internal::to_vectors(points);
-  internal::write_labelled_ply(out, file, labels);
-}
 
 } // namespace CSCD
 

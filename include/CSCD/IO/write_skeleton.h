@@ -32,12 +32,12 @@ struct Swc_options
   std::vector<Index> roots{};
 };
 
-/// checks that `write_skeleton()` knows the ending of `filename`, before there is anything to write.
+/// checks that `read_skeleton()` and `write_skeleton()` know the ending of `filename`, before anything else is done.
 /// \throw File_error if not
 void check_skeleton_filename(const std::string& filename);
 
 /// writes `skeleton` to the file `filename` in the format that its ending names: `.graph`, `.json`, `.obj`, `.ply`,
-/// `.polylines.txt`, `.swc`, `.vtp` or `.graphml`. A failure leaves no new file. Linear.
+/// `.polylines.txt`, `.swc` or `.vtp`. A failure leaves no new file. Linear.
 /// \param skeleton a `Skeleton_graph`, the skeleton type of CGAL's `Mean_curvature_flow_skeletonization`, or another
 ///        model of `CurveSkeletonGraph`, as for all writers
 /// \throw File_error if the ending is unknown or the file cannot be written
@@ -51,11 +51,6 @@ void write_skeleton(std::ostream& out, const std::string& filename, const intern
 /// nodes counted from 0. Linear.
 /// \throw File_error if `out` fails
 void write_gel_graph(std::ostream& out, const internal::Skeleton_content& skeleton);
-
-/// writes `skeleton` as GraphML: nodes `n0`, `n1`, ... with the properties `x`, `y`, `z` and, if they have one,
-/// `radius`; edges then have `significance`, the greatest double if they are never cut. O(n log n).
-/// \throw File_error if `out` fails
-void write_graphml(std::ostream& out, const internal::Skeleton_content& skeleton);
 
 /// writes `skeleton` as a JSON object of arrays: `nodes`, each with `point` (three numbers), `radius` (if the nodes
 /// have one), `degree` and `number_of_sites`, the number of vertices or points of the input that belong to the node;

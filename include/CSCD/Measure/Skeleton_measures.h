@@ -15,13 +15,6 @@
 
 namespace CSCD {
 
-/// How a surface is made of a skeleton with radii.
-enum class Reconstruction_method
-{
-  convolution, ///< convolution with the inverse quartic kernel, see `doc/measures.md`
-  round_cones  ///< union of the convex hulls of the two balls of each edge
-};
-
 /// The value of a measure that is not defined for the input.
 inline constexpr double undefined_measure = std::numeric_limits<double>::quiet_NaN();
 
@@ -68,13 +61,11 @@ struct Position_measures
   double fraction_of_length_inside = undefined_measure; ///< of the length of all edges, by samples
   double max_distance_outside = undefined_measure;      ///< of nodes and samples; relative to the diagonal
   /// From rays across the skeleton to the surface: the standard deviation of their lengths over their mean. 0 in the
-  /// center of a round section, never 0 in one that is not round. The mean over nodes with one or two edges.
-  double deviation_at_nodes = undefined_measure;
-  double deviation_by_length = undefined_measure; ///< the mean over the length of the edges
-  /// Likewise: the length of the mean of the rays' end points, as seen from the node, over the mean length. 0 in the
-  /// center of any section that is symmetric about a point.
-  double offset_at_nodes = undefined_measure;
-  double offset_by_length = undefined_measure; ///< the mean over the length of the edges
+  /// center of a round section, never 0 in one that is not round. The mean over the length of the edges.
+  double deviation_by_length = undefined_measure;
+  /// Likewise: the length of the mean of the rays' end points, as seen from where they begin, over the mean length. 0
+  /// in the center of any section that is symmetric about a point.
+  double offset_by_length = undefined_measure;
 };
 
 /// A limb of the surface: a part that reaches out of the rest, `doc/measures.md` says how far.
@@ -152,9 +143,6 @@ struct Skeleton_comparison
   Skeleton_distance from_second_to_first; ///< of the points of the second from the first
   Match_count tips;                       ///< nodes with one edge
   Match_count junctions;                  ///< nodes with three edges or more
-  Match_count branches;                   ///< paths between nodes of degree other than two, and cycles
-  /// Whether branches are joined in the same way, wherever they are: the skeletons of a body in two poses should agree.
-  bool has_same_structure = false;
 
   /// The mean of both mean distances.
   double mean_distance() const { return (from_first_to_second.mean + from_second_to_first.mean) / 2; }

@@ -19,12 +19,11 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
 
 } // namespace internal
 
-/// measures how far two skeletons are apart, and how many of their tips, junctions and branches are at the same place.
+/// measures how far two skeletons are apart, and how many of their tips and junctions are at the same place.
 ///
 /// Distances are those of points of one skeleton from the nearest point of the other, in both directions. Two tips
-/// match if they are not farther apart than the match distance, and likewise two junctions; two branches if the mean
-/// distance of each from the other is not greater. Nearest pairs are matched first, each feature at most once. See
-/// `doc/measures.md`. O(n log n) for n nodes and edges that are well spread.
+/// match if they are not farther apart than the match distance, and likewise two junctions. Nearest pairs are matched
+/// first, each feature at most once. See `doc/measures.md`. O(n log n) for n nodes and edges that are well spread.
 ///
 /// \tparam Skeleton1,Skeleton2 models of `CurveSkeletonGraph`
 /// \param first,second skeletons in the same coordinates
@@ -40,7 +39,7 @@ Skeleton_comparison compare_skeletons(Skeleton&& first, Skeleton&& second, doubl
 /// \cgalNamedParamsEnd
 ///
 /// \throw Input_error if a skeleton has no nodes or a coordinate is not finite, the match distance is negative, or too
-///        many branches are near each other: 4 million pairs of them
+///        many tips or junctions are near each other: 4 million pairs of them
 template <class Skeleton1, class Skeleton2, class NamedParameters = parameters::Default_named_parameters>
 Skeleton_comparison compare_skeletons(const Skeleton1& first, const Skeleton2& second,
                                       const NamedParameters& np = parameters::default_values())

@@ -39,17 +39,17 @@ struct Measured_input
   bool is_mesh = false;
 };
 
-/// Refuses at compile time named parameters that do not apply to a surface of this type, nor are among `MoreTags`.
-template <class Surface, class NamedParameters, class... MoreTags>
+/// Refuses at compile time named parameters that do not apply to a surface of this type.
+template <class Surface, class NamedParameters>
 constexpr void check_evaluation_parameters()
 {
   if constexpr (is_triangle_mesh_v<Surface>) {
     check_triangle_mesh<Surface>();
     check_named_parameters<NamedParameters, CGAL::internal_np::vertex_point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t, MoreTags...>();
+                           internal_np::use_skeleton_radii_t>();
   } else {
     check_named_parameters<NamedParameters, CGAL::internal_np::point_t, internal_np::resolution_t,
-                           internal_np::use_skeleton_radii_t, MoreTags...>();
+                           internal_np::use_skeleton_radii_t>();
   }
 }
 
@@ -93,10 +93,6 @@ std::vector<double> estimate_radii(const std::vector<Vector_3>& points, const Sk
 
 Skeleton_measures evaluate_skeleton(Measured_input&& input, Skeleton&& skeleton,
                                     const Evaluation_parameters& parameters);
-
-/// The surface that `skeleton` describes, in the coordinates of the input.
-Indexed_triangles reconstruct_surface(Measured_input&& input, Skeleton&& skeleton,
-                                      const Evaluation_parameters& parameters, Reconstruction_method method);
 
 } // namespace internal
 

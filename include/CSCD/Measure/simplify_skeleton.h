@@ -31,7 +31,6 @@ struct Simplification_report
   std::size_t number_of_removed_components = 0; ///< components that were too small
   std::size_t number_of_removed_vertices = 0;   ///< vertices or points of the input that belong to no node any more
   std::size_t number_of_removed_nodes = 0;      ///< nodes of branches that were pruned
-  std::size_t number_of_merged_branches = 0;    ///< short branches between junctions that became one node
   std::size_t number_of_joined_edges = 0;       ///< edges that were added to join components
   std::size_t number_of_nodes = 0;              ///< vertices of the graph that is left
   std::size_t number_of_edges = 0;              ///< edges of it
@@ -50,11 +49,9 @@ struct Simplification_parameters
   double min_significance = 0;
   double min_length = 0;
   double min_length_over_radius = 0;
-  double junction_distance = 0; ///< in radii
   bool joins_components = false;
   double spacing = 0;
   double spacing_over_radius = 0;
-  std::size_t number_of_smoothing_steps = 0;
 };
 
 /// A simplified skeleton and where it comes from.
@@ -71,13 +68,16 @@ struct Simplified_skeleton
 Simplified_skeleton simplify_skeleton(Skeleton&& skeleton, const std::vector<std::size_t>& number_of_vertices,
                                       const Simplification_parameters& parameters, const Triangulated_solid* solid);
 
+/// Simplifies a plain skeleton, with the vertices of the input, openings and significances. Its separators stay.
+Simplification_report simplify_skeleton(Skeleton& skeleton, const Simplification_parameters& parameters,
+                                        const Triangulated_solid* solid);
+
 template <class NamedParameters>
 Simplification_parameters simplification_parameters(const NamedParameters& np)
 {
   check_named_parameters<NamedParameters, internal_np::minimum_component_size_t, internal_np::minimum_significance_t,
                          internal_np::minimum_branch_length_t, internal_np::minimum_length_over_radius_t,
-                         internal_np::junction_distance_t, internal_np::join_components_t, internal_np::spacing_t,
-                         internal_np::spacing_over_radius_t, internal_np::number_of_smoothing_steps_t,
+                         internal_np::join_components_t, internal_np::spacing_t, internal_np::spacing_over_radius_t,
                          CGAL::internal_np::vertex_point_t>();
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -89,11 +89,9 @@ Simplification_parameters simplification_parameters(const NamedParameters& np)
   read(result.min_significance, internal_np::minimum_significance);
   read(result.min_length, internal_np::minimum_branch_length);
   read(result.min_length_over_radius, internal_np::minimum_length_over_radius);
-  read(result.junction_distance, internal_np::junction_distance);
   read(result.joins_components, internal_np::join_components);
   read(result.spacing, internal_np::spacing);
   read(result.spacing_over_radius, internal_np::spacing_over_radius);
-  read(result.number_of_smoothing_steps, internal_np::number_of_smoothing_steps);
   return result;
 }
 
@@ -170,17 +168,14 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 /// -# Branches are pruned that are less significant than asked, then short ones, then short ones in radii: the least
 ///    first, and where two branches are then alone at a junction they count as one. See `compute_significance()`. The
 ///    last branch of a tree stays.
-/// -# Short branches between two junctions become one junction, at their middle. Where that would give a cycle of less
-///    than three nodes, they stay.
 /// -# Components are joined by straight edges into one, by the minimum spanning tree over the distances from the tips
 ///    of one (all nodes, if there are none) to the nodes of the other. Such edges have `is_joined`.
 /// -# Branches are sampled anew: tips, junctions and the ends of joined edges stay, the nodes between are replaced by
 ///    equidistant ones on the branch. Cycles keep at least three nodes, and radii are interpolated.
-/// -# Branches are smoothed: each step moves the nodes of degree 2 halfway to the middle of their neighbors.
 ///
 /// Handles are never cut: the Betti number stays. The vertices of the input that belong to nodes which are gone belong
 /// to the nearest node along the skeleton that is left; those of removed components to none. Significances are computed
-/// anew. Each of the steps up to the fourth, alone, changes nothing when it is repeated. O(n log n) for n nodes.
+/// anew. Each of the steps up to the third, alone, changes nothing when it is repeated. O(n log n) for n nodes.
 ///
 /// \tparam Skeleton a model of `CurveSkeletonGraph`, its points constructible from three coordinates
 /// \param skeleton is replaced; if the function throws, it is as it was
@@ -208,11 +203,6 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///     \cgalParamType{double}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
-///   \cgalParamNBegin{junction_distance}
-///     \cgalParamDescription{branches between two junctions that are shorter, in mean radii of both, become one node}
-///     \cgalParamType{double}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
 ///   \cgalParamNBegin{join_components}
 ///     \cgalParamDescription{whether components are joined}
 ///     \cgalParamType{bool}
@@ -226,11 +216,6 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const Triangulated_s
 ///   \cgalParamNBegin{spacing_over_radius}
 ///     \cgalParamDescription{the same in local radii; not with `spacing`}
 ///     \cgalParamType{double}
-///     \cgalParamDefault{0}
-///   \cgalParamNEnd
-///   \cgalParamNBegin{number_of_smoothing_steps}
-///     \cgalParamDescription{how often branches are smoothed}
-///     \cgalParamType{std::size_t}
 ///     \cgalParamDefault{0}
 ///   \cgalParamNEnd
 /// \cgalNamedParamsEnd
@@ -248,8 +233,7 @@ Simplification_report simplify_skeleton(Skeleton& skeleton, const NamedParameter
 
 /// simplifies the skeleton of a mesh; parts inside of the mesh stay inside. See the function without a mesh.
 ///
-/// A junction is only merged and a node only smoothed if the edges there that are inside stay inside, and where an edge
-/// of a branch that is sampled anew would leave the mesh, the branch is sampled more closely.
+/// Where an edge of a branch that is sampled anew would leave the mesh, the branch is sampled more closely.
 /// \param mesh an oriented manifold of triangles; borders are bridged
 /// \param np as of the other function, and `vertex_point_map`, the points of the vertices of `mesh`
 /// \throw Input_error as the other function, and if `mesh` cannot be skeletonized

@@ -6,7 +6,9 @@
 #ifndef CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 #define CSCD_IO_INTERNAL_SKELETON_CONTENT_H
 
+#include <CSCD/Skeleton.h>
 #include <CSCD/Skeleton_graph.h>
+#include <CSCD/Vector_3.h>
 #include <CSCD/exceptions.h>
 #include <CSCD/input_concepts.h>
 
@@ -80,11 +82,16 @@ struct Skeleton_content : Skeleton
   {
   }
 
-  /// Makes writers treat the nodes as nodes without a radius.
-  void remove_radii()
+  /// The content of a plain skeleton.
+  Skeleton_content(const Skeleton& skeleton) : Skeleton(skeleton), has_radius(skeleton.has_radii())
   {
-    has_radius = false;
-    radii.clear();
+    is_joined.resize(edges.size(), 0);
+    for (const std::vector<Index>& sites : skeleton.vertices) {
+      number_of_vertices.push_back(sites.size());
+    }
+    if (std::all_of(number_of_vertices.begin(), number_of_vertices.end(), [](std::size_t n) { return n == 0; })) {
+      number_of_vertices.clear(); // as of a skeleton from a file
+    }
   }
 };
 

@@ -1,38 +1,45 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Measures of two segmentations by common faces and by boundaries.
+// Measures of two segmentations of a mesh, by common faces and by boundaries.
 
-#include <CSCD/Measure/compare_segmentations.h>
+#ifndef CSCD_BENCHMARK_COMPARE_SEGMENTATIONS_H
+#define CSCD_BENCHMARK_COMPARE_SEGMENTATIONS_H
+
 #include <CSCD/Surface/Triangles.h>
+#include <CSCD/Traits/collect_triangles.h>
 #include <CSCD/Vector_3.h>
 #include <CSCD/internal/Dijkstra_search.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/boost/graph/properties.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <numeric>
 #include <vector>
 
-namespace CSCD::internal {
+namespace benchmark_applications {
 
-std::vector<Index> number_labels(const std::vector<long long>& labels)
+using CSCD::Index;
+
+/// How two segmentations of the same faces differ: the measures of the Princeton segmentation benchmark (X. Chen,
+/// A. Golovinskiy, T. Funkhouser, "A benchmark for 3D mesh segmentation", 2009). Each face counts once, whatever its
+/// area. All are 0 for equal segmentations.
+struct Segmentation_comparison
 {
-  std::vector<long long> different = labels;
-  std::sort(different.begin(), different.end());
-  different.erase(std::unique(different.begin(), different.end()), different.end());
-  std::vector<Index> numbers;
-  numbers.reserve(labels.size());
-  for (const long long label : labels) {
-    numbers.push_back(Index(std::lower_bound(different.begin(), different.end(), label) - different.begin()));
-  }
-  return numbers;
-}
-
-namespace {
+  double rand_error = 0;       ///< part of the pairs of faces that are together in one, apart in the other
+  double hamming_distance = 0; ///< part of the faces outside of the part that covers theirs best, mean both ways
+  double global_consistency_error = 0; ///< 0 if one segmentation refines the other
+  double local_consistency_error = 0;  ///< 0 if at each place one segmentation refines the other
+  /// Mean distances along edges from the boundaries of each segmentation to those of the other, added and divided by
+  /// the mean distance of the faces from their centroid; not a number if just one of the segmentations has boundaries,
+  /// or some lie in components where the other has none.
+  double cut_discrepancy = 0;
+};
 
 /// How many faces each part of one segmentation shares with each part of another one.
 class Common_faces
@@ -66,9 +73,6 @@ public:
     const double in_first = number_of_pairs(m_first);
     const double in_second = number_of_pairs(m_second);
     result.rand_error = all > 0 ? (in_first + in_second - 2 * in_both) / all : 0;
-    const double expected = all > 0 ? in_first * in_second / all : 0;
-    const double greatest = (in_first + in_second) / 2;
-    result.adjusted_rand_index = greatest > expected ? (in_both - expected) / (greatest - expected) : 1;
   }
 
   void measure_covering(Segmentation_comparison& result) const
@@ -79,9 +83,7 @@ public:
       best_in_first[j] = std::max(best_in_first[j], common);
       best_in_second[i] = std::max(best_in_second[i], common);
     });
-    result.missing_rate = 1 - sum(best_in_first) / m_number_of_faces;
-    result.false_alarm_rate = 1 - sum(best_in_second) / m_number_of_faces;
-    result.hamming_distance = (result.missing_rate + result.false_alarm_rate) / 2;
+    result.hamming_distance = 1 - (sum(best_in_first) + sum(best_in_second)) / (2 * m_number_of_faces);
   }
 
   void measure_refinement(Segmentation_comparison& result) const
@@ -132,7 +134,7 @@ private:
 class Segment_boundaries
 {
 public:
-  Segment_boundaries(const Indexed_triangles& triangles, const Halfedge_pairing& pairing)
+  Segment_boundaries(const CSCD::Indexed_triangles& triangles, const CSCD::Halfedge_pairing& pairing)
       : m_triangles(triangles), m_pairing(pairing)
   {
   }
@@ -143,8 +145,9 @@ public:
     std::vector<char> is_on_boundary(m_triangles.points.size(), 0);
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       const Index twin = m_pairing.twin(h);
-      if (twin != no_index && labels[Halfedge_pairing::face(h)] != labels[Halfedge_pairing::face(twin)]) {
-        is_on_boundary[origin(h)] = is_on_boundary[origin(Halfedge_pairing::next(h))] = 1;
+      if (twin != CSCD::no_index &&
+          labels[CSCD::Halfedge_pairing::face(h)] != labels[CSCD::Halfedge_pairing::face(twin)]) {
+        is_on_boundary[origin(h)] = is_on_boundary[origin(CSCD::Halfedge_pairing::next(h))] = 1;
       }
     }
     return is_on_boundary;
@@ -153,20 +156,21 @@ public:
   /// The mean distance from the vertices `from` to the nearest one of `to`, along edges.
   double mean_distance(const std::vector<char>& from, const std::vector<char>& to) const
   {
-    Dijkstra_search search(m_triangles.points.size());
+    CSCD::internal::Dijkstra_search search(m_triangles.points.size());
     for (Index v = 0; v < to.size(); ++v) {
       if (to[v] != 0) {
         search.reach(v, 0);
       }
     }
-    std::vector<Index> halfedge_of(m_triangles.points.size(), no_index);
+    std::vector<Index> halfedge_of(m_triangles.points.size(), CSCD::no_index);
     for (Index h = 0; h < m_pairing.number_of_halfedges(); ++h) {
       halfedge_of[origin(h)] = h;
     }
     search.spread([&](Index vertex, float distance) {
-      for_each_in_fan(m_pairing, halfedge_of[vertex], [&](Index h) {
-        for (const Index end : {Halfedge_pairing::next(h), Halfedge_pairing::previous(h)}) { // both sides of the face
-          const Vector_3 edge = m_triangles.points[origin(end)] - m_triangles.points[vertex];
+      CSCD::for_each_in_fan(m_pairing, halfedge_of[vertex], [&](Index h) {
+        for (const Index end :
+             {CSCD::Halfedge_pairing::next(h), CSCD::Halfedge_pairing::previous(h)}) { // both sides of the face
+          const CSCD::Vector_3 edge = m_triangles.points[origin(end)] - m_triangles.points[vertex];
           search.reach(origin(end), distance + float(edge.norm()));
         }
       });
@@ -175,7 +179,7 @@ public:
     std::size_t number = 0;
     for (Index v = 0; v < from.size(); ++v) {
       if (from[v] != 0) {
-        sum += search.is_reached(v) ? double(search.distance(v)) : undefined_measure;
+        sum += search.is_reached(v) ? double(search.distance(v)) : std::numeric_limits<double>::quiet_NaN();
         ++number;
       }
     }
@@ -185,10 +189,10 @@ public:
   /// The mean distance of the centers of the faces, weighted by area, from their centroid.
   double mean_radius() const
   {
-    const std::vector<double> areas = face_areas(m_triangles);
-    std::vector<Vector_3> centers;
+    const std::vector<double> areas = CSCD::internal::face_areas(m_triangles);
+    std::vector<CSCD::Vector_3> centers;
     centers.reserve(areas.size());
-    Vector_3 moment = Vector_3::Zero();
+    CSCD::Vector_3 moment = CSCD::Vector_3::Zero();
     double area = 0;
     for (std::size_t f = 0; f < areas.size(); ++f) {
       const auto& [a, b, c] = m_triangles.faces[f];
@@ -204,24 +208,37 @@ public:
   }
 
 private:
-  Index origin(Index halfedge) const { return m_triangles.faces[Halfedge_pairing::face(halfedge)][halfedge % 3]; }
+  Index origin(Index halfedge) const { return m_triangles.faces[CSCD::Halfedge_pairing::face(halfedge)][halfedge % 3]; }
 
-  const Indexed_triangles& m_triangles;
-  const Halfedge_pairing& m_pairing;
+  const CSCD::Indexed_triangles& m_triangles;
+  const CSCD::Halfedge_pairing& m_pairing;
 };
 
-} // namespace
-
-Segmentation_comparison compare_segmentations(const Indexed_triangles& triangles, const Halfedge_pairing& pairing,
-                                              const std::vector<Index>& first, const std::vector<Index>& second)
+/// The labels of the faces of `mesh` in their order, numbered anew from 0.
+template <class Mesh, class Labels>
+std::vector<Index> numbered_labels(const Mesh& mesh, const Labels& labels)
 {
-  CGAL_precondition(first.size() == triangles.faces.size() && second.size() == triangles.faces.size());
+  std::map<std::size_t, Index> numbers;
+  std::vector<Index> result;
+  for (const auto face : mesh.faces()) {
+    result.push_back(numbers.emplace(labels[face], Index(numbers.size())).first->second);
+  }
+  return result;
+}
+
+/// Measures how alike two segmentations of a `CGAL::Surface_mesh` are. O(n log n).
+template <class Mesh, class Labels>
+Segmentation_comparison compare_segmentations(const Mesh& mesh, const Labels& first_labels, const Labels& second_labels)
+{
+  const std::vector<Index> first = numbered_labels(mesh, first_labels);
+  const std::vector<Index> second = numbered_labels(mesh, second_labels);
   Segmentation_comparison result;
   const Common_faces common(first, second);
   common.measure_pairs(result);
   common.measure_covering(result);
   common.measure_refinement(result);
-  const Segment_boundaries boundaries(triangles, pairing);
+  const auto collected = CSCD::internal::collect_triangles(mesh, get(CGAL::vertex_point, mesh));
+  const Segment_boundaries boundaries(collected.triangles, collected.pairing);
   const std::vector<char> of_first = boundaries.boundary_vertices(first);
   const std::vector<char> of_second = boundaries.boundary_vertices(second);
   result.cut_discrepancy =
@@ -230,4 +247,6 @@ Segmentation_comparison compare_segmentations(const Indexed_triangles& triangles
   return result;
 }
 
-} // namespace CSCD::internal
+} // namespace benchmark_applications
+
+#endif // CSCD_BENCHMARK_COMPARE_SEGMENTATIONS_H
