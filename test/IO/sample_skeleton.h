@@ -37,9 +37,6 @@ inline std::vector<std::pair<std::size_t, std::size_t>> sample_edges()
   return {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 2}, {4, 5}, {7, 8}, {8, 9}, {9, 7}, {10, 11}, {11, 12}, {12, 10}};
 }
 
-/// The first Betti number of the sample.
-inline constexpr std::size_t sample_betti_number = 3;
-
 /// A skeleton whose coordinates are mostly not exact in decimal notation.
 template <class SampleSkeleton>
 SampleSkeleton sample_skeleton()

@@ -71,7 +71,51 @@ const std::pair<const char*, const char*> texts[] = {
              "0 1\n1 2\n2 3\n3 1\n"},
     {".polylines.txt", "2 0 0 1e+20 1 0.10000000000000001 1e+20\n"
                        "4 1 0.10000000000000001 1e+20 2 0 -1234567 3 0 1e-300 1 0.10000000000000001 1e+20\n"
-                       "1 4 0 1e+20\n"}};
+                       "1 4 0 1e+20\n"},
+    {".swc", "# id type x y z radius parent\n# loop 4 2\n1 6 0 0 1e+20 0 -1\n2 5 1 0.10000000000000001 1e+20 0 1\n"
+             "3 0 2 0 -1234567 0 2\n4 0 3 0 1e-300 0 3\n5 0 4 0 1e+20 0 -1\n"},
+    {".vtp", R"(<?xml version="1.0"?>
+<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian" header_type="UInt64">
+<PolyData>
+<Piece NumberOfPoints="5" NumberOfVerts="1" NumberOfLines="2" NumberOfStrips="0" NumberOfPolys="0">
+<CellData Scalars="BranchId">
+<DataArray type="Int64" Name="BranchId" format="ascii">
+2
+0
+1
+</DataArray>
+</CellData>
+<Points>
+<DataArray type="Float64" NumberOfComponents="3" format="ascii">
+0 0 1e+20
+1 0.10000000000000001 1e+20
+2 0 -1234567
+3 0 1e-300
+4 0 1e+20
+</DataArray>
+</Points>
+<Verts>
+<DataArray type="Int64" Name="connectivity" format="ascii">
+4 
+</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">
+1
+</DataArray>
+</Verts>
+<Lines>
+<DataArray type="Int64" Name="connectivity" format="ascii">
+0 1 
+1 2 3 1 
+</DataArray>
+<DataArray type="Int64" Name="offsets" format="ascii">
+2
+6
+</DataArray>
+</Lines>
+</Piece>
+</PolyData>
+</VTKFile>
+)"}};
 
 TEST(Write_skeleton, writes_known_texts_whatever_the_global_locale)
 {
@@ -81,6 +125,15 @@ TEST(Write_skeleton, writes_known_texts_whatever_the_global_locale)
     const std::string filename = folder.file(std::string("skeleton") + ending);
     CSCD::write_skeleton(filename, small_skeleton());
     EXPECT_EQ(text, read_file(filename));
+  }
+}
+
+TEST(Write_skeleton, vtp_has_radii_and_significances)
+{
+  std::ostringstream out;
+  CSCD::write_vtp(out, sample_skeleton<Skeleton>());
+  for (const char* name : {"Radius", "MaximumInscribedSphereRadius", "Significance"}) {
+    EXPECT_NE(std::string::npos, out.str().find(" Name=\"" + std::string(name) + "\"")) << name;
   }
 }
 

@@ -3,9 +3,7 @@
 //
 // Tests of skeletons written as SWC.
 
-#include "Parsed_skeleton.h"
 #include "sample_skeleton.h"
-#include "write_in_foreign_locale.h"
 #include <CSCD/IO/write_skeleton.h>
 
 #include <gtest/gtest.h>
@@ -20,19 +18,6 @@
 namespace {
 
 using namespace test_support;
-
-template <class SampleSkeleton>
-class Write_swc : public testing::Test
-{
-};
-using Skeletons = testing::Types<Skeleton, Skeleton_without_radius>;
-TYPED_TEST_SUITE(Write_swc, Skeletons);
-template <class SampleSkeleton>
-std::string swc_text()
-{
-  return write_in_foreign_locale([](std::ostream& out, const SampleSkeleton& s) { CSCD::write_swc(out, s); },
-                                 sample_skeleton<SampleSkeleton>());
-}
 
 struct Swc_node
 {
@@ -68,68 +53,6 @@ Swc_file parse(const std::string& content)
     }
   }
   return result;
-}
-
-/// Nodes are renumbered in SWC; the sample is known by its points.
-std::size_t sample_index(const Swc_node& node)
-{
-  const Skeleton skeleton = sample_skeleton<Skeleton>();
-  for (std::size_t i = 0; i < num_vertices(skeleton); ++i) {
-    if (skeleton[i].point == Point(node.x, node.y, node.z)) {
-      return i;
-    }
-  }
-  ADD_FAILURE() << "no such point: node " << node.id;
-  return 0;
-}
-
-TYPED_TEST(Write_swc, reads_back_exactly)
-{
-  const TypeParam skeleton = sample_skeleton<TypeParam>();
-  const Swc_file file = parse(swc_text<TypeParam>());
-  ASSERT_EQ(num_vertices(skeleton), file.nodes.size());
-  Parsed_skeleton parsed;
-  parsed.points.resize(file.nodes.size());
-  std::vector<std::size_t> index;
-  for (const Swc_node& node : file.nodes) {
-    index.push_back(sample_index(node));
-    parsed.points[index.back()] = Point(node.x, node.y, node.z);
-    if constexpr (CSCD::has_radius_v<TypeParam>) {
-      EXPECT_EQ(skeleton[index.back()].radius, node.radius);
-    } else {
-      EXPECT_EQ(0, node.radius);
-    }
-    if (node.parent != -1) {
-      parsed.edges.emplace_back(index.back(), index.at(std::size_t(node.parent) - 1));
-    }
-  }
-  for (const auto& [i, j] : file.loops) {
-    parsed.edges.emplace_back(index.at(i - 1), index.at(j - 1));
-  }
-  expect_sample<Skeleton_without_radius>(parsed);
-}
-
-TYPED_TEST(Write_swc, is_a_forest_with_parents_first)
-{
-  const Swc_file file = parse(swc_text<TypeParam>());
-  std::size_t number_of_roots = 0;
-  for (std::size_t i = 0; i < file.nodes.size(); ++i) {
-    EXPECT_EQ(i + 1, file.nodes[i].id);
-    EXPECT_LT(file.nodes[i].parent, long(i + 1));
-    EXPECT_NE(0, file.nodes[i].parent);
-    number_of_roots += file.nodes[i].parent == -1 ? 1 : 0;
-  }
-  EXPECT_EQ(4u, number_of_roots);
-  EXPECT_EQ(sample_betti_number, file.loops.size());
-}
-
-TYPED_TEST(Write_swc, marks_forks_and_ends)
-{
-  const TypeParam skeleton = sample_skeleton<TypeParam>();
-  for (const Swc_node& node : parse(swc_text<TypeParam>()).nodes) {
-    const auto degree = out_degree(sample_index(node), skeleton);
-    EXPECT_EQ(degree == 1 ? 6 : degree > 2 ? 5 : 0, node.type);
-  }
 }
 
 /// Reads SWC by the strictest rules of readers of neurons: identifiers 1, 2, ..., types 1 to 7, parents before

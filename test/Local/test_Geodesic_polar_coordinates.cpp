@@ -101,17 +101,6 @@ TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_cylinder)
   EXPECT_LT(error, 0.005);
 }
 
-TEST(Geodesic_polar_coordinates, is_nearly_exact_on_a_sphere)
-{
-  Fixture fixture(CSCD::test::sphere(4));
-  for (const Index source : {Index(0), Index(100), Index(2000)}) {
-    const double error = fixture.max_relative_error(source, [&](Index vertex) {
-      return std::acos(std::clamp(fixture.surface.point(vertex).dot(fixture.surface.point(source)), -1., 1.));
-    });
-    EXPECT_LT(error, 0.02);
-  }
-}
-
 TEST(Geodesic_polar_coordinates, is_never_shorter_than_the_straight_line_and_parents_lead_to_the_source)
 {
   for (const CSCD::test::Shape& shape :

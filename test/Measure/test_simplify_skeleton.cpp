@@ -257,18 +257,6 @@ TEST(Simplify_skeleton, topology_and_partition_stay_and_repetition_changes_nothi
   }
 }
 
-TEST(Simplify_skeleton, without_parameters_nothing_changes)
-{
-  for (unsigned seed = 0; seed < 20; ++seed) {
-    Skeleton skeleton = random_skeleton(seed);
-    CSCD::compute_significance(skeleton);
-    Skeleton same = skeleton;
-    CSCD::simplify_skeleton(same);
-    EXPECT_EQ(content(same), content(skeleton));
-    EXPECT_EQ(sorted_vertices(same), sorted_vertices(skeleton));
-  }
-}
-
 TEST(Simplify_skeleton, vertices_of_a_limb_go_to_where_it_was_cut)
 {
   Skeleton skeleton;

@@ -22,40 +22,16 @@ Branches branches(std::size_t number_of_nodes, const std::vector<std::pair<std::
   return CSCD::split_into_branches(Graph(edges.begin(), edges.end(), number_of_nodes));
 }
 
-TEST(Split_into_branches, isolated_nodes_are_branches)
+TEST(Split_into_branches, of_known_graphs)
 {
-  EXPECT_EQ((Branches{{0}, {1}}), branches(2, {}));
-}
-
-TEST(Split_into_branches, path_is_one_branch_from_its_lesser_end)
-{
-  EXPECT_EQ((Branches{{0, 2, 1, 3}}), branches(4, {{1, 3}, {2, 1}, {0, 2}}));
-}
-
-TEST(Split_into_branches, closed_cycle_returns_to_its_first_node)
-{
-  EXPECT_EQ((Branches{{0, 1, 2, 0}}), branches(3, {{0, 1}, {1, 2}, {2, 0}}));
-}
-
-TEST(Split_into_branches, cycles_come_last)
-{
-  EXPECT_EQ((Branches{{3, 4}, {0, 1, 2, 0}}), branches(5, {{0, 1}, {1, 2}, {2, 0}, {3, 4}}));
-}
-
-TEST(Split_into_branches, loop_at_a_junction_is_one_branch)
-{
-  EXPECT_EQ((Branches{{0, 1}, {1, 2, 3, 1}}), branches(4, {{0, 1}, {1, 2}, {2, 3}, {3, 1}}));
-}
-
-TEST(Split_into_branches, theta_graph_has_three_branches)
-{
+  EXPECT_EQ((Branches{{0}, {1}}), branches(2, {})) << "isolated nodes";
+  EXPECT_EQ((Branches{{0, 2, 1, 3}}), branches(4, {{1, 3}, {2, 1}, {0, 2}})) << "a path, from its lesser end";
+  EXPECT_EQ((Branches{{0, 1, 2, 0}}), branches(3, {{0, 1}, {1, 2}, {2, 0}})) << "a cycle";
+  EXPECT_EQ((Branches{{3, 4}, {0, 1, 2, 0}}), branches(5, {{0, 1}, {1, 2}, {2, 0}, {3, 4}})) << "cycles come last";
+  EXPECT_EQ((Branches{{0, 1}, {1, 2, 3, 1}}), branches(4, {{0, 1}, {1, 2}, {2, 3}, {3, 1}})) << "a loop at a junction";
   EXPECT_EQ((Branches{{0, 2, 1}, {0, 1}, {0, 3, 4, 1}}), branches(5, {{0, 2}, {2, 1}, {0, 1}, {0, 3}, {3, 4}, {4, 1}}));
-}
-
-TEST(Split_into_branches, parallel_edges_are_branches_each)
-{
-  EXPECT_EQ((Branches{{0, 1}, {0, 1}, {0, 1}}), branches(2, {{0, 1}, {1, 0}, {0, 1}}));
-  EXPECT_EQ((Branches{{0, 1, 0}}), branches(2, {{0, 1}, {1, 0}})); // both have degree 2: a cycle
+  EXPECT_EQ((Branches{{0, 1}, {0, 1}, {0, 1}}), branches(2, {{0, 1}, {1, 0}, {0, 1}})) << "parallel edges";
+  EXPECT_EQ((Branches{{0, 1, 0}}), branches(2, {{0, 1}, {1, 0}})) << "a cycle: both have degree 2";
   EXPECT_EQ((Branches{{0, 1}, {1, 2, 1}}), branches(3, {{0, 1}, {1, 2}, {2, 1}}));
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Separators made by hand: plane sections and circles around a vertex.
+// Separators made by hand: plane sections.
 
 #ifndef CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
 #define CSCD_TEST_SEPARATOR_MAKE_SEPARATOR_H
@@ -52,25 +52,6 @@ inline Separator section_separator(const CSCD::Triangulated_surface& surface, co
   }
   EXPECT_FALSE(best.crossings.empty()) << "the plane misses the surface";
   return best;
-}
-
-/// The section through the point `x` of the axis of a tube along x, across it or normal to `axis`.
-inline Separator tube_section(const CSCD::Triangulated_surface& surface, double x,
-                              const CSCD::Vector_3& axis = {1, 0, 0})
-{
-  return section_separator(surface, {x, 0, 0}, axis.normalized(), {x, 0, 1});
-}
-
-/// The circle around `vertex` that crosses every edge there at `position` from the vertex. The vertex is on its right.
-inline Separator circle_separator(const CSCD::Triangulated_surface& surface, CSCD::Index vertex, double position)
-{
-  std::vector<CSCD::Edge_crossing> crossings;
-  for (const CSCD::Index h : surface.outgoing(vertex)) {
-    crossings.push_back({h, position});
-  }
-  // A curve goes on into the face of the twin: clockwise.
-  std::reverse(crossings.begin(), crossings.end());
-  return make_separator(surface, std::move(crossings));
 }
 
 } // namespace CSCD::test

@@ -105,14 +105,6 @@ TEST(Plane_section, closes_for_every_vertex_and_every_axis)
   }
 }
 
-TEST(Plane_section, refuses_an_axis_that_is_no_number)
-{
-  const Triangulated_surface surface = CSCD::test::to_surface(CSCD::test::cube());
-  Plane_section section(surface);
-  const Vector_3 nothing = Vector_3::Constant(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_FALSE(section.cut_at_face(0, nothing, {0, 0, 0}, any_length));
-}
-
 TEST(Plane_section, knows_the_axis_of_a_tube_and_of_a_cone)
 {
   for (const CSCD::test::Shape& shape :

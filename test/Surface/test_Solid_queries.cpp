@@ -30,24 +30,6 @@ Vector_3 random_vector(std::mt19937_64& random, double size)
   return size * Vector_3(x, y, CSCD::test::random_signed_unit(random));
 }
 
-TEST(Solid_queries, knows_the_cube)
-{
-  const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(2));
-  const Solid_queries queries(surface);
-  std::mt19937_64 random(1);
-  for (int i = 0; i < 2000; ++i) {
-    const Vector_3 point = random_vector(random, 1) + Vector_3::Constant(0.5);
-    const Vector_3 clamped = point.cwiseMax(Vector_3::Zero()).cwiseMin(Vector_3::Constant(1));
-    const bool is_inside = clamped == point;
-    ASSERT_EQ(queries.is_inside(point), is_inside) << testing::PrintToString(point);
-    const auto nearest = queries.closest_point(point);
-    const double depth = std::min(point.minCoeff(), 1 - point.maxCoeff());
-    const double distance = is_inside ? depth : (clamped - point).norm();
-    ASSERT_NEAR((nearest.point - point).norm(), distance, 1e-14) << testing::PrintToString(point);
-    ASSERT_LT(nearest.face, surface.number_of_faces());
-  }
-}
-
 TEST(Solid_queries, finds_the_middle_behind_faces_edges_and_vertices)
 {
   const Triangulated_surface surface = to_surface(CSCD::test::subdivided_cube(3));
@@ -84,34 +66,6 @@ TEST(Solid_queries, meets_edges_and_vertices_once)
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->distance, (target - center).norm(), 1e-14);
     EXPECT_TRUE(hit->point.isApprox(target, 1e-14));
-  }
-}
-
-TEST(Solid_queries, knows_the_sphere)
-{
-  const Triangulated_surface surface = to_surface(CSCD::test::sphere(4));
-  const Solid_queries queries(surface);
-  const double deviation = 0.004; // of the triangles from the sphere
-  std::mt19937_64 random(2);
-  for (int i = 0; i < 1000; ++i) {
-    const Vector_3 point = random_vector(random, 1.2);
-    const double radius = point.norm();
-    if (std::abs(radius - 1) > deviation) {
-      ASSERT_EQ(queries.is_inside(point), radius < 1);
-    }
-    ASSERT_NEAR((queries.closest_point(point).point - point).norm(), std::abs(radius - 1), deviation);
-    const Vector_3 direction = random_vector(random, 3);
-    const auto hit = queries.first_hit(point, direction);
-    const double toward = point.dot(direction.normalized());
-    const double discriminant = toward * toward - point.squaredNorm() + 1;
-    if (radius < 1 - deviation) {
-      ASSERT_TRUE(hit);
-      ASSERT_NEAR(hit->point.norm(), 1, deviation);
-      ASSERT_NEAR((point + hit->distance * direction.normalized() - hit->point).norm(), 0, 1e-14);
-      ASSERT_NEAR(hit->distance, -toward + std::sqrt(discriminant), 0.05);
-    } else if (radius > 1 && (toward > 0 || discriminant < 0)) {
-      ASSERT_FALSE(hit);
-    }
   }
 }
 

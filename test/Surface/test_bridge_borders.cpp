@@ -61,22 +61,6 @@ TEST(bridge_borders, closes_all_open_shapes)
   }
 }
 
-TEST(bridge_borders, makes_a_pillow_of_a_single_triangle)
-{
-  Indexed_triangles input{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, 1};
-  const Triangulated_surface surface = expect_closed(input, 1, 2);
-  EXPECT_EQ(surface.number_of_faces(), 2u);
-  EXPECT_EQ(surface.degree(0), 2u);
-}
-
-TEST(bridge_borders, makes_a_flat_tetrahedron_of_two_triangles)
-{
-  Indexed_triangles input{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}, 2};
-  const Triangulated_surface surface = expect_closed(input, 1, 2);
-  EXPECT_EQ(surface.number_of_faces(), 4u);
-  EXPECT_NE(surface.find_halfedge(1, 3), CSCD::no_index) << "the diagonal that did not exist";
-}
-
 TEST(bridge_borders, inserts_a_vertex_where_every_diagonal_exists)
 {
   // Moebius' torus joins each two of its seven vertices; the faces around the last one are missing.

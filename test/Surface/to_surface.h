@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The CSCD developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A test shape compiled as the finest level, or as all levels, without any change of numbers or coordinates.
+// A test shape compiled without any change of numbers or coordinates.
 
 #ifndef CSCD_TEST_SURFACE_TO_SURFACE_H
 #define CSCD_TEST_SURFACE_TO_SURFACE_H
 
 #include "Surface/to_indexed_triangles.h"
 #include "support/Shape.h"
-#include <CSCD/Surface/Surface_levels.h>
 #include <CSCD/Surface/Triangulated_surface.h>
 
 namespace CSCD::test {
@@ -16,11 +15,6 @@ namespace CSCD::test {
 inline CSCD::Triangulated_surface to_surface(const Shape& shape)
 {
   return CSCD::Triangulated_surface(to_indexed_triangles(shape));
-}
-
-inline CSCD::Surface_levels to_levels(const Shape& shape)
-{
-  return CSCD::Surface_levels(to_surface(shape));
 }
 
 /// The vertex of `surface` that is nearest to `point`.

@@ -7,39 +7,24 @@ Writes so many tori of different sizes; one file in a thousand is not a mesh."""
 import pathlib
 import sys
 
-import numpy as np
+from math import cos, pi, sin
 
 
-def torus(around, across):
-    u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
-    a, b = 2 * np.pi * u / around, 2 * np.pi * v / across
-    points = np.stack([(3 + np.cos(b)) * np.cos(a), (3 + np.cos(b)) * np.sin(a), np.sin(b)], axis=-1).reshape(-1, 3)
-
-    def corner(i, j):
-        return (u + i) % around * across + (v + j) % across
-
-    quads = np.stack([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)], axis=-1).reshape(-1, 4)
-    return points, quads
-
-
-def write_off(path, points, quads):
-    lines = [f"OFF\n{len(points)} {len(quads)} 0"]
-    lines += [f"{x:.6g} {y:.6g} {z:.6g}" for x, y, z in points.tolist()]
-    lines += [f"4 {a} {b} {c} {d}" for a, b, c, d in quads.tolist()]
+def write_torus(path, around, across, scale):
+    lines = [f"OFF\n{around * across} {around * across} 0"]
+    for a, b in ((2 * pi * i / around, 2 * pi * j / across) for i in range(around) for j in range(across)):
+        lines.append(" ".join(f"{scale * x:.6g}" for x in ((3 + cos(b)) * cos(a), (3 + cos(b)) * sin(a), sin(b))))
+    for i, j in ((i, j) for i in range(around) for j in range(across)):
+        lines.append("4 " + " ".join(str((i + di) % around * across + (j + dj) % across)
+                                     for di, dj in ((0, 0), (1, 0), (1, 1), (0, 1))))
     path.write_text("\n".join(lines) + "\n")
 
 
-def main():
-    folder, number = pathlib.Path(sys.argv[1]), int(sys.argv[2])
-    for i in range(number):
-        path = folder / f"{i // 1000:02}" / f"{i % 1000:03}.off"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        if i % 1000 == 500:
-            path.write_text("OFF\nbroken\n")
-        else:
-            points, quads = torus(10 + i % 7, 4 + i % 3)
-            write_off(path, points * (1 + i / number), quads)
-
-
-if __name__ == "__main__":
-    main()
+folder, number = pathlib.Path(sys.argv[1]), int(sys.argv[2])
+for n in range(number):
+    file = folder / f"{n // 1000:02}" / f"{n % 1000:03}.off"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    if n % 1000 == 500:
+        file.write_text("OFF\nbroken\n")
+    else:
+        write_torus(file, 10 + n % 7, 4 + n % 3, 1 + n / number)

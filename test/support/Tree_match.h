@@ -79,8 +79,6 @@ public:
   }
 
   const Tree_match& result() const { return m_result; }
-  std::size_t branch_of_limb(std::size_t limb) const { return m_branch_of_limb[limb]; }
-  std::size_t limb_of_branch(std::size_t branch) const { return m_limb_of_branch[branch]; }
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 private:

@@ -71,17 +71,6 @@ inline Shape star(std::size_t number_of_limbs, double length, double radius, dou
   return shape;
 }
 
-/// A ball of radius 3 around the origin with two thin horns side by side, about the lines x = -0.4 and x = 0.4 in the
-/// plane y = 0, up to z = 5.
-inline Shape horned_ball(double cell_size)
-{
-  std::vector<Limb> limbs{{{0, 0, 0}, {0, 0, 0}, 3, 3}};
-  for (const double x : {-0.4, 0.4}) {
-    limbs.push_back({{x, 0, 2.5}, {x, 0, 5}, 0.2, 0.2});
-  }
-  return limb_shape("horned ball", limbs, cell_size);
-}
-
 /// Three limbs: the smallest branched shape.
 inline Shape y_tube(double cell_size)
 {

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,7 +47,7 @@ inline Shape cube()
   return box("cube", {1, 1, 1});
 }
 
-/// A prism of height 1 over a polygon, which is given with its triangulation.
+/// A prism of height 1 over a polygon mesh in the plane z = 0: a wall stands under each edge of one triangle only.
 inline Shape prism(const std::string& name, const std::vector<Triple>& polygon, const std::vector<Triangle>& fill)
 {
   const std::size_t n = polygon.size();
@@ -56,14 +57,17 @@ inline Shape prism(const std::string& name, const std::vector<Triple>& polygon, 
   for (const Triple& p : polygon) {
     shape.points.push_back({p[0], p[1], 1});
   }
+  std::set<std::pair<std::size_t, std::size_t>> edges;
   for (const auto& [a, b, c] : fill) {
     shape.triangles.push_back({a, c, b});
     shape.triangles.push_back({n + a, n + b, n + c});
+    edges.insert({{a, b}, {b, c}, {c, a}});
   }
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t next = (i + 1) % n;
-    shape.triangles.push_back({i, next, n + next});
-    shape.triangles.push_back({i, n + next, n + i});
+  for (const auto& [a, b] : edges) {
+    if (edges.count({b, a}) == 0) {
+      shape.triangles.push_back({a, b, n + b});
+      shape.triangles.push_back({a, n + b, n + a});
+    }
   }
   return shape;
 }
@@ -168,54 +172,19 @@ inline Shape double_cone(std::size_t valence)
   return shape;
 }
 
-namespace internal {
-
-/// The body over a plane polygon mesh: bottom at z = 0, top at z = height, a wall under each edge of one triangle only.
-inline Shape extruded(const std::string& name, const std::vector<std::pair<double, double>>& corners,
-                      const std::vector<Triangle>& faces, double height)
-{
-  Shape shape;
-  shape.name = name;
-  const std::size_t n = corners.size();
-  for (const double z : {0.0, height}) {
-    for (const auto& [x, y] : corners) {
-      shape.points.push_back({x, y, z});
-    }
-  }
-  std::vector<std::vector<bool>> has_edge(n, std::vector<bool>(n, false));
-  for (const Triangle& t : faces) {
-    shape.triangles.push_back({t[0] + n, t[1] + n, t[2] + n});
-    shape.triangles.push_back({t[0], t[2], t[1]});
-    for (std::size_t k = 0; k < 3; ++k) {
-      has_edge[t[k]][t[(k + 1) % 3]] = true;
-    }
-  }
-  for (std::size_t a = 0; a < n; ++a) {
-    for (std::size_t b = 0; b < n; ++b) {
-      if (has_edge[a][b] && !has_edge[b][a]) {
-        shape.triangles.push_back({a, b, b + n});
-        shape.triangles.push_back({a, b + n, a + n});
-      }
-    }
-  }
-  return shape;
-}
-
-} // namespace internal
-
 /// An L-shaped bracket of 20 triangles.
 inline Shape l_bracket()
 {
-  return internal::extruded("L-bracket", {{0, 0}, {10, 0}, {10, 1}, {1, 1}, {1, 10}, {0, 10}},
-                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 1);
+  return prism("L-bracket", {{0, 0, 0}, {10, 0, 0}, {10, 1, 0}, {1, 1, 0}, {1, 10, 0}, {0, 10, 0}},
+               {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
 }
 
 /// A square plate with a square hole through it: 32 triangles, genus 1.
 inline Shape plate_with_hole()
 {
-  Shape shape =
-      internal::extruded("plate with hole", {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {3, 3}, {7, 3}, {7, 7}, {3, 7}},
-                         {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}}, 1);
+  Shape shape = prism("plate with hole",
+                      {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {3, 3, 0}, {7, 3, 0}, {7, 7, 0}, {3, 7, 0}},
+                      {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}});
   shape.genus = 1;
   return shape;
 }

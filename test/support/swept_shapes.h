@@ -208,9 +208,8 @@ inline std::size_t rings_for(double length, double radius, std::size_t around)
 inline Shape tube(double length, double radius, std::size_t around, Tube_end end)
 {
   const std::size_t n = rings_for(length, radius, around);
-  Shape shape = swept_shape(end == Tube_end::open ? "open tube" : "tube", sampled_segment({0, 0, 0}, {length, 0, 0}, n),
-                            std::vector<double>(n, radius), around, end);
-  return shape;
+  return swept_shape(end == Tube_end::open ? "open tube" : "tube", sampled_segment({0, 0, 0}, {length, 0, 0}, n),
+                     std::vector<double>(n, radius), around, end);
 }
 
 /// A straight tube with hemispheres at its ends.
@@ -271,9 +270,8 @@ inline Shape trefoil_knot(double radius, std::size_t around)
   const auto curve = [](double t) {
     return Triple{std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)};
   };
-  Shape shape = swept_shape("trefoil knot", sampled_closed_curve(curve, n), std::vector<double>(n, radius), around,
-                            Tube_end::joined);
-  return shape;
+  return swept_shape("trefoil knot", sampled_closed_curve(curve, n), std::vector<double>(n, radius), around,
+                     Tube_end::joined);
 }
 
 /// A chain of `number_of_rings` rings, each through the next and none touching.
@@ -294,8 +292,7 @@ inline Shape chain_of_rings(std::size_t number_of_rings, std::size_t around)
     rings.push_back(swept_shape("ring", sampled_closed_curve(circle, n), std::vector<double>(n, minor_radius), around,
                                 Tube_end::joined));
   }
-  Shape shape = merged("chain of rings", rings);
-  return shape;
+  return merged("chain of rings", rings);
 }
 
 /// A closed tube without a strip of faces along its middle part: one long border.

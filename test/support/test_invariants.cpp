@@ -78,38 +78,22 @@ TEST_F(Invariants, hold_for_an_exact_skeleton)
   EXPECT_LT(CSCD::test::centreline_error(m_shape, m_skeleton).max_gap, 1e-12);
 }
 
-TEST_F(Invariants, notice_a_vertex_without_node)
+TEST_F(Invariants, notice_damage)
 {
+  const Skeleton whole = m_skeleton;
   m_skeleton[3].vertices.pop_back();
-  EXPECT_EQ(violations().size(), 1u);
-}
-
-TEST_F(Invariants, notice_a_vertex_with_two_nodes)
-{
+  EXPECT_EQ(violations().size(), 1u) << "a vertex without node";
+  m_skeleton = whole;
   m_skeleton[3].vertices.push_back(m_skeleton[4].vertices.front());
-  EXPECT_EQ(violations().size(), 1u);
-}
-
-TEST_F(Invariants, notice_a_wrong_cycle)
-{
-  add_edge(0, 8, m_skeleton);
-  EXPECT_FALSE(violations().empty());
-}
-
-TEST_F(Invariants, notice_a_double_edge_and_a_loop)
-{
-  add_edge(0, 1, m_skeleton);
-  EXPECT_FALSE(CSCD::test::violations_of_graph(m_skeleton).empty());
-  remove_edge(0, 1, m_skeleton);
-  EXPECT_TRUE(CSCD::test::violations_of_graph(m_skeleton).empty());
-  add_edge(2, 2, m_skeleton);
-  EXPECT_FALSE(CSCD::test::violations_of_graph(m_skeleton).empty());
-}
-
-TEST_F(Invariants, notice_a_broken_skeleton)
-{
+  EXPECT_EQ(violations().size(), 1u) << "a vertex with two nodes";
+  for (const auto& [a, b] : {std::pair(0, 8), std::pair(0, 1), std::pair(2, 2)}) {
+    m_skeleton = whole;
+    add_edge(std::size_t(a), std::size_t(b), m_skeleton);
+    EXPECT_FALSE(violations().empty()) << "a wrong cycle, a double edge, a loop";
+  }
+  m_skeleton = whole;
   remove_edge(4, 5, m_skeleton);
-  EXPECT_FALSE(violations().empty());
+  EXPECT_FALSE(violations().empty()) << "two components";
 }
 
 TEST_F(Invariants, notice_bad_numbers)
@@ -160,16 +144,8 @@ TEST_F(Invariants, comparison_ignores_names_only)
   EXPECT_EQ(CSCD::test::difference(a, b, 1e-2), "");
 
   b = a;
-  std::swap(b.sites[3].front(), b.sites[4].front());
-  EXPECT_NE(CSCD::test::difference(a, b, 1e-9), "");
-
-  b = a;
   b.edges[3] = {0, 8};
   EXPECT_NE(CSCD::test::difference(a, b, 1e-9), "");
-
-  b = a;
-  b.points[4] = b.points[3];
-  EXPECT_NE(CSCD::test::difference(a, b, 10), "");
 }
 
 } // namespace

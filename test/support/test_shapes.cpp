@@ -71,24 +71,4 @@ TEST(Shapes, surface_keeps_its_distance_from_the_centreline)
   }
 }
 
-TEST(Shape_operations, renumbering_keeps_points_and_topology)
-{
-  const CSCD::test::Shape shape = CSCD::test::y_tube(0.3);
-  const CSCD::test::Renumbered_shape other = CSCD::test::renumbered(shape, 3);
-  expect_is_as_declared(other.shape);
-  ASSERT_EQ(other.shape.points.size(), shape.points.size());
-  for (std::size_t v = 0; v < shape.points.size(); ++v) {
-    EXPECT_EQ(other.shape.points[other.new_number[v]], shape.points[v]);
-  }
-  EXPECT_NE(other.shape.points, shape.points);
-}
-
-TEST(Shape_operations, conversion_and_back_changes_nothing)
-{
-  const CSCD::test::Shape shape = CSCD::test::l_bracket();
-  const CSCD::test::Shape other = CSCD::test::to_shape(CSCD::test::to_mesh<Mesh>(shape));
-  EXPECT_EQ(other.points, shape.points);
-  EXPECT_EQ(other.triangles.size(), shape.triangles.size());
-}
-
 } // namespace
