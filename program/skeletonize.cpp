@@ -166,7 +166,13 @@ void write_rig(CSCD::File_group& files, const std::string& output, const Input& 
                             ": has no surface that a rig could move; name another format by --output");
   }
   const CSCD::internal::Assigned_surface surface = assigned_surface(input, result.skeleton);
-  const CSCD::Rig rig = CSCD::internal::make_rig(result.skeleton, surface, result.roots, CSCD::default_bend_tolerance);
+  std::optional<CSCD::Index> root;
+  if (!result.roots.empty()) { // one for each component, which the rig joins
+    root = *std::max_element(result.roots.begin(), result.roots.end(), [&](CSCD::Index a, CSCD::Index b) {
+      return result.skeleton.radii[a] < result.skeleton.radii[b];
+    });
+  }
+  const CSCD::Rig rig = CSCD::internal::make_rig(result.skeleton, surface, root);
   files.write(output, [&](std::ostream& out) {
     CSCD::internal::write_glb(out, surface, rig, std::filesystem::path(name_of(options.input)).stem().string());
   });

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,11 +34,11 @@ using Rig_skeleton = CSCD::Skeleton_graph<Rig_mesh::Point, Rig_mesh::Vertex_inde
 
 struct Rigged_shape
 {
-  explicit Rigged_shape(const CSCD::test::Shape& shape, const std::vector<CSCD::Index>& roots = {})
+  explicit Rigged_shape(const CSCD::test::Shape& shape, std::optional<CSCD::Index> root = std::nullopt)
       : mesh(CSCD::test::to_mesh<Rig_mesh>(shape))
   {
     CSCD::extract_curve_skeleton(mesh, skeleton);
-    rig = CSCD::make_rig(mesh, skeleton, roots);
+    rig = CSCD::make_rig(mesh, skeleton, root);
   }
 
   /// The sum of the weights of a joint and its descendants at a vertex: a turn of the joint turns it by this share.
@@ -132,25 +133,29 @@ TEST(Make_rig, holds_for_bodies_of_all_kinds)
   }
 }
 
-TEST(Make_rig, has_a_root_for_each_component_unless_roots_are_given)
+TEST(Make_rig, joins_components_to_one_body)
 {
   const CSCD::test::Shape two = CSCD::test::chain_of_rings(2, 12);
   const Rigged_shape rigged(two);
   expect_valid(rigged);
-  EXPECT_EQ(2, std::count_if(rigged.rig.joints.begin(), rigged.rig.joints.end(),
+  EXPECT_EQ(1, std::count_if(rigged.rig.joints.begin(), rigged.rig.joints.end(),
                              [](const CSCD::Rig_joint& joint) { return !joint.parent; }));
   const CSCD::Index root = 3;
-  EXPECT_EQ(root, Rigged_shape(two, {root}).rig.joints.front().node);
+  EXPECT_EQ(root, Rigged_shape(two, root).rig.joints.front().node);
 }
 
-TEST(Make_rig, has_no_joints_along_a_straight_limb)
+TEST(Make_rig, has_joints_at_even_distances_along_a_limb)
 {
   const CSCD::test::Shape tube = CSCD::test::capsule(10, 1, 16);
   const Rigged_shape any(tube);
-  const auto ends = CSCD::find_roots(any.skeleton, CSCD::Root_rule::longest);
-  const Rigged_shape from_end(tube, ends);
-  EXPECT_EQ(2u, from_end.rig.joints.size());
+  const Rigged_shape from_end(tube, CSCD::find_roots(any.skeleton, CSCD::Root_rule::longest).front());
+  expect_valid(from_end);
+  ASSERT_EQ(7u, from_end.rig.joints.size()) << "two ends and five between them";
   EXPECT_TRUE(from_end.rig.joints.back().is_tip);
+  for (std::size_t j = 1; j < 7; ++j) {
+    EXPECT_EQ(j - 1, *from_end.rig.joints[j].parent);
+    EXPECT_NEAR((from_end.rig.joints[j].point - from_end.rig.joints[j - 1].point).norm(), 10. / 6, 0.7);
+  }
 }
 
 TEST(Make_rig, bending_a_joint_of_a_bent_tube_moves_what_is_behind_it)

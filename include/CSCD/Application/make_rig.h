@@ -57,22 +57,18 @@ struct Rig
   std::vector<Influences> influences; ///< of the vertices of the mesh in their order
 };
 
-/// How far bones may be from the skeleton by default, in radii of its nodes.
-inline constexpr double default_bend_tolerance = 0.5;
-
 namespace internal {
 
-/// \param roots if there are none, the thickest node of each component \param bend_tolerance see the public function
-Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const std::vector<Index>& roots,
-             double bend_tolerance);
+/// \param root see the public function
+Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::optional<Index> root);
 
 } // namespace internal
 
 /// makes a rig of the skeleton of a mesh.
 ///
-/// Joints are at the roots, junctions and tips of the skeleton; where a limb leaves the ball of the junction that it
-/// begins at, so that each limb has a joint of its own; and where a limb bends: the algorithm of Douglas and Peucker
-/// leaves those out without which the straight bones stay close to the skeleton. Cycles are cut where they are
+/// Components are joined by the shortest straight edges, so that the rig has one root. Joints are at the root,
+/// junctions and tips of the skeleton, half a radius outside junctions, so that each limb has a joint of its own, and
+/// along limbs at even distances: every 0.06 of the size of the body, but at most five. Cycles are cut where they are
 /// thinnest.
 ///
 /// A vertex is moved by the joint before its place on the skeleton, which is the point of the edges at its node that is
@@ -80,22 +76,17 @@ Rig make_rig(const Skeleton& skeleton, const Assigned_surface& surface, const st
 /// polynomial of the distance along the skeleton. At last they are averaged over neighboring vertices, so often that
 /// they spread by a quarter of a mean radius, as places on the skeleton leap where limbs meet.
 ///
-/// Expectedly O(n log n + m k), for n nodes and k averagings, 2 to 64, over m vertices; O(b^2) for branches of b nodes
-/// that bend everywhere.
+/// O(n log n + m k + c^2), for n nodes, k averagings, 2 to 64, over m vertices, and c nodes of components to be joined.
 ///
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
-/// \param roots nodes, counted from 0 in the order of the graph, as `find_roots()` gives them; if there are none, the
-///        thickest node of each component
-/// \param bend_tolerance how far bones may be from the skeleton, in radii of its nodes
+/// \param root a node, counted from 0 in the order of the graph; by default, the thickest node
 /// \pre `skeleton` has nodes; all faces of `mesh` are triangles
 template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
-Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, const std::vector<Index>& roots = {},
-             double bend_tolerance = default_bend_tolerance)
+Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, std::optional<Index> root = std::nullopt)
 {
   static_assert(has_radius_v<Skeleton>, "joints are placed by the radii of the nodes");
-  return internal::make_rig(internal::index_skeleton(skeleton), internal::assigned_surface(mesh, skeleton), roots,
-                            bend_tolerance);
+  return internal::make_rig(internal::index_skeleton(skeleton), internal::assigned_surface(mesh, skeleton), root);
 }
 
 } // namespace CSCD
