@@ -52,12 +52,10 @@ struct Outcome
   std::string err;
 };
 
-/// A test that runs the program in a folder of its own, with the file torus.off.
+/// A test that runs the program in a folder of its own.
 class Cscd : public testing::Test
 {
 protected:
-  Cscd() { m_folder.write("torus.off", off(torus())); }
-
   /// Runs the program in the test's folder, in a shell: arguments may redirect.
   /// \param before the first commands of the shell, with a semicolon, or the variables that the program gets
   Outcome run(const std::string& arguments, const std::string& before = "")
