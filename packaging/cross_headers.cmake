@@ -14,8 +14,9 @@ foreach(library CGAL::CGAL Boost::boost Eigen3::Eigen nlohmann_json::nlohmann_js
   add_library(${library} INTERFACE IMPORTED GLOBAL)
   target_include_directories(${library} INTERFACE "${cscd_headers}")
 endforeach()
-# As CGAL's package has it where GMP is disabled.
+# As CGAL's package has it where GMP is disabled. Its exact predicates change the rounding mode.
 target_compile_definitions(CGAL::CGAL INTERFACE CGAL_DISABLE_GMP=1)
+target_compile_options(CGAL::CGAL INTERFACE -frounding-math)
 
 macro(cscd_find_headers method package)
   if("${package}" MATCHES "^(CGAL|Boost|Eigen3|nlohmann_json|CLI11)$")
