@@ -58,12 +58,8 @@ public:
     return result;
   }
 
-  /// Hands nodes and radii over to `skeleton`, and is empty afterwards.
-  void move_to(Embedded_skeleton& skeleton) &&
-  {
-    skeleton.radius = radii();
-    skeleton.node_of_vertex = std::move(m_node);
-  }
+  /// The nodes of all vertices.
+  const std::vector<Index>& nodes_of_vertices() const { return m_node; }
 
 private:
   void collect_nodes(const Cut_graph& cut_graph)

@@ -55,13 +55,15 @@ inline void finish_on_sheets(const Triangulated_solid& solid, Skeleton_builder& 
 
 /// Removes nodes from straight parts of branches: nodes that no vertex of the input belongs to, and all nodes whose
 /// neighbors are at most `node_spacing` radii apart. The edges that replace them stay inside the body.
+/// \param radius of each node, as measured on the surface; the remaining nodes keep theirs
 /// \return whether a node was removed
 inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignment& assignment, double node_spacing,
-                          Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph)
+                          Inside_routing<Triangulated_solid>& routing, Skeleton_builder& graph,
+                          std::vector<double>& radius)
 {
   // A node without vertices may be this far from the edge that replaces it, relative to R; its radius may differ as
   // much. The edge is at most this long, relative to R, so that deviations do not add up.
-  constexpr double max_deviation = 0.1;
+  constexpr double max_deviation = 0.04;
   constexpr double max_length = 4;
 
   std::vector<char> owns_vertex(graph.size(), 0);
@@ -73,22 +75,31 @@ inline bool thin_branches(const Triangulated_solid& solid, const Vertex_assignme
     if (!graph.is_regular(index) || node.is_opening || !graph.is_bypassable(index)) {
       continue;
     }
-    const Skeleton_builder::Node& a = graph[node.neighbors[0]];
-    const Skeleton_builder::Node& b = graph[node.neighbors[1]];
-    const double to_a = (node.position - a.position).norm();
-    const double along = to_a / (to_a + (node.position - b.position).norm());
-    const double deviation = (a.position + along * (b.position - a.position) - node.position).norm() / node.radius;
-    const double change_of_radius = std::abs(a.radius + along * (b.radius - a.radius) - node.radius) / node.radius;
-    const double length = (a.position - b.position).norm() / node.radius;
-    const bool is_needed =
-        owns_vertex[index] || length > max_length || std::max(deviation, change_of_radius) > max_deviation;
-    if ((!is_needed || length <= node_spacing) && routing.is_free(node.neighbors[0], node.neighbors[1])) {
+    const Index a = node.neighbors[0];
+    const Index b = node.neighbors[1];
+    const double to_a = graph.edge_length(index, a);
+    const double along = to_a / (to_a + graph.edge_length(index, b));
+    const Vector_3 place = (1 - along) * graph[a].position + along * graph[b].position;
+    const double deviation = (place - node.position).norm() / radius[index];
+    const double change_of_radius =
+        std::abs((1 - along) * radius[a] + along * radius[b] - radius[index]) / radius[index];
+    const double length = graph.edge_length(a, b) / radius[index];
+    const bool is_needed = owns_vertex[index] || graph.is_junction(a) || graph.is_junction(b) || length > max_length ||
+                           std::max(deviation, change_of_radius) > max_deviation;
+    if ((!is_needed || length <= node_spacing) && routing.is_free(a, b)) {
       graph.bypass(index);
     }
   }
-  const Index number_of_nodes = graph.size();
+  Index number_of_nodes = 0;
+  for (Index index = 0; index < graph.size(); ++index) {
+    if (!graph[index].is_removed) {
+      radius[number_of_nodes++] = radius[index];
+    }
+  }
+  radius.resize(number_of_nodes);
+  const bool is_thinned = number_of_nodes < graph.size();
   graph.compact();
-  return graph.size() < number_of_nodes;
+  return is_thinned;
 }
 
 /// The skeleton that `cut_graph` describes, of the surface cut along the `packed` ones of `separators`. Counts the
@@ -109,12 +120,13 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   routing.route_edges(true);
   graph.compact();
   const auto assign_vertices = [&] { return Vertex_assignment(solid.triangulation(), cut_graph, graph); };
-  Vertex_assignment assignment = assign_vertices();
-  const bool is_thinned = thin_branches(solid, assignment, node_spacing, routing, graph);
+  const Vertex_assignment assignment = assign_vertices();
+  result.radius = assignment.radii();
+  const bool is_thinned = thin_branches(solid, assignment, node_spacing, routing, graph, result.radius);
+  result.node_of_vertex = (is_thinned ? assign_vertices() : assignment).nodes_of_vertices();
   const auto outside = routing.count_outside();
   report.number_of_nodes_outside = outside.number_of_nodes;
   report.number_of_edges_outside = outside.number_of_edges;
-  (is_thinned ? assign_vertices() : std::move(assignment)).move_to(result);
   return result;
 }
 
