@@ -4,7 +4,7 @@
 // The test appends this to a viewer page. It works every switch as a user does, looks at the pixels, and writes one line
 // a check into an element of its own: "ok" or "failed" at the begin.
 
-const { panel, address_of, apply_address, errors } = window.cscd;
+const { panel, address_of, apply_address, svg_of, errors } = window.cscd;
 const lines = [];
 const element = (id) => document.getElementById(id);
 const all = (selector) => [...document.querySelectorAll(selector)];
@@ -183,6 +183,25 @@ function check_click() {
   check(element('row').hidden, 'row closed');
 }
 
+function check_files() {
+  const canvas = panel.view.picture(300, '#ffffff');
+  const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  check(canvas.width === 300 && pixels.some((value, i) => i % 4 < 3 && value < 128), 'png of 300 pixels');
+  const svg = new DOMParser().parseFromString(svg_of(panel), 'image/svg+xml');
+  const count = svg.getElementsByTagName('line').length;
+  const shown = panel.detail.counts.edges;
+  check(count === shown, `svg: ${count} lines of ${shown} edges`);
+  const saved = [];
+  const create = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    saved.push(blob.type);
+    return create.call(URL, blob);
+  };
+  element('svg').click();
+  URL.createObjectURL = create;
+  check(saved.join() === 'image/svg+xml', `saved ${saved}`);
+}
+
 // The address of a moved view makes the same picture again.
 function check_address() {
   const { view } = panel;
@@ -221,6 +240,7 @@ function run() {
   check_movements();
   check_lists();
   check_click();
+  check_files();
   check_address();
   check_resize();
   const code = panel.view.renderer.getContext().getError();
