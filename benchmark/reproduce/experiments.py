@@ -382,7 +382,7 @@ def compile_time(lab, options):
             _, cost = run(os.environ.get("CXX", "g++"), *flags, *macros, "-c", "-o", os.devnull, source)
             row += [f"{cost.cpu:.1f}", count(cost.megabytes)]
         rows.append(row)
-    return {"compile_time": markdown(["what is compiled", "header-only: CPU s", "MB", "`CSCD::compiled`: CPU s", "MB"],
+    return {"compile_time": markdown(["compiled file", "header-only: CPU s", "MB", "`CSCD::compiled`: CPU s", "MB"],
                                      rows)}
 
 
@@ -401,7 +401,7 @@ def main():
     parser.add_argument("paths", nargs="*", metavar="PATH")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--repetitions", type=int, default=3, metavar="N", help="of what is timed; by default 3")
+    parser.add_argument("--repetitions", type=int, default=3, metavar="N", help="number of timed runs; by default 3")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         found = EXPERIMENTS[options.name](Laboratory(options.build / "bin", folder), options)

@@ -96,7 +96,7 @@ std::vector<Point> to_points(const std::vector<Triple>& triples)
   return result;
 }
 
-/// Skeletonizes points. \param result gets what can be counted without knowing the tree
+/// Skeletonizes points. \param result gets the counts that need no knowledge of the tree
 CSCD::Tree_report skeletonize(const std::vector<Point>& points, Skeleton& skeleton, Json& result)
 {
   const std::clock_t begin = std::clock();

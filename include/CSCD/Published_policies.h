@@ -118,7 +118,7 @@ Embedded_skeleton Published_policies::build_skeleton(const Surface& surface, con
 {
   if constexpr (std::is_same_v<Surface, Triangulated_solid>) {
     if (m_settings.placement_rule == Placement_rule::sections) {
-      return internal::embed_skeleton(surface, separators, packing.packed(), 0, report);
+      return internal::embed_skeleton(surface, separators, packing.packed(), report);
     }
   }
   const auto place_nodes = [&](Skeleton_builder& builder) {

@@ -348,13 +348,13 @@ Skeleton join_components(const Skeleton& skeleton)
 /// The largest side of the box of `points`.
 double size_of(const std::vector<Vector_3>& points)
 {
-  double result = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [least, greatest] = std::minmax_element(
-        points.begin(), points.end(), [axis](const Vector_3& a, const Vector_3& b) { return a[axis] < b[axis]; });
-    result = std::max(result, (*greatest)[axis] - (*least)[axis]);
+  Vector_3 least = points.front();
+  Vector_3 greatest = points.front();
+  for (const Vector_3& point : points) {
+    least = least.cwiseMin(point);
+    greatest = greatest.cwiseMax(point);
   }
-  return result;
+  return (greatest - least).maxCoeff();
 }
 
 } // namespace

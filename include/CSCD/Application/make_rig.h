@@ -81,6 +81,7 @@ Rig make_rig(const Skeleton& parts, const Assigned_surface& surface, std::option
 /// \tparam TriangleMesh a model of `FaceListGraph` with an internal property map for `CGAL::vertex_point_t`
 /// \tparam Skeleton a model of `CurveSkeletonGraph` that holds vertices of the mesh and has radii
 /// \param root a node, counted from 0 in the order of the graph; by default, the thickest node
+/// \throw Input_error if components have too many nodes to be joined; the message names the remedy
 /// \pre `skeleton` has nodes; all faces of `mesh` are triangles
 template <class TriangleMesh, class Skeleton, std::enable_if_t<is_triangle_mesh_v<TriangleMesh>, int> = 0>
 Rig make_rig(const TriangleMesh& mesh, const Skeleton& skeleton, std::optional<Index> root = std::nullopt)

@@ -6,6 +6,7 @@
 #ifndef CSCD_SKELETON_EMBED_SKELETON_H
 #define CSCD_SKELETON_EMBED_SKELETON_H
 
+#include <CSCD/Options.h>
 #include <CSCD/Packing/Cut_graph.h>
 #include <CSCD/Separator/Separator.h>
 #include <CSCD/Skeleton/Branch_relaxation.h>
@@ -130,11 +131,10 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   return result;
 }
 
-/// The same for separators that were packed without cutting the surface; separators that cross an earlier one are left
-/// out.
+/// The same for separators that were packed without cutting the surface, at the default spacing of nodes; separators
+/// that cross an earlier one are left out.
 inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const std::vector<Separator>& separators,
-                                        const std::vector<Index>& packed, double node_spacing,
-                                        Skeletonization_report& report)
+                                        const std::vector<Index>& packed, Skeletonization_report& report)
 {
   Separator_arrangement arrangement(solid.triangulation());
   std::vector<Index> inserted;
@@ -145,7 +145,7 @@ inline Embedded_skeleton embed_skeleton(const Triangulated_solid& solid, const s
   }
   Cut_graph cut_graph(solid.triangulation(), arrangement);
   cut_graph.cut(arrangement);
-  return embed_skeleton(solid, separators, inserted, cut_graph, node_spacing, report);
+  return embed_skeleton(solid, separators, inserted, cut_graph, Options().node_spacing, report);
 }
 
 } // namespace CSCD::internal
