@@ -11,7 +11,6 @@ CGAL's rays. Each mesh is measured in a process of its own, with a time limit.
 
 import argparse
 import collections
-import concurrent.futures
 import json
 import math
 import pathlib
@@ -21,6 +20,8 @@ import sys
 import tempfile
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import dijkstra
 
 import tables
 from programs import Failure, Laboratory, read_off, run
@@ -34,14 +35,77 @@ ERRORS = ("rand_error", "cut_discrepancy", "hamming_distance", "global_consisten
 TITLES = ("1 - Rand index", "cut discrepancy", "Hamming", "global consistency", "local consistency")
 
 
-def measure(lab, options, mesh, method, *people):
+def measure(lab, options, mesh, method):
     """What measure_applications writes of a mesh, or None."""
     try:
-        program = lab.benchmarks / "measure_applications"
-        return json.loads(run(program, mesh, method, *people, timeout=options.timeout)[0])
+        return json.loads(run(lab.benchmarks / "measure_applications", mesh, method, timeout=options.timeout)[0])
     except Failure as failure:
         print(f"{mesh} {method}: {failure}", file=sys.stderr)
         return None
+
+
+# Segmentations.
+
+def compare_segmentations(points, faces, first, second):
+    """The measures of the Princeton segmentation benchmark (X. Chen, A. Golovinskiy, T. Funkhouser, "A benchmark for 3D
+    mesh segmentation", 2009) in the order of ERRORS: each face counts once, and all are 0 for equal segmentations. The
+    cut discrepancy is not a number if just one of the segmentations has boundaries, or some lie in components where the
+    other has none."""
+    first, second = (np.unique(labels, return_inverse=True)[1] for labels in (first, second))
+    common = np.zeros((first.max() + 1, second.max() + 1))
+    np.add.at(common, (first, second), 1)
+    of_first, of_second, number = common.sum(axis=1), common.sum(axis=0), len(faces)
+
+    def pairs(sizes):
+        return (sizes * (sizes - 1) / 2).sum()
+
+    beyond_first = common * (1 - common / of_first[:, None])  # faces, by the part of their part that is not common
+    beyond_second = common * (1 - common / of_second)
+    rand_error = (pairs(of_first) + pairs(of_second) - 2 * pairs(common)) / max(pairs(np.array(number)), 1)
+    hamming = 1 - (common.max(axis=0).sum() + common.max(axis=1).sum()) / (2 * number)
+    global_error = min(beyond_first.sum(), beyond_second.sum()) / number
+    local_error = np.minimum(beyond_first, beyond_second).sum() / number
+
+    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
+    face_of_side = np.tile(np.arange(number), 3)
+    order = np.lexsort(sides.T)
+    pairs_of_sides = np.stack([order[:-1], order[1:]])[:, (sides[order[:-1]] == sides[order[1:]]).all(axis=1)]
+    edges = np.unique(sides, axis=0)
+    lengths = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1)
+    graph = coo_array((lengths, edges.T), shape=(len(points),) * 2).tocsr()
+
+    def boundary(labels):
+        is_between = labels[face_of_side[pairs_of_sides[0]]] != labels[face_of_side[pairs_of_sides[1]]]
+        return np.unique(sides[pairs_of_sides[0, is_between]])
+
+    def mean_distance(start, end):
+        """From the vertices `start` to the nearest one of `end`, along edges."""
+        if len(start) == 0 or len(end) == 0:
+            return 0 if len(start) == 0 else math.nan
+        distances = dijkstra(graph, directed=False, indices=end, min_only=True)[start]
+        return distances.mean() if np.isfinite(distances).all() else math.nan
+
+    cuts = [boundary(labels) for labels in (first, second)]
+    corners = points[faces]
+    areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    centers = corners.mean(axis=1)
+    radius = np.average(np.linalg.norm(centers - np.average(centers, axis=0, weights=areas), axis=1), weights=areas)
+    discrepancy = (mean_distance(*cuts) + mean_distance(*reversed(cuts))) / radius
+    return rand_error, discrepancy, hamming, global_error, local_error
+
+
+def measure_segmentation(lab, options, number, method):
+    """What measure_applications writes of a mesh, with its mean errors over the segmentations by people, or None."""
+    mesh = options.princeton / f"off/{number}.off"
+    result = measure(lab, options, mesh, method)
+    if result:
+        points, faces = map(np.array, read_off(mesh))
+        errors = np.array([compare_segmentations(points, faces, result["labels"], np.loadtxt(people, dtype=int))
+                           for people in (options.princeton / f"seg/Benchmark/{number}").iterdir()])
+        is_known = np.isfinite(errors)
+        result.update(zip(ERRORS, (column[known].mean() if known.any() else None
+                                   for column, known in zip(errors.T, is_known.T))))
+    return result
 
 
 def mean_cells(runs):
@@ -57,9 +121,7 @@ def segmentation_table(lab, options, method, parity):
     """A row for each class, and one for all meshes whose number is even (0) or odd (1)."""
     numbers = [number for number in range(2 - parity, MESHES_IN_A_CLASS * len(PRINCETON_CLASSES) + 1, 2 * options.step)
                if (options.princeton / f"off/{number}.off").exists()]
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        runs = list(pool.map(lambda number: measure(lab, options, options.princeton / f"off/{number}.off", method,
-                                                    options.princeton / f"seg/Benchmark/{number}"), numbers))
+    runs = [measure_segmentation(lab, options, number, method) for number in numbers]
     of_class = collections.defaultdict(list)
     for number, run_of_mesh in zip(numbers, runs):
         if run_of_mesh:
@@ -189,8 +251,7 @@ def constrictions_table(lab, options):
         loops = json.loads(run(lab.cscd, "loops", mesh, "-o", "-", timeout=options.timeout)[0])
         return [loop for loop in loops if loop["kind"] == "constriction"]
 
-    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        found = list(pool.map(loops_of, poses))
+    found = [loops_of(mesh) for mesh in poses]
     first_points = np.array(read_off(poses[0])[0])
     near = np.ptp(first_points[:, 1]) / 15  # of the height of the body
     to_first = read_correspondence(poses[0])
@@ -221,7 +282,6 @@ def main():
     parser.add_argument("--parities", nargs="+", type=int, default=[0, 1], help="of numbers: 0 is even; 1 was tuned on")
     parser.add_argument("--timeout", type=float, default=60, help="seconds for each mesh and method")
     parser.add_argument("--step", type=int, default=1, help="take one in so many shapes, for a quick look")
-    parser.add_argument("--jobs", type=int, default=1, help="meshes at once")
     options = parser.parse_args()
     print(tables.circumstances("benchmark/reproduce/run.sh applications", options.build))
     with tempfile.TemporaryDirectory() as folder:

@@ -3,13 +3,11 @@
 //
 // Segmentations and shape diameters of one mesh, for benchmark/reproduce/applications.py.
 //
-// Usage: measure_applications MESH METHOD [FOLDER]
+// Usage: measure_applications MESH METHOD
 // Methods: `skeleton`, CSCD::segment_mesh() and our shape diameters; `diameter`, CGAL's segmentation by our shape
-// diameters; `rays`, CGAL's segmentation by its own shape diameters, which are found by rays. FOLDER holds
-// segmentations by people. Writes one JSON object: CPU seconds, shape diameters of the vertices, and the mean errors of
-// the segmentation over the people.
+// diameters; `rays`, CGAL's segmentation by its own shape diameters, which are found by rays. Writes one JSON object:
+// CPU seconds, shape diameters of the vertices, and the part of each face.
 
-#include "compare_segmentations.h"
 #include <CSCD/Application/estimate_shape_diameters.h>
 #include <CSCD/Application/segment_mesh.h>
 #include <CSCD/IO/read_triangle_mesh.h>
@@ -22,12 +20,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <ctime>
 #include <exception>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <stdexcept>
 #include <string>
@@ -108,51 +103,12 @@ std::size_t measure(const std::string& method, Mesh& mesh, Labels labels, Json& 
   return number_of_parts;
 }
 
-Labels read_labels(const std::filesystem::path& file, Mesh& mesh)
-{
-  const Labels labels = mesh.add_property_map<Mesh::Face_index, std::size_t>().first;
-  std::ifstream in(file);
-  for (const Mesh::Face_index face : mesh.faces()) {
-    if (!(in >> labels[face])) {
-      throw std::runtime_error(file.string() + ": has not a label for each face");
-    }
-  }
-  return labels;
-}
-
-/// The means over the segmentations by people.
-Json compare_with_people(const std::filesystem::path& folder, const Mesh& mesh, const Labels& labels)
-{
-  double people = 0;
-  double people_with_cuts = 0;
-  benchmark_applications::Segmentation_comparison sum{};
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    Mesh copy = mesh;
-    const benchmark_applications::Segmentation_comparison one =
-        benchmark_applications::compare_segmentations(mesh, labels, read_labels(entry.path(), copy));
-    people += 1;
-    sum.rand_error += one.rand_error;
-    sum.hamming_distance += one.hamming_distance;
-    sum.global_consistency_error += one.global_consistency_error;
-    sum.local_consistency_error += one.local_consistency_error;
-    if (!std::isnan(one.cut_discrepancy)) {
-      sum.cut_discrepancy = (people_with_cuts == 0 ? 0 : sum.cut_discrepancy) + one.cut_discrepancy;
-      people_with_cuts += 1;
-    }
-  }
-  return {{"rand_error", sum.rand_error / people},
-          {"cut_discrepancy", people_with_cuts > 0 ? Json(sum.cut_discrepancy / people_with_cuts) : Json()},
-          {"hamming_distance", sum.hamming_distance / people},
-          {"global_consistency_error", sum.global_consistency_error / people},
-          {"local_consistency_error", sum.local_consistency_error / people}};
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 try {
-  if (argc < 3) {
-    std::cerr << "usage: measure_applications MESH METHOD [FOLDER]\n";
+  if (argc != 3) {
+    std::cerr << "usage: measure_applications MESH METHOD\n";
     return 1;
   }
   Mesh mesh;
@@ -160,8 +116,8 @@ try {
   const Labels labels = mesh.add_property_map<Mesh::Face_index, std::size_t>().first;
   Json result{{"vertices", mesh.number_of_vertices()}};
   result["parts"] = measure(argv[2], mesh, labels, result);
-  if (argc > 3 && result["parts"] > 0) {
-    result.update(compare_with_people(argv[3], mesh, labels));
+  for (const Mesh::Face_index face : mesh.faces()) {
+    result["labels"].push_back(labels[face]);
   }
   std::cout << result << '\n';
 } catch (const std::exception& error) {

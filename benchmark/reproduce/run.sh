@@ -47,7 +47,7 @@ if [[ -z ${targets[$name]+is_set} ]]; then
   exit 1
 fi
 shift
-install_packages python3-numpy
+install_packages python3-numpy python3-scipy
 read -r -a programs <<<"${targets[$name]}"
 build_benchmarks "${programs[@]}" >&2
 export PYTHONPATH=$source_dir/benchmark PYTHONDONTWRITEBYTECODE=1
