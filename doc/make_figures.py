@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Makes the pictures of README.md, doc/gallery.md and doc/applications.md anew, in one style: see drawing.py.
+"""Makes the pictures of README.md and the pages of doc anew, in one style: see drawing.py.
 
 Usage: make_figures.py --program build/bin/cscd [--mcf build/bin/benchmark/mcf_skeleton] [--msls COMMAND] [--output FOLDER]
 [NAME...]: by default all pictures that the given programs allow, into doc/fig. COMMAND, MESH and SKELETON.graph behind it,
@@ -444,7 +444,67 @@ def others(options, shapes):
     return picture
 
 
+def revolved(corners, stretch=1.0, around=64, step=0.04):
+    """The surface that a polyline of radii and heights sweeps; radius 0 is a point on the axis."""
+    profile = [corners[0]]
+    for (r, z), (s, w) in zip(corners, corners[1:]):
+        number = max(1, round(math.hypot(s - r, w - z) / step))
+        profile += [(r + (s - r) * i / number, z + (w - z) * i / number) for i in range(1, number + 1)]
+    points, rings, faces = [], [], []
+    for r, z in profile:
+        angles = [2 * math.pi * k / around for k in range(around if r > 0 else 1)]
+        rings.append([len(points) + k % len(angles) for k in range(around)])
+        points += [(stretch * r * math.cos(t), r * math.sin(t), z) for t in angles]
+    for low, high in zip(rings, rings[1:]):
+        for k in range(around):
+            a, b, c, d = low[k], low[(k + 1) % around], high[k], high[(k + 1) % around]
+            faces += [face for face in ((a, b, c), (b, d, c)) if len(set(face)) == 3]
+    return np.array(points), np.array(faces)
+
+
+def failures(options, shapes):
+    """A cup, a bust and a tub: bodies whose skeletons mean little."""
+    cup = revolved([(0, 0), (0.5, 0), (0.5, 1.1), (0.44, 1.1), (0.44, 0.06), (0, 0.06)])
+    tub = revolved([(0.08, -1.1), (0.08, -0.3), (0.3, -0.25), (0.62, 0), (0.7, 0.55)], stretch=1.5)
+    picture = Picture(1920, 560)
+    for column, (name, pose, (points, faces)) in enumerate([
+            ("a cup", ("z", 30, 28), cup), ("a bust", ("z", 60, 6), read_off(shapes.mesh("mannequin-devil"))),
+            ("a tub with its drain", ("z", 30, 14), tub)]):
+        path = shapes.folder / "failure.off"
+        write_off(path, points, faces)
+        skeleton = skeletonize(options.program, path)
+        scene = Scene(view(*pose))
+        scene.body(points, faces)
+        scene.skeleton(skeleton.points, skeleton.edges, skeleton.colors_of_branches(), 0.009)
+        picture.place(scene.draw(640, 500), 640 * column, 60)
+        picture.word(name, 640 * column + 320, 30, 34)
+    return picture
+
+
+def vessel(options, shapes):
+    """The vessel of doc/python.md and its skeleton, colored by radius."""
+    t, angle = np.linspace(0, 1, 240)[:, None, None], np.linspace(0, 2 * np.pi, 24, endpoint=False)[:, None]
+    bend = np.concatenate([60 * t, 8 * np.sin(2 * np.pi * t), 0 * t], axis=2)
+    along = np.gradient(bend[:, 0], axis=0)
+    side = np.cross(along, [0, 0, 1])[:, None] / np.linalg.norm(along, axis=1)[:, None, None]
+    lumen = 3 - 1.5 * np.exp(-(((t - 0.5) / 0.08) ** 2))
+    points = (bend + lumen * (np.cos(angle) * side + np.sin(angle) * [0, 0, 1])).reshape(-1, 3)
+    a, k = 24 * np.arange(239)[:, None] + np.arange(24), np.arange(24)
+    b = a - k + (k + 1) % 24
+    faces = np.concatenate([np.stack([a, b, b + 24], 2), np.stack([a, b + 24, a + 24], 2)]).reshape(-1, 3)
+    path = shapes.folder / "vessel.off"
+    write_off(path, points, faces)
+    skeleton = skeletonize(options.program, path)
+    scene = Scene(view("z", 0, 60))
+    scene.body(points, faces)
+    scene.skeleton(skeleton.points, skeleton.edges, skeleton.colors_of_radii(), 0.009)
+    picture = Picture(1800, 560)
+    picture.place(scene.draw(1800, 560), 0, 0)
+    return picture
+
+
 PICTURES = {"hero": hero, "inputs": inputs, "others": others, "comparison": comparison, "detail": detail, "gallery": gallery,
+            "failures": failures, "vessel": vessel,
             "application_diameters": application_diameters, "application_parts": application_parts,
             "application_loops": application_loops}
 

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The CSCD developers
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-"""Prints the tables of doc/applications.md.
+"""Prints the tables of applications in doc/results.md.
 
 Usage: applications.py BUILD PRINCETON [TOSCA [FAUST]] [OPTION...]
 PRINCETON is the Princeton segmentation benchmark: off/N.off and seg/Benchmark/N/N_*.seg. TOSCA and FAUST, remeshed, are

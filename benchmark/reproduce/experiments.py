@@ -388,9 +388,8 @@ def compile_time(lab, options):
 
 EXPERIMENTS = {function.__name__: function for function in
                (performance, geodesics, published, points, graphs, trees, compile_time)}
-# The names of the places for the sentence on the circumstances, where the page has several.
-PLACES = {"published": ["method", "sources", "noise", "resolution", "holes", "ring"],
-          "points": ["clouds", "published_clouds"], "performance": ["performance"]}
+# The name of the place for the sentence on the circumstances, where it is not that of the experiment.
+PLACES = {"published": "method", "points": "clouds"}
 
 
 def main():
@@ -408,7 +407,7 @@ def main():
     is_timed = options.name in ("performance", "geodesics")
     sentence = tables.circumstances(options.command, options.build, options.repetitions if is_timed else 1)
     print(sentence, *(f"{name}:\n\n{table}" for name, table in found.items()), sep="\n\n")
-    found.update({f"circumstances_of_{place}": sentence for place in PLACES.get(options.name, [options.name])})
+    found[f"circumstances_of_{PLACES.get(options.name, options.name)}"] = sentence
     if options.write:
         for path in [*sorted((ROOT / "doc").glob("*.md")), ROOT / "README.md"]:
             tables.replace_between_markers(path, found)

@@ -5,19 +5,18 @@
 # Installs missing packages (Debian, Ubuntu), builds the programs of an experiment, runs it, and prints its tables.
 # Usage: benchmark/reproduce/run.sh NAME [PATH...] [OPTION...]
 #
-# NAME          page of doc           PATH...
-# performance   performance.md
-# geodesics     geodesics.md
-# published     published.md,         folders of closed meshes in OFF format, besides CGAL's
-#               reproduction.md
-# points        points.md             likewise
-# graphs        graphs.md             likewise
-# trees         trees.md              scans in XYZ format
-# compile_time  performance.md
-# volumes       volumes.md            a folder that gets the volumes, about 400 MB; optionally the size of the largest
-# applications  applications.md       PRINCETON [TOSCA [FAUST]]: see applications.py
-# quality       measures.md           folders of meshes; by default CGAL's
-# pictures      all
+# NAME          PATH...               tables in doc/results.md unless another page is named
+# performance
+# geodesics                           geodesics.md
+# published     folders of closed meshes in OFF format, in addition to CGAL's
+# points        likewise
+# graphs        likewise
+# trees         scans in XYZ format
+# compile_time
+# volumes       a folder that gets the volumes, about 400 MB; optionally the size of the largest
+# applications  PRINCETON [TOSCA [FAUST]]: see applications.py
+# quality       folders of meshes; by default CGAL's
+# pictures                            all pages
 #
 # Options of the first seven: --write replaces the tables in the pages and in README.md; --repetitions N, by default 3,
 # is for what is timed; --quick measures little, as a test of the scripts. applications.py and quality.py have others.
@@ -43,7 +42,7 @@ declare -A targets=(
 )
 name=${1:-}
 if [[ -z ${targets[$name]+is_set} ]]; then
-  sed -n '6,25s/^# \?//p' "$0" >&2
+  sed -n '6,22s/^# \?//p' "$0" >&2
   exit 1
 fi
 shift

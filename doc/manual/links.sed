@@ -7,3 +7,6 @@ s,\[([^]]*)\]\((doc/)?manual/user_manual\.dox\),\\ref user_manual "\1",g
 s,\((\.\./)?examples/\),(examples.html),g
 # Links to headers have no page of their own by that path: the name is left.
 s,\[(`[^]]*`)\]\(\.\./include/[^)]*\),\1,g
+# Likewise of pages next to the code of other tools, whose pictures are found by name.
+s,\[([^]]*)\]\(\.\./integrations/[^)]*\.md\),\1,g
+s,\]\(\.\./integrations/blender/,](,g

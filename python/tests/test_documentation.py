@@ -26,7 +26,7 @@ def test_the_tutorial_runs(tmp_path, monkeypatch, capsys):
     assert names["measures"]["has_topology_of_surface"] is True
     assert names["soup"].nodes.shape == names["skeleton"].nodes.shape
     assert len(names["coarse"].branches()) < len(names["skeleton"].branches())
-    assert {path.name for path in tmp_path.iterdir()} == {"elephant.off", "elephant.html", "elephant.swc"}
+    assert {path.name for path in tmp_path.iterdir()} == {"elephant.off", "elephant.html", "elephant.swc", "elephant.glb"}
     assert "F: has the shape" in capsys.readouterr().out
 
 
